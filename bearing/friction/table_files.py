@@ -15,6 +15,7 @@ from ..files import write_bytes
 from ..geometry import Race
 from .race_tables import Tables, TemperatureTables
 
+DAMAGED = "no traction tables of a bearing, or damaged ones"
 INDEX = "temperatures.json"  # its presence marks a file with several temperatures
 
 
@@ -67,8 +68,14 @@ def load_tables(path: Path) -> Tables | TemperatureTables:
                 index = json.loads(archive.read(INDEX))
                 return {race: _temperature_table(archive, path, race, index) for race in Race}
             return {race: _table(archive, path, race.value) for race in Race}
-    except (zipfile.BadZipFile, KeyError, TypeError, json.JSONDecodeError) as problem:
-        raise ValueError(f"{path}: no traction tables of a bearing, or damaged ones") from problem
+    except OSError:
+        raise
+    except ValueError as problem:
+        if str(path) in str(problem):  # of a table in it, which says what is wrong
+            raise
+        raise ValueError(f"{path}: {DAMAGED}") from problem
+    except Exception as problem:  # of zip files, compression, types, whatever is damaged
+        raise ValueError(f"{path}: {DAMAGED}") from problem
 
 
 def _table(archive: zipfile.ZipFile, path: Path, name: str) -> TractionTable:

@@ -1,6 +1,5 @@
 """What a point computes: its summary as plain JSON, and files to keep."""
 
-import tempfile
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -28,6 +27,7 @@ from ..runs.bearing import run_case
 from ..runs.contact import run_contact
 from ..runs.dynamics import run_dynamics
 from ..runs.films import Solve
+from ..runs.output_lock import scratch_folder
 from ..runs.slip import run_slip
 from ..runs.traction_table import run_table
 from .points import Task
@@ -62,8 +62,8 @@ def _with_fields(results: BearingResults | ContactResults, task: Task) -> Comput
     document = summary(results)
     if not task.fields:
         return document, {}
-    with tempfile.TemporaryDirectory(prefix="oilfilm-") as temporary:
-        path = Path(temporary) / "results.nc"
+    with scratch_folder() as temporary:
+        path = temporary / "results.nc"
         if isinstance(results, ContactResults):
             write_contact_netcdf(results, path, document)
         else:
@@ -73,8 +73,8 @@ def _with_fields(results: BearingResults | ContactResults, task: Task) -> Comput
 
 def _dynamics(case: Case, task: Task, tables: Path | None) -> Computed:
     """Time simulation; its history is a file if one is written."""
-    with tempfile.TemporaryDirectory(prefix="oilfilm-") as temporary:
-        history = Path(temporary) / "history.nc"
+    with scratch_folder() as temporary:
+        history = temporary / "history.nc"
         document = dynamics_summary(run_dynamics(case, "case", history, tables=tables))
         return document, {".nc": history.read_bytes()} if task.fields else {}
 
@@ -82,8 +82,8 @@ def _dynamics(case: Case, task: Task, tables: Path | None) -> Computed:
 def _table(case: Case, task: Task) -> Computed:
     """Traction tables of the point's own loads and speeds, as a file."""
     results = run_table(case, task.table_points, 1)
-    with tempfile.TemporaryDirectory(prefix="oilfilm-") as temporary:
-        path = Path(temporary) / "table.zip"
+    with scratch_folder() as temporary:
+        path = temporary / "table.zip"
         save_race_tables(results.tables, path)
         return traction_summary(results), {".zip": path.read_bytes()}
 

@@ -18,6 +18,7 @@ from ehl import (
     solve_contact,
 )
 
+from ..runs.interrupt import say
 from .keys import content_key
 from .store import write_file
 
@@ -36,6 +37,8 @@ def cached_solver(folder: Path) -> Callable[[ContactConditions, SolverOptions], 
         known = load(path, conditions, options)
         if known is not None:
             return known
+        if path.exists():
+            say(f"oilfilm: {path}: damaged; the contact is solved anew")
         solution = solve_contact(conditions, options)
         store(path, solution)
         return solution
@@ -46,7 +49,7 @@ def cached_solver(folder: Path) -> Callable[[ContactConditions, SolverOptions], 
 def store(path: Path, solution: ContactSolution) -> None:
     """Write a solution to `path`, unless the cache is full or a file cannot hold it."""
     arrays: dict[str, Any] = {}
-    values: dict[str, Any] = {}
+    values: dict[str, Any] = {"name": path.stem}
     for item in fields(solution):
         value: Any = getattr(solution, item.name)
         if isinstance(value, np.ndarray):
@@ -69,14 +72,16 @@ def load(
 ) -> ContactSolution | None:
     """The solution at `path`; None if there is none or it is damaged."""
     try:
-        with np.load(path, allow_pickle=False) as file:
+        with path.open("rb") as stream, np.load(stream, allow_pickle=False) as file:
             arrays = {name: file[name] for name in file.files if name != "header"}
             values = json.loads(file["header"].tobytes(), object_hook=_tuples)
+        if values.pop("name") != path.stem:
+            return None
         for name, value in values.items():
             kind: Any = ConvergenceRecord if name == "record" else FilmValue
             values[name] = kind(**value) if isinstance(value, dict) else value
         return ContactSolution(conditions=conditions, options=options, **arrays, **values)
-    except (OSError, ValueError, KeyError, TypeError, EOFError):
+    except Exception:  # of zip files, compression, numbers, text: whatever is damaged
         return None
 
 

@@ -16,7 +16,9 @@ from typing import Any
 from bearing.files import write_bytes
 
 from ..format.problems import CaseError
+from ..runs.interrupt import say
 from ..runs.output_directory import check_output
+from .keys import digest, document_text
 
 POINTS = "points"
 CONTACTS = "contacts"
@@ -62,13 +64,45 @@ def read_point(directory: Path, key: str) -> dict[str, Any] | None:
     """A finished point; None if there is none, or its file is damaged."""
     try:
         record = json.loads((directory / POINTS / f"{key}.json").read_text(encoding="utf-8"))
-    except (OSError, ValueError, RecursionError):
+        whole = record.pop("digest") == record_digest(record) and record["key"] == key
+    except (OSError, ValueError, RecursionError, AttributeError, KeyError, TypeError):
         return None
-    whole = isinstance(record, dict) and record.get("key") == key and "status" in record
     return record if whole else None
 
 
+def record_digest(record: dict[str, Any]) -> str:
+    """Hash of what the file of a point holds beside it."""
+    return digest(document_text(record))
+
+
+def damaged_file(directory: Path, key: str) -> Path | None:
+    """The first file of a point that is not as it was written; None if there is none such."""
+    path = directory / POINTS / f"{key}.json"
+    record = read_point(directory, key)
+    if record is None:
+        return path if path.exists() else None
+    for suffix, expected in record["files"].items():
+        file = path.with_suffix(suffix)
+        try:
+            whole = digest(file.read_bytes()) == expected
+        except OSError:
+            whole = False
+        if not whole:
+            return file
+    return None
+
+
 def finished_keys(directory: Path, keys: Iterable[str]) -> set[str]:
-    """Those of `keys` that have been computed; points that failed are to be tried again."""
-    records = {key: read_point(directory, key) for key in keys}
-    return {key for key, record in records.items() if record and record["status"] == DONE}
+    """Those of `keys` that have been computed; points that failed are to be tried again, and so
+    are those with a damaged file, which is said.
+    """
+    finished = set()
+    for key in keys:
+        damaged = damaged_file(directory, key)
+        if damaged is not None:
+            say(f"oilfilm: {damaged}: damaged; the point is computed anew")
+            continue
+        record = read_point(directory, key)
+        if record is not None and record["status"] == DONE:
+            finished.add(key)
+    return finished

@@ -36,7 +36,7 @@ from .tables import (
     with_table_names,
 )
 
-FORMAT = 1  # of what a point leaves on disk
+FORMAT = 2  # of what a point leaves on disk
 MOST_FAULTS = 1000  # from which on no further point is checked
 
 

@@ -30,6 +30,7 @@ from ..format.case import Case, ContactCase, case_of_document
 from ..format.traction import fitting_tables, tables_of_file
 from ..runs.equilibrium import case_equilibrium, without_traction_equilibrium
 from ..runs.films import Progress
+from ..runs.interrupt import say
 from ..version import version
 from .keys import BESIDE_TRACTION_TABLES, content_key, digest, document_text
 from .points import Point, Sweep
@@ -151,13 +152,23 @@ def prepare_tables(
     for name in dict.fromkeys(name for name in wanted if name is not None):
         path = table_path(directory, name)
         try:
-            if path.exists():
-                tables_once(str(path))
-            else:
+            if not _whole(path):
                 _put(sweep, name, path, progress)
         except ValueError as error:
             problems[name] = f"no traction tables: {error}"
     return problems
+
+
+def _whole(path: Path) -> bool:
+    """Whether tables are there, and can be read; damaged ones are said."""
+    if not path.exists():
+        return False
+    try:
+        tables_once(str(path))
+    except ValueError:
+        say(f"oilfilm: {path}: damaged; the traction tables are made anew")
+        return False
+    return True
 
 
 def _put(sweep: Sweep, name: str, path: Path, progress: Progress) -> None:

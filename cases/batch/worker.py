@@ -4,16 +4,30 @@ import atexit
 import json
 import shutil
 import tempfile
+from collections.abc import Mapping
 from functools import cache
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 from ..format.case import case_of_document
 from ..version import version
 from .compute import Computed, compute
 from .contact_cache import cached_solver
+from .keys import digest
 from .points import Receipt, Task
-from .store import CONTACTS, DONE, FAILED, read_point, write_file, write_point
+from .store import (
+    CONTACTS,
+    DONE,
+    FAILED,
+    damaged_file,
+    read_point,
+    record_digest,
+    write_file,
+    write_point,
+)
+
+EMPTY: Mapping[str, bytes] = MappingProxyType({})
 
 
 def compute_point(task: Task, tables: bytes | None = None) -> Receipt:
@@ -28,11 +42,12 @@ def compute_point(task: Task, tables: bytes | None = None) -> Receipt:
             f"a worker has oilfilm {version()}, the batch was started with {task.program}"
         )
     known = None if folder is None else read_point(folder, task.key)
-    if known is not None and known["status"] == DONE:
+    done = known is not None and known["status"] == DONE
+    if done and folder is not None and not damaged_file(folder, task.key):
         return Receipt(DONE)
     try:
         summary, files = _computed(task, folder, tables)
-        receipt = Receipt(DONE, {**files, **record(task.key, DONE, summary=summary)})
+        receipt = Receipt(DONE, {**files, **record(task.key, DONE, "", summary, files)})
     except Exception as error:  # one point must not stop the others
         text = " ".join(str(error).split()) or type(error).__name__
         receipt = failure(task.key, FAILED, f"{type(error).__name__}: {text}"[:500])
@@ -43,11 +58,18 @@ def compute_point(task: Task, tables: bytes | None = None) -> Receipt:
 
 
 def record(
-    key: str, status: str, message: str = "", summary: dict[str, Any] | None = None
+    key: str,
+    status: str,
+    message: str = "",
+    summary: dict[str, Any] | None = None,
+    files: Mapping[str, bytes] = EMPTY,
 ) -> dict[str, bytes]:
-    """The file that says what became of a point, by its suffix."""
-    content = {"key": key, "status": status, "message": message, "summary": summary}
-    return {".json": json.dumps(content, ensure_ascii=False, allow_nan=False).encode()}
+    """The file that says what became of a point, by its suffix, with digests of the others."""
+    content: dict[str, Any] = {"key": key, "status": status, "message": message}
+    content |= {"summary": summary, "files": {name: digest(data) for name, data in files.items()}}
+    plain = json.loads(json.dumps(content, allow_nan=False))
+    plain["digest"] = record_digest(plain)
+    return {".json": json.dumps(plain, ensure_ascii=False).encode()}
 
 
 def failure(key: str, status: str, message: str) -> Receipt:

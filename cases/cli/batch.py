@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -14,8 +13,9 @@ from bearing.files import is_disk_failure
 
 from ..format.problems import CaseError
 from ..runs.interrupt import finish_first, say
+from ..runs.output_lock import scratch_folder
 from .app import Json, Output, Quiet, app
-from .output import report
+from .output import held_directory, report
 from .progress import progress_bar
 from .terminal import FAILED, guarded
 
@@ -78,10 +78,10 @@ def batch(  # noqa: PLR0913
 def _folder(directory: Path, *, keep: bool) -> Iterator[Path]:
     """The folder of the batch; one that goes away where only the JSON is wanted."""
     if keep:
-        yield directory
+        yield held_directory(directory)
         return
-    with tempfile.TemporaryDirectory(prefix="oilfilm-batch-") as temporary:
-        yield Path(temporary)
+    with scratch_folder() as temporary:
+        yield temporary
 
 
 @contextmanager

@@ -9,7 +9,7 @@ import typer
 from ..format.problems import CaseError
 from ..runs.interrupt import say
 from .app import CaseName, Json, Output, Quiet, app
-from .output import load_bearing, report, results_directory, save, save_with
+from .output import held_file, load_bearing, report, results_directory, save, save_with
 from .progress import progress_bar
 from .terminal import guarded
 
@@ -199,6 +199,8 @@ def table(  # noqa: PLR0913
         raise CaseError(
             f"{path}: cannot be written; allowed with -o: a file in a folder that exists"
         )
+    if path is not None:
+        held_file(path)
     from ..runs.traction_table import run_table, temperature_axis, with_full_solves
 
     over = None if temperatures is None else temperature_axis(case, temperatures)

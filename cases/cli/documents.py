@@ -11,6 +11,7 @@ import typer
 from ..format.problems import CaseError
 from ..runs.interrupt import say
 from .app import app
+from .output import held_directory, held_file
 from .terminal import NOT_CONVERGED, guarded, print_json, print_table
 
 Directory = Annotated[Path, typer.Argument(metavar="DIR", help="A directory of results.")]
@@ -50,7 +51,7 @@ def report(directory: Directory, quiet: Errors = False) -> None:
     from postprocess.report.page import write_report
 
     with _as_case_errors(directory):
-        path = write_report(directory)
+        path = write_report(held_directory(directory))
     from ..runs.output_directory import add_to_manifest
 
     add_to_manifest(directory, path.name)
@@ -110,7 +111,7 @@ def cut(
     from postprocess.contact.line_cut import write_line_cut
 
     with _as_case_errors(directory):
-        file = output or Path("cut.csv")
+        file = held_file(output or Path("cut.csv"))
         say(f"table in {write_line_cut(directory, file, contact, axis.value, at)}")
 
 
@@ -140,7 +141,7 @@ def interferogram(
     with _as_case_errors(directory):
         lengths = tuple(value * NANOMETRE for value in wavelength) if wavelength else (SODIUM,)
         optics = Optics(wavelengths=lengths, refractive_index=index)
-        file = output or Path("interferogram.png")
+        file = held_file(output or Path("interferogram.png"))
         say(f"picture in {write_interferogram(directory, file, contact, optics)}")
 
 
@@ -172,7 +173,7 @@ def diagram(
     from postprocess.batch.read import read_batch
 
     with _as_case_errors(directory):
-        file = output or Path("diagram.png")
+        file = held_file(output or Path("diagram.png"))
         results = read_batch(directory)
         say(f"picture in {write_diagram(results, file, tuple(over or ()), tuple(of or ()))}")
 
@@ -201,6 +202,7 @@ def export(
     if file.suffix.lower() != f".{file_format}":
         raise CaseError(f"--output {file}: allowed: a .{file_format} file, as --format says")
     with _as_case_errors(directory):
+        held_file(file)
         files = _write_document(directory, file, file_format) or _write_meshes(directory, file)
     if not quiet:
         for path in files:

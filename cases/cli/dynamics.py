@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import tempfile
+from contextlib import AbstractContextManager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -12,6 +13,7 @@ from bearing.files import is_disk_failure
 
 from ..format.problems import CaseError
 from ..runs.interrupt import finish_first, say
+from ..runs.output_lock import TEMPORARY, home, scratch_folder
 from .app import CaseName, Json, Output, Quiet, app
 from .output import load_bearing, report, results_directory, save_with
 from .progress import progress_bar
@@ -60,9 +62,7 @@ def dynamics(
         raise CaseError(f"--animate {animation}: {allowed}")
     from ..runs.dynamics import Interrupted, run_dynamics
 
-    # the history may be large: not in /tmp
-    home = None if directory is None else directory.absolute().parent
-    with tempfile.TemporaryDirectory(prefix=".oilfilm-", dir=home) as folder:
+    with _history_folder(directory) as folder:
         history = Path(folder) / "history.nc"
         try:
             with progress_bar(quiet=quiet) as progress:
@@ -78,6 +78,15 @@ def dynamics(
         if animation is not None and directory is not None:
             _animate(directory, animation)
         return report(document, lambda: dynamics_table(document), directory, as_json, quiet)
+
+
+def _history_folder(directory: Path | None) -> AbstractContextManager[str | Path]:
+    """A temporary folder for the history, beside the results: it may be large for /tmp."""
+    if directory is None:
+        return scratch_folder()
+
+    name = f".{directory.absolute().name}-"
+    return tempfile.TemporaryDirectory(TEMPORARY, name, home(directory))
 
 
 def _write(results: DynamicsResults, directory: Path) -> tuple[str, ...]:

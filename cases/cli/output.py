@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..format.problems import CaseError
 from ..runs.interrupt import finish_first, say
-from .terminal import NOT_CONVERGED, print_json, print_table
+from .terminal import NOT_CONVERGED, hold, print_json, print_table
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -35,13 +35,29 @@ def load_bearing(name: str, needed: str) -> Case:
 
 def results_directory(case: str, output: Path | None, as_json: bool) -> Path | None:
     """Where the results go; None with --json alone."""
-    from ..runs.output_directory import check_output
-
     if output is None and as_json:
         return None
-    directory = output if output is not None else Path(f"{Path(case).stem}_results")
+    return held_directory(output or Path(f"{Path(case).stem}_results"))
+
+
+def held_directory(directory: Path) -> Path:
+    """A folder that can be written, held against other programs until the command ends."""
+    from ..runs.output_directory import check_output
+    from ..runs.output_lock import one_writer
+
     check_output(directory)
+    hold(one_writer(directory))
     return directory
+
+
+def held_file(file: Path) -> Path:
+    """A file that can be written, held against other programs until the command ends."""
+    from ..runs.output_directory import check_file
+    from ..runs.output_lock import one_writer
+
+    check_file(file)
+    hold(one_writer(file))
+    return file
 
 
 def save(

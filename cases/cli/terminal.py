@@ -9,7 +9,9 @@ import tempfile
 import threading
 import traceback
 from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING, ParamSpec
+from contextlib import AbstractContextManager, ExitStack
+from contextvars import ContextVar
+from typing import TYPE_CHECKING, ParamSpec, TypeVar
 
 import typer
 
@@ -28,6 +30,9 @@ FAILED = 4
 MOST_MESSAGES = 20  # lines of errors shown; a file of garbage has hundreds
 
 P = ParamSpec("P")
+T = TypeVar("T")
+
+HELD: ContextVar[ExitStack] = ContextVar("HELD")  # what a command holds until its end
 
 
 def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
@@ -37,13 +42,20 @@ def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
     def run(*args: P.args, **kwargs: P.kwargs) -> None:
         def prepared() -> int | None:
             ensure_kernel_cache()  # before anything imports numba
-            return command(*args, **kwargs)
+            with ExitStack() as stack:
+                HELD.set(stack)
+                return command(*args, **kwargs)
 
         code = exit_code(prepared)
         if code:
             raise typer.Exit(code)
 
     return run
+
+
+def hold(manager: AbstractContextManager[T]) -> T:
+    """Enter a context that ends with the command."""
+    return HELD.get().enter_context(manager)
 
 
 def exit_code(command: Callable[[], int | None]) -> int:

@@ -13,7 +13,7 @@ from verification.names import SectionName
 from ..format.problems import CaseError
 from ..runs.interrupt import finish_first, say
 from .app import Json, Output, Quiet, app
-from .output import load_bearing
+from .output import held_directory, load_bearing
 from .progress import progress_bar
 from .terminal import NOT_CONVERGED, guarded, print_json, print_table
 
@@ -61,8 +61,6 @@ def verify(
     """Compute the verification page of the contact solver: orders, limits, films, costs."""
     from verification.page import ForeignFileError
 
-    from ..runs.output_directory import check_output
-
     if robustness is not None and section:
         raise CaseError("--robustness, --section: found together; allowed: one of them")
     if robustness is None and seed is not None:
@@ -72,7 +70,7 @@ def verify(
     printed = as_json and output is None and robustness is None
     directory = None if printed else output or DIRECTORY
     if directory is not None:
-        check_output(directory)
+        held_directory(directory)
     try:
         if robustness is None or directory is None:
             sections = _page(list(section or SectionName), directory, quick, quiet)

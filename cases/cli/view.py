@@ -10,6 +10,7 @@ import typer
 from ..format.problems import CaseError
 from ..runs.interrupt import say
 from .app import app
+from .output import held_file
 from .progress import progress_bar
 from .terminal import FAILED, guarded
 
@@ -51,6 +52,9 @@ def view(
         raise CaseError(
             f"{directory}: no such directory; allowed: a directory of results of 'oilfilm run'"
         )
+    for file in (screenshot, html, movie):
+        if file is not None:
+            held_file(file)
     from postprocess.scene import scene
 
     factors = None if magnification is None else (magnification, magnification)

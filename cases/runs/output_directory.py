@@ -10,6 +10,7 @@ from pathlib import Path
 from bearing.files import umask
 
 from ..format.problems import CaseError
+from .output_lock import TEMPORARY, home
 
 # what we wrote, so that a later run replaces that and nothing else
 MANIFEST = ".oilfilm-files.json"
@@ -24,10 +25,25 @@ def check_output(directory: Path) -> None:
         raise CaseError(f"{directory}: is not a directory; {allowed}")
     try:
         directory.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryFile(dir=directory if directory.exists() else directory.parent):
+        with tempfile.TemporaryFile(dir=home(directory)):
             pass
+        if directory.exists():
+            with tempfile.TemporaryFile(dir=directory):
+                pass
     except OSError as error:
         raise CaseError(f"{directory}: cannot be written: {error.strerror or error}") from None
+
+
+def check_file(file: Path) -> None:
+    """Whether a file can be written; `CaseError` before computing if not."""
+    if file.is_dir():
+        raise CaseError(f"{file}: is a directory; allowed: a file")
+    try:
+        file.absolute().parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=file.absolute().parent):
+            pass
+    except OSError as error:
+        raise CaseError(f"{file}: cannot be written: {error.strerror or error}") from None
 
 
 def save(write: Callable[[Path], tuple[str, ...]], directory: Path) -> tuple[str, ...]:
@@ -37,8 +53,11 @@ def save(write: Callable[[Path], tuple[str, ...]], directory: Path) -> tuple[str
     Files of an earlier result in `directory` are replaced and all others stay; `CaseError` if a
     file that is not ours has the name of one of the new files.
     """
+    directory = directory.absolute()
     directory.parent.mkdir(parents=True, exist_ok=True)
-    temporary = Path(tempfile.mkdtemp(prefix=f".{directory.name}-", dir=directory.parent))
+    temporary = Path(
+        tempfile.mkdtemp(TEMPORARY, prefix=f".{directory.name}-", dir=home(directory))
+    )
     try:
         problems = write(temporary)
         written = (path for path in temporary.rglob("*") if path.is_file())

@@ -62,7 +62,7 @@ def export_results(
         meshes[f"{path.stem}_coating{path.suffix}"] = coating_mesh(coating)
     path.parent.mkdir(parents=True, exist_ok=True)
     # files of one mesh name each other: they are written under their names elsewhere, and moved
-    with tempfile.TemporaryDirectory(dir=path.parent, prefix=f".{path.stem}-") as folder:
+    with tempfile.TemporaryDirectory(".partial", f".{path.name}-", path.parent) as folder:
         for name, mesh in meshes.items():
             WRITERS[extension](mesh, Path(folder) / name)
         others = sorted({part.name for part in Path(folder).iterdir()} - meshes.keys())

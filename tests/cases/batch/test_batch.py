@@ -414,6 +414,56 @@ def test_a_cached_contact_is_the_solved_one_to_the_bit(tmp_path):
     assert content_key(contact, SolverOptions(points=33)) != content_key(contact, SolverOptions(points=65))
 
 
+@pytest.mark.parametrize("damage", ["truncated", "emptied", "flipped", "another", "text", "archive"])
+def test_a_damaged_contact_is_told_and_solved_anew(damage, tmp_path, capsys):
+    from dataclasses import replace
+
+    from ehl import Lubricant, MoesConditions, SolverOptions
+
+    oil = Lubricant(viscosity=0.04, pressure_viscosity=20e-9)
+    contact = MoesConditions(load_parameter=10.0, lubricant_parameter=5.0, lubricant=oil)
+    solve = cached_solver(tmp_path)
+    first = solve(contact, SolverOptions(points=33))
+    (path,) = tmp_path.glob("*.npz")
+    data = path.read_bytes()
+    if damage == "truncated":
+        path.write_bytes(data[: len(data) // 2])
+    elif damage == "emptied":
+        path.write_bytes(b"")
+    elif damage == "flipped":
+        path.write_bytes(data[:5000] + bytes([data[5000] ^ 16]) + data[5001:])
+    elif damage == "another":
+        solve(replace(contact, load_parameter=12.0), SolverOptions(points=33))
+        (other,) = set(tmp_path.glob("*.npz")) - {path}
+        path.write_bytes(other.read_bytes())
+    elif damage == "text":
+        path.write_text("no contact")
+    else:
+        np.savez(path, header=np.array([1, 2, 3]))
+    again = solve(contact, SolverOptions(points=33))
+    assert np.array_equal(first.P, again.P)
+    assert f"{path}: damaged; the contact is solved anew" in capsys.readouterr().err
+    solve(contact, SolverOptions(points=33))
+    assert capsys.readouterr().err == ""
+
+
+@pytest.mark.parametrize("suffix", [".json", ".nc"])
+def test_a_damaged_point_is_told_and_computed_anew(suffix, tmp_path, capsys):
+    text = 'case = "ball_on_disc"\nfields = true\n[sweep]\n"contact.load_N" = [10.0, 11.0]\n"ehl.points" = [33]\n'
+    sweep = sweep_from_text(text, "sweep.toml")
+    run_batch(sweep, tmp_path / "out", HerePool)
+    path = tmp_path / "out" / "points" / f"{sweep.points[0].key}{suffix}"
+    data = path.read_bytes()
+    digit = next(i for i in range(len(data) // 2, len(data)) if data[i : i + 1].isdigit())
+    path.write_bytes(data[:digit] + (b"1" if data[digit : digit + 1] != b"1" else b"2") + data[digit + 1 :])
+    pool = HerePool()
+    batch = run_batch(sweep, tmp_path / "out", lambda: pool, resume=True)
+    assert pool.handed_out == [sweep.points[0].key]
+    assert batch.resumed == {sweep.points[1].key}
+    assert f"{path}: damaged; the point is computed anew" in capsys.readouterr().err
+    assert [point.status for point in gathered(batch).points] == ["done"] * 2
+
+
 def test_film_maps_are_kept_where_they_are_wanted(tmp_path):
     text = 'case = "ball_on_disc"\nfields = true\n[sweep]\n"contact.load_N" = [10.0]\n"ehl.points" = [33]\n'
     sweep = sweep_from_text(text, "sweep.toml")

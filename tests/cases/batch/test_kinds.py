@@ -228,6 +228,27 @@ def test_damaged_tables_fail_their_points_and_are_told(tmp_path):
     assert all("no traction tables of a bearing" in point.message for point in results.points)
 
 
+def test_damaged_tables_of_the_folder_are_told_and_made_anew(tmp_path, monkeypatch, capsys):
+    from cases.batch import tables
+    from cases.batch.store import TABLES
+
+    made = []
+
+    def make(sweep, name, path, progress):
+        made.append(name)
+        path.write_bytes(b"anew")
+
+    monkeypatch.setattr(tables, "_put", make)
+    sweep = sweep_from_text(TORQUE, "sweep.toml")
+    (tmp_path / TABLES).mkdir()
+    path = tables.table_path(tmp_path, sweep.points[0].tables)
+    path.write_bytes(b"no archive")
+    keys = {point.key for point in sweep.points}
+    assert tables.prepare_tables(sweep, keys, tmp_path, lambda *_: None) == {}
+    assert made == [sweep.points[0].tables]
+    assert f"{path}: damaged; the traction tables are made anew" in capsys.readouterr().err
+
+
 def test_points_are_named_after_their_tables():
     """A wider range makes other tables, so other results; what tables do not know makes no other ones."""
     base = sweep_from_text(TORQUE, "sweep.toml").points

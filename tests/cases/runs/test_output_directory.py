@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import sys
+
 import pytest
 
 from cases import CaseError
-from cases.runs.output_directory import MANIFEST, check_output, save
+from cases.runs import output_lock
+from cases.runs.output_directory import MANIFEST, check_file, check_output, save
+from cases.runs.output_lock import one_writer
 
 
 def writer(**files):
@@ -89,3 +93,59 @@ def test_bad_targets_are_told_before_anything_is_computed(tmp_path):
         check_output(tmp_path / "file")
     with pytest.raises(CaseError, match="cannot be written"):
         check_output(tmp_path / "file" / "below")
+
+
+def test_two_writers_are_detected_and_a_killed_one_is_not_in_the_way(tmp_path):
+    target = tmp_path / "results"
+    with one_writer(target):
+        with pytest.raises(CaseError, match="another oilfilm is writing there"), one_writer(target):
+            pass
+        with one_writer(tmp_path / "others"):
+            pass
+    assert list(tmp_path.iterdir()) == []
+    (tmp_path / ".results.lock").touch()  # of a killed program: the system has taken its lock
+    with one_writer(target):
+        pass
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_what_killed_writers_have_left_is_swept(tmp_path):
+    target = tmp_path / "results"
+    target.mkdir()
+    left = [tmp_path / ".results-abcd1234.partial", target / ".a-abcd1234.part.json", target / "b" / ".c-abcd1234.part"]
+    kept = [tmp_path / ".others-abcd1234.partial", target / ".a.part.json", target / ".profile"]
+    for path in (*left, *kept):
+        path.parent.mkdir(exist_ok=True)
+        path.mkdir() if path.suffix == ".partial" else path.touch()
+    with one_writer(target):
+        assert not any(path.exists() for path in left)
+        assert all(path.exists() for path in kept)
+
+
+def test_scratch_folders_of_killed_programs_are_swept(tmp_path, monkeypatch):
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    monkeypatch.setattr(output_lock, "YOUNG", -1.0)
+    (tmp_path / f"{output_lock.SCRATCH}old").mkdir()
+    with output_lock.scratch_folder() as first, output_lock.scratch_folder() as second:
+        assert first.is_dir() and second.is_dir()  # a living one stays
+        assert {path.name for path in tmp_path.iterdir()} == {first.name, second.name}
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="permissions of POSIX")
+def test_results_go_into_a_folder_whose_parent_cannot_be_written(tmp_path, monkeypatch):
+    target = tmp_path / "results"
+    target.mkdir()
+    monkeypatch.setattr("os.access", lambda path, mode: path != tmp_path)  # root may write everywhere
+    check_output(target)
+    assert output_lock.home(target) == target
+    save(writer(a="1"), target)
+    assert contents(target) == {"a": "1"}
+
+
+def test_a_file_that_cannot_be_written_is_told_before_anything_is_computed(tmp_path):
+    with pytest.raises(CaseError, match="is a directory"):
+        check_file(tmp_path)
+    (tmp_path / "file").write_text("")
+    with pytest.raises(CaseError, match="cannot be written"):
+        check_file(tmp_path / "file" / "below.png")
