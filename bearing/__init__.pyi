@@ -6,6 +6,7 @@ from .friction.equilibrium import solve_traction_equilibrium
 from .friction.law import BallTraction
 from .geometry import (
     Bearing,
+    BearingType,
     Race,
     clearance_to_contact_angle,
     contact_angle_to_clearance,
@@ -13,11 +14,13 @@ from .geometry import (
 )
 from .library.bearings import list_bearings, load_catalogue_entry
 from .library.lubricants import library_lubricant, list_lubricants
+from .library.typical_geometry import typical_geometry
 from .material import Material, MaterialKind, list_materials, load_material, reduced_modulus
 from .operation import BallKinematics, Curvature, Operation, QuasistaticModel, RatingInput
 from .quasistatic.solution import QuasistaticSolution
 from .quasistatic.solver import solve_quasistatic
 from .rating.frequencies import Frequencies, bearing_frequencies, kinematic_frequencies
+from .rating.geometry_estimate import CatalogueData, estimate_bearing, estimate_geometry
 from .rating.life import LifeRating, bearing_life
 from .rows import Row
 from .studies.preload import Arrangement, duplex, preload_offset, preloaded_row
@@ -30,6 +33,8 @@ __all__ = [
     "BallTraction",
     "Bearing",
     "BearingContact",
+    "BearingType",
+    "CatalogueData",
     "ClearanceBudget",
     "ContactStress",
     "Curvature",
@@ -57,6 +62,8 @@ __all__ = [
     "contact_stress",
     "critical_curves",
     "duplex",
+    "estimate_bearing",
+    "estimate_geometry",
     "kinematic_frequencies",
     "library_lubricant",
     "list_bearings",
@@ -74,4 +81,5 @@ __all__ = [
     "solve_quasistatic",
     "solve_traction_equilibrium",
     "stiffness_over_speed",
+    "typical_geometry",
 ]

@@ -18,9 +18,16 @@ from .material import Material, reduced_modulus
 
 Array = NDArray[np.float64]
 
-# free contact angle above which a bearing counts as one of angular contact [rad]: the deep groove
-# bearings of the catalogue have up to 13.5 degrees by their clearance, nominal ones begin at 15
+# free contact angle above which a bearing of no given type counts as one of angular contact [rad]:
+# deep groove bearings with a normal clearance have up to 13.5 degrees, nominal ones begin at 15
 ANGULAR_CONTACT = radians(14.25)
+
+
+class BearingType(Enum):
+    """What rating and friction formulas distinguish."""
+
+    DEEP_GROOVE = "deep groove"
+    ANGULAR_CONTACT = "angular contact"
 
 
 class Race(Enum):
@@ -58,6 +65,7 @@ class Bearing:
     # diameters of the lands beside the grooves, both sides alike
     inner_shoulder_diameter: float | None = None  # [m]
     outer_shoulder_diameter: float | None = None  # [m]
+    type: BearingType | None = None  # None: by the free contact angle, see `angular_contact`
 
     def __post_init__(self) -> None:
         _check_lengths(self)
@@ -102,6 +110,15 @@ class Bearing:
             self.outer_groove_radius,
             self.ball_diameter,
         )
+
+    @property
+    def angular_contact(self) -> bool:
+        """Whether the bearing is one of angular contact: by its type, which no clearance changes,
+        or where none is given by a free contact angle above 14.25 degrees.
+        """
+        if self.type is None:
+            return self.free_contact_angle > ANGULAR_CONTACT
+        return self.type is BearingType.ANGULAR_CONTACT
 
     @property
     def free_axial_position(self) -> float:

@@ -1,6 +1,6 @@
 """Diameters of the shoulders of a bearing's rings, given or estimated."""
 
-from .geometry import ANGULAR_CONTACT, Bearing, Race
+from .geometry import Bearing, Race
 
 # shoulders of deep groove bearings where none are given: height above the raceway over the ball
 # diameter [-]; the 35 bearings 60, 62, 63 of the catalogue with the diameters that SKF prints have
@@ -16,7 +16,7 @@ def shoulder_diameter(bearing: Bearing, race: Race) -> tuple[float, bool] | None
     given = bearing.inner_shoulder_diameter if inner else bearing.outer_shoulder_diameter
     if given is not None:
         return given, False
-    if bearing.free_contact_angle > ANGULAR_CONTACT:
+    if bearing.angular_contact:
         return None
     centre = bearing.inner_centre_radius if inner else bearing.outer_centre_radius
     groove = bearing.inner_groove_radius if inner else bearing.outer_groove_radius

@@ -2,18 +2,24 @@
 
 import warnings
 from collections.abc import Collection, Mapping
+from functools import cache
 from math import isclose
 from typing import Any
 
-from .names import library_data, matching_name
+from .catalogue import catalogue_entry, estimated_bearings, known_designation, with_designation
+from .designation import SERIES, Designation
+from .names import library_data, matching_name, plain_name
 
 PUBLISHED = "bearings.toml"
-ESTIMATED = "estimated_bearings.toml"
 
 
+@cache
 def list_bearings() -> tuple[str, ...]:
-    """Names of the catalogue, in the order of the data files."""
-    return (*library_data(PUBLISHED), *library_data(ESTIMATED))
+    """Names of the catalogue: published geometries first, then estimated ones by series."""
+    published = published_bearings()
+    plain = {plain_name(name) for name in published}
+    others = (name for name in estimated_bearings() if plain_name(name) not in plain)
+    return (*published, *others)
 
 
 def published_bearings() -> tuple[str, ...]:
@@ -21,17 +27,49 @@ def published_bearings() -> tuple[str, ...]:
     return tuple(library_data(PUBLISHED))
 
 
-def load_catalogue_entry(name: str) -> dict[str, Any]:
-    """Keys of a case file's [bearing] table for one of `list_bearings()`, with `source` (text),
-    `estimated` (keys whose values are estimates) and `range` (an interval for each of these).
+def catalogue_name(name: str) -> str | None:
+    """The name under which a case shows a bearing of the catalogue: that of `list_bearings()`, or
+    a designation with suffixes as it was written; None if there is no such bearing.
 
-    Case, spaces and hyphens of the name do not matter; ValueError if there is none of this name.
+    Case, spaces and hyphens do not matter; '6205-2RS C3' and '7014 CD/P4A' are understood.
     """
     key = matching_name(name, list_bearings())
-    if key is None:
-        raise ValueError(f"bearing {name!r} is unknown; known: {', '.join(list_bearings())}")
-    entry = library_data(PUBLISHED).get(key) or library_data(ESTIMATED)[key]
-    return {"name": key, **entry}
+    if key is not None:
+        return key
+    return " ".join(name.split()) if known_designation(name) else None
+
+
+def named_designation(name: str) -> Designation | None:
+    """What the designation of a bearing of the catalogue says; None where its name is none."""
+    return known_designation(name)
+
+
+def load_catalogue_entry(name: str) -> dict[str, Any]:
+    """Keys of a case file's [bearing] table for a name that `catalogue_name` knows, with `source`
+    (text), `estimated` (keys whose values are estimates) and `range` (an interval for each of
+    these). ValueError if there is none of this name.
+    """
+    shown = catalogue_name(name)
+    if shown is None:
+        raise ValueError(
+            f"bearing {name!r} is unknown; known: {', '.join(published_bearings())}, and "
+            f"designations of the series {', '.join(SERIES)} with bores of 10 to 120 mm, those of "
+            "angular contact with C, AC or B for the contact angle"
+        )
+    return {"name": shown, **_entry(shown)}
+
+
+def _entry(name: str) -> dict[str, Any]:
+    """Entry of a published bearing, or by its designation, with what the suffixes say."""
+    published = library_data(PUBLISHED)
+    if name in published:
+        return published[name]
+    designation = known_designation(name)
+    assert designation is not None  # of a name that is known
+    key = matching_name(designation.basic, published)
+    entry = published[key] if key is not None else catalogue_entry(designation)
+    assert entry is not None
+    return with_designation(entry, designation)
 
 
 def warn_of_estimates(name: str, values: Mapping[str, Any], assumed: Collection[str] = ()) -> None:
@@ -40,7 +78,7 @@ def warn_of_estimates(name: str, values: Mapping[str, Any], assumed: Collection[
     `name`: of the bearing, in the catalogue or not; `values`: of the case's [bearing] table,
     filled in from the catalogue; `assumed`: keys that the case itself says are assumed.
     """
-    key = matching_name(name, list_bearings())
+    key = catalogue_name(name)
     if key is None:
         return
     entry = load_catalogue_entry(key)

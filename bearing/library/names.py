@@ -7,11 +7,18 @@ from importlib import resources
 from typing import Any
 
 IGNORED = " -_\t"
+SHORT = {"vg": "isovg"}  # beginnings of names that are left short: VG68 is ISO VG 68
 
 
 def plain_name(name: str) -> str:
-    """A name without case, spaces, hyphens and underscores: '7208-B' and '7208 b' are one."""
-    return "".join(letter for letter in name.casefold() if letter not in IGNORED)
+    """A name without case, spaces, hyphens and underscores: '7208-B' and '7208 b' are one, so are
+    'VG68' and 'ISO VG 68'.
+    """
+    plain = "".join(letter for letter in name.casefold() if letter not in IGNORED)
+    for short, full in SHORT.items():
+        if plain.startswith(short):
+            return full + plain.removeprefix(short)
+    return plain
 
 
 def matching_name(name: str, names: Iterable[str]) -> str | None:

@@ -9,6 +9,7 @@ from ehl.closed_form.hertz import hertz_contact
 from ehl.units import MILLIMETRE
 
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
+from ..operation import RatingInput
 
 RATING_FACTOR = 1.3  # b_m of deep groove and angular contact ball bearings, ISO 281 [-]
 # of Lundberg and Palmgren's form that passes five points of ISO 281's table within their rounding
@@ -99,6 +100,11 @@ def dynamic_rating(bearing: Bearing, contact_angle: float) -> float:
     power = diameter**1.8 if bearing.ball_diameter <= LARGE_BALL else 3.647 * diameter**1.4
     f_c = factor_f_c(_gamma(bearing, contact_angle)) * groove_factor(bearing, contact_angle)
     return RATING_FACTOR * f_c * cos(contact_angle) ** 0.7 * bearing.balls ** (2.0 / 3.0) * power
+
+
+def capacity(bearing: Bearing, rating: RatingInput) -> float:
+    """C_r of one row as given, or from the geometry [N]."""
+    return rating.dynamic_rating or dynamic_rating(bearing, rating.nominal_contact_angle)
 
 
 def ball_ratings(bearing: Bearing, capacity: float, contact_angle: float) -> tuple[float, float]:

@@ -17,7 +17,7 @@ from ..friction.resistance import (
     land_power,
     pocket_power,
 )
-from ..geometry import ANGULAR_CONTACT, Bearing
+from ..geometry import Bearing
 from ..quasistatic.solution import QuasistaticSolution
 from . import palmgren, skf, sliding
 from .inputs import FrictionInput
@@ -63,8 +63,7 @@ def coulomb_coefficient(
 
 
 def _kind(bearing: Bearing) -> skf.Series:
-    angular = bearing.free_contact_angle > ANGULAR_CONTACT
-    return skf.Series.ANGULAR_CONTACT if angular else skf.Series.DEEP_GROOVE
+    return skf.Series.ANGULAR_CONTACT if bearing.angular_contact else skf.Series.DEEP_GROOVE
 
 
 def ring_loads(solution: QuasistaticSolution) -> tuple[float, float]:

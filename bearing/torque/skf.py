@@ -5,6 +5,7 @@ The published constants take loads in N, lengths in mm, speeds in r/min and visc
 and give N mm; the functions here take and give SI, and convert at the first and the last line.
 """
 
+import re
 from dataclasses import dataclass, replace
 from enum import Enum
 from math import acos, exp, pi, radians, sin, sqrt
@@ -14,9 +15,13 @@ import numpy as np
 
 from ehl.units import MILLIMETRE, NEWTON_MILLIMETRE, RPM, from_si
 
+from ..library.catalogue import skf_series as designation_series
+from ..library.designation import read_designation
 from ..library.names import library_data
 
 DATA = "skf_friction.toml"
+# of deep groove bearings beside those of the catalogue, longer names first
+OTHER_SERIES = ("617", "628", "637", "638", "639", "622", "623", "630", "160", "161", "42", "43")
 BOUNDARY_FRICTION = 0.12  # mu_bl of a running bearing, 2018 edition; 0.15 at the start
 
 
@@ -111,6 +116,15 @@ class SkfTorque:
 def skf_series(kind: Series) -> tuple[str, ...]:
     """Names of the series of a kind of bearing [-]."""
     return tuple(name for name in library_data(DATA)[kind.value] if name != "K_Z")
+
+
+def series_of(name: str) -> str | None:
+    """Series of the model by the designation of a bearing; None where there is none in it [-]."""
+    designation = read_designation(name)
+    if designation is not None:
+        return designation_series(designation)
+    match = re.match(rf"({'|'.join(OTHER_SERIES)})\d\d(?!\d)", name.strip())
+    return None if match is None else match.group(1)
 
 
 def skf_constants(kind: Series, series: str) -> SkfConstants:

@@ -104,17 +104,73 @@ def _check(name: str) -> tuple[str, ...]:
 
 @app.command()
 @guarded
-def init(
+def init(  # noqa: PLR0913
     name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the new case file.")],
     template: Annotated[
-        str, typer.Option("--from", metavar="CASE", help="The case or sweep to start from.")
-    ] = "6208_full_ceramic",
+        str | None, typer.Option("--from", metavar="CASE", help="Case or sweep to start from.")
+    ] = None,
+    bearing: Annotated[
+        str | None, typer.Option(metavar="DESIGNATION", help="Bearing, as 7014C or 6205-2RS C3.")
+    ] = None,
+    bore: Annotated[float | None, typer.Option(help="d [mm], of a bearing by its size.")] = None,
+    outside: Annotated[float | None, typer.Option(help="Outside diameter D [mm].")] = None,
+    width: Annotated[float | None, typer.Option(help="B [mm].")] = None,
+    dynamic: Annotated[float | None, typer.Option("--C", help="Rating C, if known [kN].")] = None,
+    static: Annotated[float | None, typer.Option("--C0", help="Rating C_0 [kN].")] = None,
+    angle: Annotated[float, typer.Option(help="Nominal contact angle [deg]; 0: deep groove.")] = 0,
 ) -> None:
-    """Write a new case file to start from."""
+    """Write a new case file: of a bearing by its designation or its size, or copied."""
+    from ..format.new_case import BoundaryDimensions, case_of_designation, case_of_dimensions
+
+    size = {"bore": bore, "outside": outside, "width": width}
+    given = [f"--{key}" for key, value in size.items() if value is not None]
+    more = [key for key, value in (("--C", dynamic), ("--C0", static)) if value is not None]
+    more += ["--angle"] * (angle != 0.0)
+    _check_options(template, bearing, given, more)
+    try:
+        if bearing is not None:
+            text = case_of_designation(bearing)
+        elif bore is not None and outside is not None and width is not None:
+            text = case_of_dimensions(
+                BoundaryDimensions(
+                    bore=bore,
+                    outside_diameter=outside,
+                    width=width,
+                    dynamic_rating=dynamic,
+                    static_rating=static,
+                    contact_angle=angle,
+                )
+            )
+        else:
+            text = _shipped_text(template or "6208_full_ceramic")
+    except ValueError as error:
+        raise CaseError(f"oilfilm init: {error}") from None
+    _write_new(Path(name if name.endswith(".toml") else f"{name}.toml"), text)
+
+
+def _check_options(
+    template: str | None, bearing: str | None, size: list[str], more: list[str]
+) -> None:
+    """`CaseError` where the options of `init` do not fit together."""
+    ways = [*["--from"] * (template is not None), *["--bearing"] * (bearing is not None)]
+    ways += size[:1]
+    if len(ways) > 1:
+        raise CaseError(f"oilfilm init: {' and '.join(ways)} together; allowed: one of them")
+    if 0 < len(size) < 3:
+        missing = [key for key in ("--bore", "--outside", "--width") if key not in size]
+        raise CaseError(f"oilfilm init: {', '.join(size)} without {', '.join(missing)}")
+    if more and not size:
+        raise CaseError(f"oilfilm init: {', '.join(more)} without --bore, --outside, --width")
+
+
+def _shipped_text(template: str) -> str:
     from ..format.document import read_text
 
-    path = Path(name if name.endswith(".toml") else f"{name}.toml")
-    text = read_text(_file(template))
+    return read_text(_file(template))
+
+
+def _write_new(path: Path, text: str) -> None:
+    """Write a case file that is not there yet, and say what to do with it."""
     try:
         with path.open("x", encoding="utf-8", newline="\n") as file:
             file.write(text)

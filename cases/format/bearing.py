@@ -1,16 +1,20 @@
 """[bearing] and [surface]: geometry and materials of the bearing."""
 
+import warnings
 from collections.abc import Iterator
+from dataclasses import replace
 from math import acos, asin, cos, degrees, floor, hypot, pi, radians
-from typing import Any
+from typing import Annotated
 
-from bearing.geometry import ANGULAR_CONTACT, Bearing, contact_angle_to_clearance
+from bearing.geometry import ANGULAR_CONTACT, Bearing, BearingType, contact_angle_to_clearance
+from bearing.library.catalogue import CLEARANCE_CLASSES, clearance_class
+from bearing.library.tolerances import TOLERANCE_CLASSES
 from bearing.material import Material
 from bearing.operation import RatingInput
-from bearing.torque.skf import Series, skf_series
+from bearing.torque.skf import Series, series_of, skf_series
 from ehl.units import MICROMETRE, from_si, to_si
 
-from .fields import Name, Table, above, between, described, length, within
+from .fields import Name, OneOf, Table, above, between, described, length, within
 from .problems import CaseFault, shown
 from .rules import CaseValues, Needs, Where, bounded
 
@@ -18,7 +22,12 @@ from .rules import CaseValues, Needs, Where, bounded
 class BearingTable(Table):
     """Geometry and materials of the bearing."""
 
-    name: Name | None = described("entry of the catalogue; the keys below override it")
+    name: Name | None = described(
+        "entry of the catalogue or designation, as 6205-2RS C3; the keys below override it"
+    )
+    type: Annotated[str, OneOf(BearingType)] | None = described(
+        "else by name or skf_series; without these angular contact above 14.25 deg unloaded"
+    )
     ball_diameter_mm: float | None = length("diameter of the balls")
     pitch_diameter_mm: float | None = length("diameter of the circle of the ball centres")
     balls: int | None = between(3, 1000, "number of balls")
@@ -28,11 +37,17 @@ class BearingTable(Table):
         -1e3, 1e4, "radial internal clearance on the diameter; or free_contact_angle_deg"
     )
     free_contact_angle_deg: float | None = between(0, 80, "unloaded; or diametral_clearance_um")
+    clearance_class: Annotated[str, OneOf(*CLEARANCE_CLASSES)] | None = described(
+        "of a deep groove bearing, ISO 5753-1: the clearance is its middle; needs bore_mm"
+    )
     ring_material: Name | None = described("material of both rings")
     inner_ring_material: Name | None = described("material of the inner ring where it differs")
     outer_ring_material: Name | None = described("material of the outer ring where it differs")
     ball_material: Name | None = described("material of the balls")
     cage_material: Name | None = described("for the simulation and the cage's thermal growth")
+    tolerance_class: Annotated[str, OneOf(*TOLERANCE_CLASSES)] | None = described(
+        "of bore and outside diameter, ISO 492; for the fits of [fit]"
+    )
     first_ball_azimuth_deg: float = within(360, "azimuth of ball 1 from the load line", 0.0)
     bore_mm: float | None = length("bore diameter")
     outside_diameter_mm: float | None = length("outside diameter")
@@ -73,7 +88,8 @@ DIMENSIONS = (  # that may be left out
 )
 RING_MATERIALS = ("inner_ring_material", "outer_ring_material")
 CLEARANCE = ("diametral_clearance_um", "free_contact_angle_deg")
-ALTERNATIVES = (CLEARANCE, ("ring_material", *RING_MATERIALS))  # a case gives one of a row
+# a case gives one of a row
+ALTERNATIVES = ((*CLEARANCE, "clearance_class"), ("ring_material", *RING_MATERIALS))
 CLEARANCE_AGREEMENT_UM = 0.5  # clearance and contact angle agree within this, or within 1 %
 RELATIONS = (
     *(
@@ -91,14 +107,16 @@ RELATIONS = (
         f"bearing.{CLEARANCE[0]}",
         Where("bearing"),
         f"needed: {' or '.join(CLEARANCE)}",
-        (f"bearing.{CLEARANCE[1]}",),
+        (f"bearing.{CLEARANCE[1]}", "bearing.clearance_class"),
     ),
+    Needs("bearing.bore_mm", Where("bearing.clearance_class")),
 )
 
 
 def faults(values: CaseValues) -> Iterator[CaseFault]:
     """What the relations of [bearing] do not say: parts that fit into each other, the series."""
     yield from _clearance_faults(values)
+    yield from _class_faults(values)
     yield from _dimension_faults(values)
     yield from _series_faults(values)
 
@@ -169,27 +187,53 @@ def _groove_distance(values: CaseValues) -> float | None:
     return float(from_si(CLEARANCE[0], inner + outer - ball))
 
 
-def _series_faults(values: CaseValues) -> Iterator[CaseFault]:
-    """A series of SKF's friction model, of angular contact only where the free contact angle makes
-    it such a bearing.
+def _class_faults(values: CaseValues) -> Iterator[CaseFault]:
+    """A clearance class is one of deep groove bearings, and a clearance beside it lies in it."""
+    name, bore = (values.get("bearing", key) for key in ("clearance_class", "bore_mm"))
+    if name is None or bore is None:
+        return
+    path = ("bearing", "clearance_class")
+    if values.get("bearing", "type") == BearingType.ANGULAR_CONTACT.value:
+        finding = f"found {shown(name)} for an angular contact bearing"
+        yield CaseFault(path, finding, "allowed: free_contact_angle_deg")
+        return
+    try:
+        low, high = clearance_class(bore, name)
+    except ValueError:
+        finding = f"found {shown(name)} with bore_mm = {shown(bore)}"
+        yield CaseFault(path, finding, "allowed: with bores above 2.5 mm, up to 120 mm")
+        return
+    clearance = values.get("bearing", CLEARANCE[0])
+    if clearance is not None and not low <= clearance <= high:
+        finding = f"found {shown(name)} together with {CLEARANCE[0]} = {shown(clearance)}"
+        yield CaseFault(path, finding, f"allowed: one of them, or {low:g} to {high:g} um")
 
-    Deep groove bearings of large clearance may pass that angle; the results report what the model
-    cannot do with them.
-    """
+
+def _series_faults(values: CaseValues) -> Iterator[CaseFault]:
+    """A series of SKF's friction model, of the type of the bearing where that is known."""
     given = values.get("bearing", "skf_series")
     if given is None:
         return
-    angle = _free_angle(values)
     finding = f"found {shown(given)}"
     allowed = [name for kind in Series for name in skf_series(kind)]
-    deep = angle is not None and radians(angle) <= ANGULAR_CONTACT
-    # fits and temperatures change the clearance
-    if deep and not any(values.given(table) for table in ("fit", "temperatures")):
-        finding += f" for a deep groove bearing, its free contact angle being {angle:.4g} deg"
-        allowed = list(skf_series(Series.DEEP_GROOVE))
+    kind, how = _known_type(values)
+    if kind is not None:
+        allowed = list(skf_series(Series(kind.replace(" ", "_"))))
+        finding += f" for {'an' if kind.startswith('a') else 'a'} {kind} bearing{how}"
     if given not in allowed:
         listed = f"allowed: {', '.join(allowed)}"
         yield CaseFault(("bearing", "skf_series"), finding, listed)
+
+
+def _known_type(values: CaseValues) -> tuple[str | None, str]:
+    """Type as given, or deep groove by a small free contact angle; and how it is known."""
+    given = values.get("bearing", "type")
+    angle = _free_angle(values)
+    # fits and temperatures change the clearance
+    changed = any(values.given(table) for table in ("fit", "temperatures"))
+    if given is None and angle is not None and radians(angle) <= ANGULAR_CONTACT and not changed:
+        return BearingType.DEEP_GROOVE.value, f", its free contact angle being {angle:.4g} deg"
+    return given, ""
 
 
 def _free_angle(values: CaseValues) -> float | None:
@@ -213,20 +257,46 @@ def material_names(table: BearingTable) -> tuple[str, str, str]:
 def bearing(table: BearingTable, materials: dict[str, Material], title: str) -> Bearing:
     """Geometry [m, rad] and materials of the bearing; `title` stands in for its name."""
     ball, inner, outer = material_names(table)
-    return Bearing(
+    delivered = Bearing(
         name=table.name or title or "bearing",
-        diametral_clearance=_clearance(table.si()),
+        diametral_clearance=_clearance(table),
         ball_material=materials[ball],
         inner_ring_material=materials[inner],
         outer_ring_material=materials[outer],
         **table.si(*GEOMETRY, *DIMENSIONS),
     )
+    return replace(delivered, type=_type(table, delivered))
 
 
-def _clearance(si: dict[str, Any]) -> float:
-    """The diametral clearance, or that of the free contact angle [m]."""
+def _type(table: BearingTable, delivered: Bearing) -> BearingType:
+    """Type as given, by the series, or by the free contact angle before mounting, with a warning
+    where a clearance makes that large.
+    """
+    if table.type is not None:
+        return BearingType(table.type)
+    series = table.skf_series or series_of(table.name or "")
+    if series is not None:
+        deep = series in skf_series(Series.DEEP_GROOVE)
+        return BearingType.DEEP_GROOVE if deep else BearingType.ANGULAR_CONTACT
+    if not delivered.angular_contact:
+        return BearingType.DEEP_GROOVE
+    if table.free_contact_angle_deg is None:
+        text = (
+            "bearing.type is not given: taken as angular contact, since the clearance gives a "
+            f"free contact angle of {degrees(delivered.free_contact_angle):.3g} deg, above "
+            f"{degrees(ANGULAR_CONTACT):g}; give 'deep groove' if it is one"
+        )
+        warnings.warn(text, stacklevel=2)
+    return BearingType.ANGULAR_CONTACT
+
+
+def _clearance(table: BearingTable) -> float:
+    """The diametral clearance, the middle of its class, or that of the contact angle [m]."""
+    si = table.si()
     if si["diametral_clearance"] is not None:
         return float(si["diametral_clearance"])
+    if table.clearance_class is not None and table.bore_mm is not None:
+        return 0.5 * sum(clearance_class(table.bore_mm, table.clearance_class)) * MICROMETRE
     lengths = ("inner_groove_radius", "outer_groove_radius", "ball_diameter")
     return contact_angle_to_clearance(si["free_contact_angle"], *(si[name] for name in lengths))
 

@@ -13,6 +13,7 @@ from bearing.geometry import Bearing
 from bearing.library.bearings import warn_of_estimates
 from bearing.material import Material
 from bearing.operation import BallKinematics, Operation, QuasistaticModel, RatingInput
+from bearing.rating.load_rating import capacity
 from bearing.rows import Row
 from bearing.torque.inputs import FrictionInput
 from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
@@ -160,13 +161,13 @@ def _bearing_case(file: BearingFile) -> Case:
     delivered = bearings.bearing(file.bearing, library, file.title)
     seats = fits.fit(file.fit, library)
     bearing, clearance = fits.in_operation(delivered, at, seats, file.temperatures, cage)
+    rated = bearings.rating(file.bearing, file.lubricant.contamination_factor)
     # 3. the films, and the friction of balls on races
     rings = fits.elastic_rings(file.rings, file.fit, delivered, library)
     assumptions = replace(model(file.model, file.friction), rings=rings)
     bodies = (bearing.ball_material, bearing.inner_ring_material)
     films = case_films(file.ehl, shear, bodies)
-    pockets = cage_friction(file.cage)
-    torque = friction(file.friction, file.bearing, file.lubricant, pockets, file.surface)
+    torque = _friction(file, delivered)
     balanced = assumptions.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
     traction = None
     if balanced or file.friction.traction is not None:
@@ -182,11 +183,23 @@ def _bearing_case(file: BearingFile) -> Case:
         traction=traction,
         film_maps=maps if isinstance(maps, str) else tuple(map(radians, maps)),
         file=file,
-        rating=bearings.rating(file.bearing, file.lubricant.contamination_factor),
+        rating=rated,
         friction=torque,
         heating=fits.heating(file.friction, file.temperatures, oil, fluid, delivered, seats),
         clearance=clearance,
-        rows=rows(file.rows, delivered, assumptions),
+        rows=rows(file.rows, delivered, assumptions, lambda: capacity(delivered, rated)),
+    )
+
+
+def _friction(file: BearingFile, delivered: Bearing) -> FrictionInput:
+    """What the friction models take."""
+    return friction(
+        file.friction,
+        file.bearing,
+        file.lubricant,
+        cage_friction(file.cage),
+        file.surface,
+        angular=delivered.angular_contact,
     )
 
 

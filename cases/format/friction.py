@@ -1,6 +1,5 @@
 """[friction], the shear law of the oil, and what heats the bearing."""
 
-import re
 import warnings
 from collections.abc import Iterator
 from dataclasses import replace
@@ -10,9 +9,11 @@ from typing import Annotated, Any, Literal
 from pydantic import create_model
 
 from bearing.friction.resistance import Cage
+from bearing.library.bearings import named_designation
+from bearing.library.catalogue import nearest_series
 from bearing.supply.supply import InletFilm, Supply
 from bearing.torque.inputs import FrictionInput
-from bearing.torque.skf import Lubrication
+from bearing.torque.skf import Lubrication, series_of
 from ehl import Lubricant
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.traction.coefficient_kernels import COEFFICIENTS, Constant
@@ -71,7 +72,9 @@ class FrictionTable(LawTable):
     drag_factor: float | None = between(
         0, 1, "SKF's V_M; left out, from a third party's digitised diagram (unverified)"
     )
-    sealed: bool = described("contact seals on both sides, for SKF's model", False)
+    sealed: bool | None = described(
+        "contact seals on both sides, for SKF's model; left out, by the designation"
+    )
     seal_diameter_mm: float | None = above(0, LENGTH_MAXIMUM, "of the seal's lip; else the bore")
     hysteresis_loss: float | None = between(
         0, 1, "share of the elastic energy lost in rolling, beta_a; for the model yao"
@@ -110,10 +113,13 @@ LIMITING_COEFFICIENT = 0.047
 # keys that are fields of `FrictionInput`, but for their units
 OF_ONE_NAME = (
     *("coefficient", "oil", "oil_fraction", "oil_level_mm", "drag_factor", "as_printed"),
-    *("sealed", "seal_diameter_mm"),
+    "seal_diameter_mm",
 )
+<<<<<<< HEAD
 OTHER_ANGULAR = "other single row"
 SHEAR_ASSUMED = "lubricant: the shear of the oil is assumed"
+=======
+>>>>>>> 9b81f9e (Bearings by designation or size: a catalogue of 380 by rule, oilfilm init writes their case, the type no longer follows the clearance)
 
 
 def _only_with(where: Where, *names: str) -> Iterator[Relation]:
@@ -187,12 +193,15 @@ def friction(
     lubricant: LubricantTable,
     cage: Cage | None,
     surface: SurfaceTable | None,
+    *,
+    angular: bool,
 ) -> FrictionInput:
-    """What the friction models take: ratings [N], lengths [m]."""
+    """What the friction models take: ratings [N], lengths [m]; `angular`: of angular contact."""
     return FrictionInput(
         **table.si(*OF_ONE_NAME),
+        sealed=_sealed(table, bearing),
         lubrication=Lubrication(table.lubrication),
-        series=bearing.skf_series or series_of(bearing.name or ""),
+        series=_series(bearing, angular=angular),
         static_rating=bearing.si()["basic_static_rating"],
         hysteresis=table.hysteresis_loss,
         cage=cage,
@@ -205,6 +214,27 @@ def friction(
         flooded=lubricant.supply == "flooded",
         all_models=table.models == "all",
     )
+
+
+def _sealed(table: FrictionTable, bearing: BearingTable) -> bool:
+    """Contact seals as given, or by the designation."""
+    if table.sealed is not None:
+        return table.sealed
+    designation = named_designation(bearing.name or "")
+    return designation is not None and designation.sealed
+
+
+def _series(bearing: BearingTable, *, angular: bool) -> str | None:
+    """SKF's series as given, by the designation, or the nearest by the boundary dimensions, with
+    a warning.
+    """
+    series = bearing.skf_series or series_of(bearing.name or "")
+    if series is not None or bearing.bore_mm is None or bearing.outside_diameter_mm is None:
+        return series
+    series = nearest_series(bearing.bore_mm, bearing.outside_diameter_mm, angular=angular)
+    text = f"bearing.skf_series is not given: SKF's friction takes the constants of {series!r}"
+    warnings.warn(text if angular else f"{text}, nearest by the dimensions", stacklevel=2)
+    return series
 
 
 def _supply(table: FrictionTable, lubricant: LubricantTable) -> Supply | InletFilm | None:
@@ -220,20 +250,6 @@ def _supply(table: FrictionTable, lubricant: LubricantTable) -> Supply | InletFi
         loss=si["supply_loss"],
         residence_time=si["supply_residence"],
     )
-
-
-def series_of(name: str) -> str | None:
-    """SKF's series by the designation of a bearing, None where there is none in it [-]."""
-    match = re.match(
-        r"^(6[0-4]|7[0-3]|16[01]|61[789])\d{2}\s*(AC|B|C|CD|ACD)?", name.strip().upper()
-    )
-    if match is None:
-        return None
-    series, suffix = match.groups()
-    if series.startswith(("6", "16")):
-        return str(series)
-    special = series in ("72", "73") and suffix in ("B", "AC")
-    return f"{series} {suffix}" if special else OTHER_ANGULAR
 
 
 def rheology(oil: Oil, lubricant: Lubricant) -> Rheology:

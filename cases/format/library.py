@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Annotated, Any
 
-from bearing.library.bearings import list_bearings, load_catalogue_entry
+from bearing.library.bearings import catalogue_name, list_bearings, load_catalogue_entry
 from bearing.library.lubricants import list_lubricants
 from bearing.library.names import matching_name
 from bearing.material import Material, MaterialKind, list_materials, load_material
@@ -109,14 +109,16 @@ def with_catalogue(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseF
     table = document.get("bearing")
     if not isinstance(table, dict) or not isinstance(table.get("name"), str) or not table["name"]:
         return document, []
-    known = tuple(list_bearings())
-    name = matching_name(table["name"], known)
+    name = catalogue_name(table["name"])
     if name is None:
         # complete without the catalogue: a name of the user's own
         if all(key in table for key in GEOMETRY):
             return document, []
-        nearest = nearest_name(table["name"], known)
-        allowed = "allowed: a name of 'oilfilm list bearings', or a complete geometry"
+        nearest = nearest_name(table["name"], list_bearings())
+        allowed = (
+            "allowed: a name of 'oilfilm list bearings', also with suffixes, or a complete "
+            "geometry"
+        )
         finding = f"unknown bearing {shown(table['name'])}"
         path = ("bearing", "name")
         return document, [CaseFault(path, finding, "" if nearest else allowed, nearest=nearest)]

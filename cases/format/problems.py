@@ -116,8 +116,15 @@ def nearest_name(name: str, names: Iterable[str]) -> str | None:
         unit = candidate[len(name) + 1 :]
         if start.lower() == name.lower() and unit in UNITS:
             return candidate
-    close = get_close_matches(name.lower(), plain, n=1, cutoff=SIMILARITY)
-    return plain[close[0]] if close else None
+    close = get_close_matches(name.lower(), plain, n=3, cutoff=SIMILARITY)
+    of_its_unit = [key for key in close if name_unit(key) and name_unit(key) == name_unit(name)]
+    return plain[(of_its_unit or close)[0]] if close else None
+
+
+def name_unit(key: str) -> str:
+    """The unit that a key ends in, empty if none [-]."""
+    unit = key.rpartition("_")[2]
+    return unit if unit in UNITS else ""
 
 
 def schema_faults(errors: Iterable[Mapping[str, Any]], schema: dict[str, Any]) -> list[CaseFault]:

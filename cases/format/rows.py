@@ -1,18 +1,32 @@
 """[[rows]]: rows of balls on one inner ring, and the balls whose films are wanted."""
 
-from collections.abc import Iterator
+import warnings
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 from itertools import combinations
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 from bearing.geometry import Bearing
+from bearing.library.names import library_data
 from bearing.operation import QuasistaticModel
 from bearing.rows import Row
 from bearing.studies.preload import preloaded_row
 
-from .fields import FORCE_MAXIMUM, LENGTH_MAXIMUM, Table, between, described, is_number, within
+from .fields import (
+    FORCE_MAXIMUM,
+    LENGTH_MAXIMUM,
+    OneOf,
+    Table,
+    between,
+    described,
+    is_number,
+    within,
+)
 from .problems import CaseFault, shown
 from .rules import CaseValues, Excludes
+
+PRELOADS = ("preload_N", "preload_um", "preload_class")  # a row gives one of them
+PRELOAD_CLASSES = ("light", "medium", "heavy")
 
 
 class RowTable(Table):
@@ -26,6 +40,9 @@ class RowTable(Table):
     loaded_by: Literal["+x", "-x"] = described("push of the inner ring that loads the row", ...)
     preload_N: float | None = between(0, FORCE_MAXIMUM, "axial, at rest, inner ring in its place")
     preload_um: float | None = within(1e4, "or beyond first touch; negative leaves play")
+    preload_class: Annotated[str, OneOf(*PRELOAD_CLASSES)] | None = described(
+        "or a share of C typical of makers' classes"
+    )
     first_ball_azimuth_deg: float | None = within(
         360, "azimuth of its first ball; left out, that of [bearing]"
     )
@@ -46,9 +63,10 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     """One preload a row; rows at least a ball diameter apart; films where balls are."""
     tables = _row_tables(values)
     for index, table in enumerate(tables):
-        if "preload_N" in table and "preload_um" in table:
-            path = ("rows", index, "preload_um")
-            yield CaseFault(path, "found together with preload_N", "allowed: one of them")
+        first, *others = [key for key in PRELOADS if key in table] or [""]
+        for key in others:
+            finding = f"found together with {first}"
+            yield CaseFault(("rows", index, key), finding, "allowed: one of them")
     diameter = values.get("bearing", "ball_diameter_mm")
     for (_, one), (index, other) in combinations(enumerate(tables), 2):
         there, here = (table.get("axial_position_mm") for table in (one, other))
@@ -98,10 +116,35 @@ def _apart(first: float, second: float) -> float:
     return abs((first - second + 180.0) % 360.0 - 180.0)
 
 
+def preload_of_class(name: str, capacity: float) -> tuple[float, float, float]:
+    """Axial preload [N] of a class by name, and its interval, as typical shares of C [N]."""
+    data = library_data("typical.toml")[f"{name}_preload_over_C"]
+    low, high = data["range"]
+    return data["value"] * capacity, low * capacity, high * capacity
+
+
+def _preload(table: RowTable, capacity: Callable[[], float]) -> float:
+    """Preload as a force [N], with a warning where a class gives it."""
+    if table.preload_class is None:
+        return table.preload_N or 0.0
+    force, low, high = preload_of_class(table.preload_class, capacity())
+    text = (
+        f"rows.preload_class: {table.preload_class} is taken as {force:.3g} N ({low:.3g} to "
+        f"{high:.3g}), a typical share of C; the maker's table has the value"
+    )
+    warnings.warn(text, stacklevel=2)
+    return force
+
+
 def rows(
-    tables: tuple[RowTable, ...] | None, delivered: Bearing, model: QuasistaticModel
+    tables: tuple[RowTable, ...] | None,
+    delivered: Bearing,
+    model: QuasistaticModel,
+    capacity: Callable[[], float],
 ) -> tuple[Row, ...] | None:
-    """Rows with positions and offsets [m], preloaded as delivered; None without [[rows]]."""
+    """Rows with positions and offsets [m], preloaded as delivered; None without [[rows]];
+    `capacity`: C of one row [N].
+    """
     if tables is None:
         return None
     # where nothing turns, no kinematics counts
@@ -114,7 +157,7 @@ def rows(
             delivered,
             si["axial_position"],
             1 if table.loaded_by == "+x" else -1,
-            preload_force=table.preload_N or 0.0,
+            preload_force=_preload(table, capacity),
             preload_displacement=si["preload_um"] or 0.0,
             model=at_rest,
         )

@@ -5,12 +5,21 @@ from __future__ import annotations
 import importlib
 import sys
 from collections.abc import Iterator, Sequence
-from math import radians
 from pathlib import Path
 from typing import Any
 
-from bearing import library_lubricant, list_bearings, list_lubricants, list_materials, load_catalogue_entry
+from bearing import (
+    library_lubricant,
+    list_bearings,
+    list_lubricants,
+    list_materials,
+    load_catalogue_entry,
+    typical_geometry,
+)
 from bearing.library.bearings import published_bearings
+from bearing.library.catalogue import CLEARANCE_CLASSES
+from bearing.library.catalogue import table as rows_of
+from bearing.library.designation import read_designation
 from bearing.library.lubricants import PROPERTIES, lubricant_data
 from bearing.material import FIELDS, material_data
 
@@ -19,6 +28,7 @@ PAGE = DOCS / "user" / "libraries.md"
 MARK = "<!-- {}: written by tools/docs/libraries.py -->"
 END = "<!-- end -->"
 UNVERIFIED_6203 = "Case Western Reserve University: 0.2656 and 1.122 in (from memory, unverified)"
+SHOWN_BORES = (10.0, 25.0, 40.0, 60.0, 85.0, 120.0)  # of the estimated bearings on the page [mm]
 KNOWN = (  # row of the ratings, balls, ball and pitch diameter [mm], where from
     ("6203", 8, 6.746, 28.50, UNVERIFIED_6203),
     ("6205", 9, 7.940, 39.04, "Case Western Reserve University: 0.3126 and 1.537 in"),
@@ -49,10 +59,11 @@ def table(header: Sequence[str], rows: Iterator[Sequence[str]]) -> str:
 
 def checks() -> Iterator[Sequence[str]]:
     """Estimates beside known geometries."""
-    script = tool("estimated_bearings")
+    script = tool("catalogue_geometry")
     for name, balls, ball, pitch, source in KNOWN:
-        estimate = script.estimate(script.rows()[name])
-        own, pitch_found = 1e3 * estimate.ball_diameter, 1e3 * estimate.pitch_diameter
+        row = script.rows()[name]
+        estimate = script.estimate(row)
+        own, pitch_found = 1e3 * estimate.ball_diameter, 1e3 * script.data(row).pitch
         errors = f"{100 * (own / ball - 1):+.1f} %", f"{100 * (pitch_found / pitch - 1):+.1f} %"
         yield (
             name,
@@ -65,16 +76,18 @@ def checks() -> Iterator[Sequence[str]]:
 
 def fit() -> Iterator[Sequence[str]]:
     """How well the ratings are met, and what the guess without ratings misses."""
-    script = tool("estimated_bearings")
-    for title, angle in (("deep groove", "0"), ("15° (C)", "15"), ("40° (B)", "40")):
-        rows = [r for r in script.rows().values() if r["contact_angle_deg"] == angle and r["dynamic_rating_kN"]]
+    script = tool("catalogue_geometry")
+    groups = (("618", ""), ("619", ""), ("60 62 63", ""), ("719 70 72", "C"), ("719", "AC"), ("72 73", "B"))
+    for series, suffix in groups:
+        prefixes = tuple(series.split())
+        rows = [row for name, row in script.rows().items() if _is_of(name, prefixes, suffix)]
         estimates = [script.estimate(row) for row in rows]
         guesses = [guess(row) for row in rows]
         dynamic, static = [e.dynamic_error for e in estimates], [e.static_error for e in estimates]
         ball = [g[0] / e.ball_diameter - 1.0 for g, e in zip(guesses, estimates, strict=True)]
         number = [g[2] - e.balls for g, e in zip(guesses, estimates, strict=True)]
         yield (
-            title,
+            f"{series} {suffix}".strip(),
             str(len(rows)),
             f"{100 * min(dynamic):+.1f} to {100 * max(dynamic):+.1f} %",
             f"{100 * min(static):+.1f} to {100 * max(static):+.1f} %",
@@ -85,16 +98,25 @@ def fit() -> Iterator[Sequence[str]]:
         )
 
 
+def _is_of(name: str, prefixes: tuple[str, ...], suffix: str) -> bool:
+    """Whether a designation belongs to one of these series, with this contact angle."""
+    designation = read_designation(name)
+    assert designation is not None
+    return designation.series in prefixes and designation.angle_suffix == suffix
+
+
 def guess(row: dict[str, str]) -> tuple[float, float, int]:
     """Geometry from the boundary dimensions alone [m]."""
-    bore, outside = 1e-3 * float(row["bore_mm"]), 1e-3 * float(row["outside_diameter_mm"])
-    return tool("geometry_estimate").typical_geometry(bore, outside, radians(float(row["contact_angle_deg"])))
+    data = tool("catalogue_geometry").data(row)
+    return typical_geometry(data.bore, data.outside_diameter, data.contact_angle)
 
 
 def bearings() -> Iterator[Sequence[str]]:
-    """Every bearing of the catalogue."""
+    """Published bearings, and of the others those of every fifth bore."""
     for name in list_bearings():
         entry = load_catalogue_entry(name)
+        if name not in published_bearings() and entry["bore_mm"] not in SHOWN_BORES:
+            continue
         size = [entry.get(key) for key in ("bore_mm", "outside_diameter_mm", "width_mm")]
         boundary = " × ".join("–" if value is None else f"{value:g}" for value in size)
         rating = [entry.get(f"basic_{kind}_rating_kN") for kind in ("dynamic", "static")]
@@ -104,11 +126,25 @@ def bearings() -> Iterator[Sequence[str]]:
             boundary,
             " / ".join("–" if value is None else f"{value:g}" for value in rating),
             f"{entry['balls']} × {entry['ball_diameter_mm']:g} on {entry['pitch_diameter_mm']:g}",
-            f"{entry['inner_groove_radius_mm'] / entry['ball_diameter_mm']:.4g} / "
-            f"{entry['outer_groove_radius_mm'] / entry['ball_diameter_mm']:.4g}",
             f"{angle:g}°" if angle else f"{clearance:g} µm",
-            "published" if name in published_bearings() else "estimated",
+            basis(name, entry),
         )
+
+
+def basis(name: str, entry: dict[str, Any]) -> str:
+    """What the internal geometry rests on."""
+    if name in published_bearings():
+        return "published"
+    if "basic_dynamic_rating_kN" in entry:
+        return "estimated from ratings"
+    return "typical" if "typical" in entry["source"] else "as with another angle"
+
+
+def clearances() -> Iterator[Sequence[str]]:
+    """Classes of radial internal clearance by bore."""
+    for row in rows_of("clearance_classes.csv"):
+        ends = [f"{row[f'{name}_from_um']}–{row[f'{name}_to_um']}" for name in CLEARANCE_CLASSES]
+        yield f"{row['bore_over_mm']}–{row['bore_up_to_mm']}", *ends
 
 
 def materials() -> Iterator[Sequence[str]]:
@@ -167,9 +203,10 @@ def oil_sources() -> Iterator[Sequence[str]]:
 
 HEADS = {
     "checks": "bearing|known: balls × D on d_m, mm|estimated|D|d_m|known from",
-    "fit": "bearings|number|C computed/printed|C_0 computed/printed|worst misfit"
+    "fit": "series|number|C computed/printed|C_0 computed/printed|worst misfit"
     "|nearest second best|D from dimensions alone|balls from dimensions alone",
-    "bearings": "name|d × D × B, mm|C / C_0, kN|balls × D on d_m, mm|r_i/D, r_o/D|angle or clearance|geometry",
+    "bearings": "name|d × D × B, mm|C / C_0, kN|balls × D on d_m, mm|angle or clearance|geometry",
+    "clearances": "bore, mm|C2|CN|CM|C3|C4|C5",
     "materials": "name|kind|E, GPa|ν|ρ, kg/m³|expansion, µm/(m K)|conductivity, W/(m K)|specific heat, J/(kg K)",
     "oils": "name|range, °C|ν at 40 / 100 °C, mm²/s|−∂ln η/∂T, 10⁻³/K|α, 1/GPa|ρ, kg/m³"
     "|expansion, 10⁻⁴/K|conductivity, W/(m K)|specific heat, J/(kg K)",
@@ -179,6 +216,7 @@ ROWS = {
     "checks": checks,
     "fit": fit,
     "bearings": bearings,
+    "clearances": clearances,
     "materials": materials,
     "oils": oils,
     "sources of the oils": oil_sources,

@@ -365,3 +365,42 @@ def test_only_what_did_not_converge_is_listed_as_such(capsys):
     document = {"converged": False, "messages": [*told, *others]}
     assert output.report(document, Group, None, False, True) == 1
     assert capsys.readouterr().err.splitlines()[1:] == [f"  {message}" for message in told]
+
+
+@pytest.mark.parametrize(
+    "options",
+    [
+        ("--bearing", "7014C"),
+        ("--bearing", "6205-2RS C3"),
+        ("--bearing", "7208 BDBA/P5"),
+        ("--bearing", "61808 hybrid"),
+        ("--bore", "28", "--outside", "58", "--width", "16"),
+        ("--bore", "28", "--outside", "58", "--width", "16", "--C", "16.6", "--C0", "9.5"),
+        ("--bore", "28", "--outside", "58", "--width", "16", "--angle", "25", "--C", "18"),
+    ],
+)
+def test_init_by_designation_or_size_writes_a_valid_case(options, tmp_path):
+    assert oilfilm("init", "mine", *options).exit_code == 0
+    assert oilfilm("validate", "mine.toml").exit_code == 0
+    text = (tmp_path / "mine.toml").read_text(encoding="utf-8")
+    assert "ball_diameter_mm = " in text
+    assert text.count("# estimated, ") >= 6
+    assert load_case(str(tmp_path / "mine.toml")).bearing.balls > 5
+
+
+@pytest.mark.parametrize(
+    ("options", "expected"),
+    [
+        (("--bearing", "7208"), "'7208' is unknown"),
+        (("--bore", "28"), "--bore without --outside, --width"),
+        (("--bearing", "6205", "--from", "moes_20_10"), "--from and --bearing together"),
+        (("--bearing", "6205", "--C", "12"), "--C without --bore"),
+        (("--bore", "58", "--outside", "28", "--width", "16"), "outside_diameter must exceed"),
+        (("--bore", "200", "--outside", "280", "--width", "40"), "bore must lie between"),
+    ],
+)
+def test_init_refuses_what_makes_no_bearing(options, expected, tmp_path):
+    answer = oilfilm("init", "mine", *options)
+    assert answer.exit_code == 2
+    assert expected in " ".join(answer.stderr.split())
+    assert not (tmp_path / "mine.toml").exists()

@@ -1,0 +1,289 @@
+"""Bearings of the catalogue whose internal geometry is estimated: entries by rule, from boundary
+dimensions (ISO 15), load ratings where a maker prints them, and clearance classes (ISO 5753-1).
+
+The numbers come from three tables in `data`: boundary_dimensions.csv, clearance_classes.csv and
+catalogue_ratings.csv. Ball and number of balls in the latter are those that explain the ratings
+(`bearing.rating.geometry_estimate`, written by tools/catalogue_geometry.py). A bearing without
+ratings takes the balls of one of its size with another contact angle, or else typical ones.
+"""
+
+import csv
+from dataclasses import dataclass
+from functools import cache
+from importlib import resources
+from math import radians
+from typing import Any
+
+from . import typical_geometry as typical
+from .designation import ANGLES, SERIES, Designation, read_designation
+
+MM = 1e-3  # [m]
+BALL_RANGE = 0.07  # relative, of estimates from ratings: docs/user/libraries.md [-]
+PITCH_RANGE = 0.015
+BALLS_RANGE = 0.1
+MAKER = "C and C_0: NSK, Rolling Bearings, B8 to B17 and B50 to B61"
+CLEARANCE_CLASSES = ("C2", "CN", "CM", "C3", "C4", "C5")
+# factors of ISO 15 by the series of deep groove bearings [-], from memory, unverified
+DIAMETER_SERIES = {"618": 0.45, "619": 0.62, "60": 0.84, "62": 1.48, "63": 1.92, "64": 2.56}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Geometry:
+    """Estimated internal geometry and how it was found."""
+
+    ball_diameter: float  # [m]
+    pitch_diameter: float  # [m]
+    balls: int
+    basis: str  # what it was estimated from, as in the source of an entry
+    ball_range: tuple[float, float]  # [m]
+    pitch_range: tuple[float, float]  # [m]
+    balls_range: tuple[int, int]
+
+
+def from_ratings(ball: float, pitch: float, balls: int, basis: str) -> Geometry:
+    """Geometry that explains load ratings, with its intervals; lengths in [m]."""
+    more = max(1, round(BALLS_RANGE * balls))
+    return Geometry(
+        ball_diameter=ball,
+        pitch_diameter=pitch,
+        balls=balls,
+        basis=basis,
+        ball_range=(ball * (1.0 - BALL_RANGE), ball * (1.0 + BALL_RANGE)),
+        pitch_range=(pitch * (1.0 - PITCH_RANGE), pitch * (1.0 + PITCH_RANGE)),
+        balls_range=(balls - more, balls + more),
+    )
+
+
+def from_dimensions(bore: float, outside_diameter: float, contact_angle: float) -> Geometry:
+    """Typical geometry of boundary dimensions [m] and a nominal contact angle [rad]."""
+    ball, pitch, balls = typical.typical_geometry(bore, outside_diameter, contact_angle)
+    low, high = typical.TYPICAL_BALL_RANGE
+    more = max(2, round(typical.TYPICAL_BALLS_RANGE * balls))
+    width = typical.TYPICAL_PITCH_RANGE
+    return Geometry(
+        ball_diameter=ball,
+        pitch_diameter=pitch,
+        balls=balls,
+        basis="ball, balls, pitch diameter: estimated, typical of the boundary dimensions",
+        ball_range=(low * ball, high * ball),
+        pitch_range=(pitch * (1.0 - width), pitch * (1.0 + width)),
+        balls_range=(max(3, balls - more), balls + more),
+    )
+
+
+@cache
+def table(file: str) -> tuple[dict[str, str], ...]:
+    """Rows of a table of the library."""
+    text = resources.files(__package__).joinpath("data", file).read_text(encoding="utf-8")
+    return tuple(csv.DictReader(text.splitlines()))
+
+
+@cache
+def ratings() -> dict[str, dict[str, str]]:
+    """Rows of the table of ratings by designation."""
+    return {row["designation"]: row for row in table("catalogue_ratings.csv")}
+
+
+@cache
+def boundary_dimensions() -> dict[tuple[str, float], tuple[float, float]]:
+    """Outside diameter and width [mm] by dimension series and bore [mm], ISO 15."""
+    return {
+        (row["dimension_series"], float(row["bore_mm"])): (
+            float(row["outside_diameter_mm"]),
+            float(row["width_mm"]),
+        )
+        for row in table("boundary_dimensions.csv")
+    }
+
+
+@cache
+def estimated_bearings() -> tuple[str, ...]:
+    """Designations of all bearings of the catalogue with an estimated geometry."""
+    names = []
+    for series, (dimensions, angular) in SERIES.items():
+        bores = [bore for own, bore in boundary_dimensions() if own == dimensions]
+        suffixes = tuple(ANGLES) if angular else ("",)
+        if series in ("719", "70"):
+            suffixes = ("C", "AC")
+        names += [f"{series}{_bore_number(b):02d}{suffix}" for suffix in suffixes for b in bores]
+    return tuple(names)
+
+
+def _bore_number(bore: float) -> int:
+    small = (10.0, 12.0, 15.0, 17.0)
+    return small.index(bore) if bore in small else round(bore / 5.0)
+
+
+def clearance_class(bore: float, name: str) -> tuple[float, float]:
+    """Smallest and largest radial internal clearance [um] of a class, C2 to C5, of deep groove
+    ball bearings by their bore [mm]: ISO 5753-1.
+
+    The standard was not read: the numbers of CN are those of two makers' tables, which agree;
+    those of the other classes are from memory and unverified (docs/user/libraries.md).
+    """
+    for row in table("clearance_classes.csv"):
+        if float(row["bore_over_mm"]) < bore <= float(row["bore_up_to_mm"]):
+            return float(row[f"{name}_from_um"]), float(row[f"{name}_to_um"])
+    raise ValueError(f"bore must lie between 2.5 and 120 mm, got {bore!r} mm")
+
+
+def catalogue_entry(designation: Designation) -> dict[str, Any] | None:
+    """Keys of a case's [bearing] table for a designation, with `source`, `estimated`, `range`;
+    None if there is no such size.
+    """
+    size = boundary_dimensions().get((designation.dimension_series, designation.bore))
+    if size is None or designation.basic not in estimated_bearings():
+        return None
+    outside, width = size
+    row = ratings().get(designation.basic, {})
+    entry = estimated_entry(
+        (designation.bore, outside, width),
+        designation.contact_angle,
+        _geometry(designation, outside),
+        _values(row),
+    )
+    entry["skf_series"] = skf_series(designation)
+    source = f"boundary dimensions: ISO 15, dimension series {designation.dimension_series}"
+    parts = [source, *([MAKER] if row else ["no ratings read"]), entry["source"]]
+    if row.get("inner_shoulder_mm"):
+        parts.append("shoulders: SKF general catalogue, d1 and D1, the pitch diameter their mean")
+    return {**entry, "source": "; ".join(parts)}
+
+
+def skf_series(designation: Designation) -> str:
+    """Series of SKF's friction constants that a designation belongs to."""
+    if not designation.angle_suffix:
+        return designation.series
+    special = designation.series in ("72", "73") and designation.angle_suffix in ("B", "AC")
+    return f"{designation.series} {designation.angle_suffix}" if special else "other single row"
+
+
+def nearest_series(bore: float, outside_diameter: float, *, angular: bool) -> str:
+    """Series of SKF's friction constants for a bearing without a designation: that of the
+    diameter series of ISO 15 whose factor f = (D - d)/d^0.9 is the nearest, 0.45 (8), 0.62 (9),
+    0.84 (0), 1.12 (1), 1.48 (2), 1.92 (3), 2.56 (4); lengths in [mm].
+
+    Small bores have larger factors than these of the standard's formula, so that the
+    dimensions of the catalogue decide where they have the bore.
+    """
+    if angular:
+        return "other single row"
+    own = {
+        series: boundary_dimensions()[dimensions, bore][0]
+        for series, (dimensions, is_angular) in SERIES.items()
+        if not is_angular and (dimensions, bore) in boundary_dimensions()
+    }
+    if own:
+        return min(own, key=lambda series: abs(own[series] - outside_diameter))
+    factor = (outside_diameter - bore) / bore**0.9
+    return min(DIAMETER_SERIES, key=lambda series: abs(DIAMETER_SERIES[series] - factor))
+
+
+def _values(row: dict[str, str]) -> dict[str, float]:
+    """Ratings [kN] and shoulders [mm] of a row as keys of a case."""
+    keys = {
+        "basic_dynamic_rating_kN": "dynamic_rating_kN",
+        "basic_static_rating_kN": "static_rating_kN",
+        "inner_shoulder_diameter_mm": "inner_shoulder_mm",
+        "outer_shoulder_diameter_mm": "outer_shoulder_mm",
+    }
+    return {key: float(row[name]) for key, name in keys.items() if row.get(name)}
+
+
+def _geometry(designation: Designation, outside: float) -> Geometry:
+    """By the ratings of the bearing, of one of its size with another contact angle, or typical."""
+    bore = designation.bore
+    others = [designation.angle_suffix, *(ANGLES if designation.angle_suffix else ())]
+    stem = designation.basic.removesuffix(designation.angle_suffix)
+    for suffix in others:
+        row = ratings().get(stem + suffix)
+        if row is None:
+            continue
+        shoulders = [float(row[f"{ring}_shoulder_mm"] or 0.0) for ring in ("inner", "outer")]
+        pitch = 0.5 * sum(shoulders) if all(shoulders) else 0.5 * (bore + outside)
+        basis = "ball, balls: estimated from the ratings"
+        if suffix != designation.angle_suffix:
+            basis = f"ball, balls: those estimated for the {stem + suffix}"
+        ball = float(row["ball_mm"]) * MM
+        return from_ratings(ball, pitch * MM, int(row["balls"]), basis)
+    return from_dimensions(bore * MM, outside * MM, radians(designation.contact_angle))
+
+
+def estimated_entry(
+    size: tuple[float, float, float],
+    contact_angle: float,
+    geometry: Geometry,
+    known: dict[str, float],
+) -> dict[str, Any]:
+    """Keys of a case's [bearing] table for an estimated geometry, with `source`, `estimated` and
+    `range`.
+
+    `size`: bore, outside diameter and width [mm]; `contact_angle`: nominal, zero for a deep groove
+    bearing [deg]; `known`: further keys, ratings and shoulders.
+    """
+    ball = geometry.ball_diameter
+    inner, outer = typical.INNER_CONFORMITY, typical.OUTER_CONFORMITY
+    lengths = {
+        "ball_diameter_mm": (ball, geometry.ball_range),
+        "pitch_diameter_mm": (geometry.pitch_diameter, geometry.pitch_range),
+        "inner_groove_radius_mm": (inner * ball, _times(typical.INNER_CONFORMITY_RANGE, ball)),
+        "outer_groove_radius_mm": (outer * ball, _times(typical.OUTER_CONFORMITY_RANGE, ball)),
+    }
+    values: dict[str, Any] = {key: _mm(value) for key, (value, _) in lengths.items()}
+    ranges: dict[str, Any] = {key: [_mm(v) for v in ends] for key, (_, ends) in lengths.items()}
+    values["balls"] = geometry.balls
+    ranges["balls"] = list(geometry.balls_range)
+    if contact_angle:
+        kind = "angular contact"
+        play = "contact angle: nominal"
+        half = typical.ANGLE_RANGE
+        values["free_contact_angle_deg"] = contact_angle
+        ranges["free_contact_angle_deg"] = [contact_angle - half, contact_angle + half]
+    else:
+        kind = "deep groove"
+        play = "clearance: middle of the class CN"
+        low, high = clearance_class(size[0], "CN")
+        values["diametral_clearance_um"] = 0.5 * (low + high)
+        ranges["diametral_clearance_um"] = [low, high]
+    boundary = dict(zip(("bore_mm", "outside_diameter_mm", "width_mm"), size, strict=True))
+    steel = dict.fromkeys(("ring_material", "ball_material"), "bearing steel")
+    grooves = f"grooves: {inner:g} and {outer:g} of the ball, assumed"
+    source = {"source": "; ".join((geometry.basis, play, grooves))}
+    values = {"type": kind, **values, **boundary, **known, **steel, **source}
+    return {**values, "estimated": list(ranges), "range": ranges}
+
+
+def with_designation(entry: dict[str, Any], designation: Designation) -> dict[str, Any]:
+    """An entry with the materials and the clearance that the suffixes name."""
+    entry = {**entry, "range": dict(entry.get("range", {})), "estimated": list(entry["estimated"])}
+    if designation.balls:
+        entry["ball_material"] = "silicon nitride"
+        entry.pop("basic_static_rating_kN", None)  # of another permissible pressure
+    if designation.balls == "full ceramic":
+        entry["ring_material"] = "silicon nitride"
+        entry.pop("basic_dynamic_rating_kN", None)
+    name = designation.clearance_class
+    if name and "diametral_clearance_um" in entry:
+        low, high = clearance_class(entry["bore_mm"], name)
+        entry |= {"clearance_class": name, "diametral_clearance_um": 0.5 * (low + high)}
+        entry["range"]["diametral_clearance_um"] = [low, high]
+        entry["source"] += f"; clearance: middle of the class {name}"
+        if "diametral_clearance_um" not in entry["estimated"]:
+            entry["estimated"].append("diametral_clearance_um")
+    if designation.tolerance_class:
+        entry["tolerance_class"] = designation.tolerance_class
+    return entry
+
+
+def known_designation(text: str) -> Designation | None:
+    """The designation that a text is, if the catalogue has its size; None otherwise."""
+    read = read_designation(text)
+    return read if read is not None and read.basic in estimated_bearings() else None
+
+
+def _times(ends: tuple[float, float], factor: float) -> tuple[float, float]:
+    return ends[0] * factor, ends[1] * factor
+
+
+def _mm(length: float) -> float:
+    return round(length / MM, 4)

@@ -1,0 +1,163 @@
+"""Designations of ball bearings: series, bore, contact angle, and the suffixes that matter here.
+
+A designation is read from left to right: a maker's name or prefix, the series, two digits for the
+bore, the letters of the contact angle, then suffixes in any order. The letters differ between
+makers; those of SKF, FAG (Schaeffler), NSK and NTN are known. Suffixes of cage, shield, grease
+and marking have no effect and are left aside; what is not known makes the designation unknown.
+"""
+
+import re
+from dataclasses import dataclass, replace
+
+# series and its synonyms: dimension series of ISO 15, and whether of angular contact
+SERIES = {
+    "618": ("18", False),
+    "619": ("19", False),
+    "60": ("10", False),
+    "62": ("02", False),
+    "63": ("03", False),
+    "64": ("04", False),
+    "719": ("19", True),
+    "70": ("10", True),
+    "72": ("02", True),
+    "73": ("03", True),
+}
+SYNONYMS = {"68": "618", "69": "619", "79": "719"}  # NSK, NTN
+ANGLES = {"C": 15.0, "AC": 25.0, "B": 40.0}  # nominal contact angle by suffix [deg]
+# makers' letters for them, as patterns, longer ones first; E is FAG's
+ANGLE_LETTERS = (
+    (r"AC[DEB]?|A5|E(?![A-Z])", "AC"),
+    (r"BE(?:[CG][ABC])?|B", "B"),
+    (r"C[DE]?(?!\d)", "C"),
+)
+MAKERS = "SKF|FAG|INA|NSK|NTN|KOYO|NACHI|SNR|TIMKEN|BARDEN|GMN|NMB|URB|ZVL"
+# B, HCB: FAG's spindle bearings; HC, XC: their ceramic balls; W: stainless steel of SKF
+PREFIXES = {"HCB": "hybrid", "XCB": "hybrid", "HC": "hybrid", "XC": "hybrid", "B": "", "": ""}
+CLEARANCES = {"C2": "C2", "CN": "CN", "C0": "CN", "CM": "CM", "C3": "C3", "C4": "C4", "C5": "C5"}
+TOLERANCES = {
+    "P0": "normal", "PN": "normal", "P6": "P6", "P5": "P5",
+    "P4A": "P4", "P4S": "P4", "P4": "P4", "PA9A": "P2", "P2": "P2",
+}  # fmt: skip
+CONTACT_SEALS = ("2RS1", "2RSR", "2RSH", "2RS", "DDU", "DDW", "DD", "LLU", "LLH", "EE")
+HYBRID = ("HYBRID", "HC5", "HC")
+FULL_CERAMIC = ("FULLCERAMIC", "CERAMIC")
+# sets of two, and how far they are preloaded
+ARRANGEMENTS = ("DB", "DF", "DT")
+PRELOADS = {"A": "light", "B": "medium", "C": "heavy", "L": "light", "M": "medium", "H": "heavy"}
+SETS = "(?P<set>DB|DF|DT|DU|SU|U|G)(?P<preload>[ABCLMH])|(?P<alone>DB|DF|DT)"
+WITHOUT_EFFECT = (
+    # current insulation, grease, packing
+    r"VL\d{4}|VJ?\d{3,4}|LHT\d+|MT\d+|GJN|WT|5K|2AS|NS7S?|NS|AV2S?|L\d{3}|S\d|"
+    # shields and seals that do not touch, one seal alone
+    "2ZR|2RSL|2RZ|2Z|ZZ|VV|LLB|RS1|RSR|RSH|RSL|RS|RZ|ZR|DU|LU|LB|Z|V|"
+    # cages, snap rings
+    "TN9|TNH|TVP2|TVP|TVH|TYN|TR|TN|TA|MPA|MPB|MA|MB|JR|PHAS|PH|BP|J|M|Y|T|P|F|NR|N|W|DG|U|G"
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Designation:
+    """What a designation says."""
+
+    series: str  # of `SERIES`
+    bore_number: int  # [-]
+    angle_suffix: str = ""  # of `ANGLES`, empty of deep groove bearings
+    clearance_class: str | None = None
+    tolerance_class: str | None = None
+    sealed: bool = False  # contact seals on both sides
+    balls: str = ""  # "hybrid", "full ceramic" or empty
+    arrangement: str = ""  # of a set of two: DB, DF, DT, or empty
+    preload_class: str | None = None  # light, medium, heavy
+
+    @property
+    def basic(self) -> str:
+        """Name of the bearing in the catalogue: series, bore number, contact angle."""
+        return f"{self.series}{self.bore_number:02d}{self.angle_suffix}"
+
+    @property
+    def bore(self) -> float:
+        """Bore diameter [mm]: numbers 00 to 03 are 10, 12, 15, 17 mm, then five times the
+        number.
+        """
+        number = self.bore_number
+        return (10.0, 12.0, 15.0, 17.0)[number] if number < 4 else 5.0 * number
+
+    @property
+    def dimension_series(self) -> str:
+        """Dimension series of ISO 15, width and diameter."""
+        return SERIES[self.series][0]
+
+    @property
+    def contact_angle(self) -> float:
+        """Nominal contact angle [deg], zero of deep groove bearings."""
+        return ANGLES.get(self.angle_suffix, 0.0)
+
+
+def read_designation(text: str) -> Designation | None:
+    """What a designation says; None if it is none of the series here, or has suffixes that are
+    not known. Case, spaces, hyphens and slashes do not matter.
+    """
+    plain = re.sub(r"[\s/_.,+-]+", " ", text.upper()).strip()
+    prefixes = "|".join(sorted(PREFIXES, key=len, reverse=True))
+    series = "|".join(sorted({*SERIES, *SYNONYMS}, key=len, reverse=True))
+    pattern = rf"(?:(?:{MAKERS}) )?({prefixes}) ?({series})(\d\d)(.*)"
+    match = re.fullmatch(pattern, plain)
+    if match is None:
+        return None
+    prefix, series, bore, rest = match.groups()
+    read = Designation(
+        series=SYNONYMS.get(series, series), bore_number=int(bore), balls=PREFIXES[prefix]
+    )
+    if SERIES[read.series][1]:
+        read, rest = _with_angle(read, rest)
+        if not read.angle_suffix:
+            return None
+    elif prefix == "B":
+        return None
+    return _with_suffixes(read, rest)
+
+
+def _with_angle(read: Designation, rest: str) -> tuple[Designation, str]:
+    rest = rest.strip()
+    for letters, suffix in ANGLE_LETTERS:
+        match = re.match(letters, rest)
+        if match is not None:
+            return replace(read, angle_suffix=suffix), rest[match.end() :]
+    return read, rest
+
+
+def _with_suffixes(read: Designation, rest: str) -> Designation | None:
+    """The designation with all suffixes read, None if one is not known."""
+    words: dict[str, dict[str, object]] = {
+        **{word: {"tolerance_class": name} for word, name in TOLERANCES.items()},
+        **{word: {"clearance_class": name} for word, name in CLEARANCES.items()},
+        **{key: {"sealed": True} for key in CONTACT_SEALS},
+        **{key: {"balls": "hybrid"} for key in HYBRID},
+        **{key: {"balls": "full ceramic"} for key in FULL_CERAMIC},
+    }
+    rest = rest.replace("FULL CERAMIC", "CERAMIC").strip()
+    while rest:
+        word = next((word for word in sorted(words, key=len)[::-1] if rest.startswith(word)), "")
+        found = words.get(word, {})
+        if not word and SERIES[read.series][1] and (match := re.match(SETS, rest)):
+            word = match.group()
+            found = _set(match)
+        if not word:
+            match = re.match(WITHOUT_EFFECT, rest)
+            if match is None:
+                return None
+            word = match.group()
+        read = replace(read, **found)  # type: ignore[arg-type]
+        rest = rest.removeprefix(word).strip()
+    return read
+
+
+def _set(match: re.Match[str]) -> dict[str, object]:
+    """Arrangement and preload class of a set of angular contact bearings."""
+    arrangement = match["set"] or match["alone"] or ""
+    found: dict[str, object] = {}
+    if arrangement in ARRANGEMENTS:
+        found["arrangement"] = arrangement
+    if match["preload"] and arrangement:
+        found["preload_class"] = PRELOADS[match["preload"]]
+    return found

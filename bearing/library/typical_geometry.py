@@ -1,0 +1,76 @@
+"""Internal geometry that follows from boundary dimensions alone, and what bearings have in common:
+sizes of balls, conformities of grooves, and how far these differ between makers.
+"""
+
+from math import asin, degrees, floor, pi
+
+INCH = 25.4e-3  # [m]
+# between ball sizes below and above FINE_LARGEST [m]
+FINE_STEP = INCH / 64.0
+COARSE_STEP = INCH / 32.0
+FINE_LARGEST = 18.0 * FINE_STEP  # 9/32 inch [m]
+METRIC = (3.5e-3,)  # of thin bearings: 6804 to 6807 [m]
+FEWEST_BALLS = 5
+INNER_CONFORMITY = 0.515  # groove radius over ball diameter, assumed [-]
+OUTER_CONFORMITY = 0.525
+# of the bearings with known ones [-]
+INNER_CONFORMITY_RANGE = (0.51, 0.525)
+OUTER_CONFORMITY_RANGE = (0.515, 0.53)
+ANGLE_RANGE = 3.0  # around a nominal contact angle, unverified [deg]
+# D over D_o - d, mean of the catalogue's, and the same of the pitch circle that balls fill over
+# the contact angle [deg]: docs/user/libraries.md [-]
+TYPICAL_BALL = 0.30
+TYPICAL_FILL = ((0.0, 0.60), (15.0, 0.78), (40.0, 0.86))
+# of such a guess, over the guess: docs/user/libraries.md [-]
+TYPICAL_BALL_RANGE = (0.80, 1.15)
+TYPICAL_BALLS_RANGE = 0.2
+TYPICAL_PITCH_RANGE = 0.02
+
+
+def ball_sizes(smallest: float, largest: float) -> tuple[float, ...]:
+    """Standard ball diameters in an interval [m]: steps of 1/64 inch up to 9/32 inch, of 1/32 inch
+    beyond, and 3.5 mm.
+    """
+    fine = [i * FINE_STEP for i in range(1, round(FINE_LARGEST / FINE_STEP) + 1)]
+    first = round(FINE_LARGEST / COARSE_STEP) + 1
+    coarse = [i * COARSE_STEP for i in range(first, floor(largest / COARSE_STEP) + 2)]
+    return tuple(size for size in sorted((*fine, *METRIC, *coarse)) if smallest <= size <= largest)
+
+
+def most_balls(ball_diameter: float, pitch_diameter: float) -> int:
+    """Number of balls that fit on the pitch circle without a cage; diameters in [m]."""
+    return floor(pi / asin(ball_diameter / pitch_diameter) + 1e-9)
+
+
+def typical_geometry(
+    bore: float, outside_diameter: float, contact_angle: float
+) -> tuple[float, float, int]:
+    """Ball diameter [m], pitch diameter [m] and number of balls [-] from the boundary dimensions
+    [m] and the nominal contact angle [rad] alone: a rough guess.
+
+    D = 0.30 (D_o - d), the nearest standard size; Z = fill pi/asin(D/d_m), with the share of the
+    pitch circle that the balls of the catalogue's bearings fill, linear in the contact angle
+    between deep groove, 15 and 40 degrees.
+    """
+    wanted = TYPICAL_BALL * (outside_diameter - bore)
+    pitch = 0.5 * (bore + outside_diameter)
+    sizes = ball_sizes(0.5 * wanted, 1.5 * wanted) or (wanted,)
+    ball = min(sizes, key=lambda size: abs(size - wanted))
+    return ball, pitch, typical_number(ball, pitch, contact_angle)
+
+
+def typical_number(ball_diameter: float, pitch_diameter: float, contact_angle: float) -> int:
+    """Number of balls that is typical of their diameter on a pitch circle [m] at a nominal
+    contact angle [rad].
+    """
+    fill = _fill(degrees(contact_angle))
+    balls = round(fill * pi / asin(ball_diameter / pitch_diameter))
+    return max(FEWEST_BALLS, min(balls, most_balls(ball_diameter, pitch_diameter)))
+
+
+def _fill(angle: float) -> float:
+    """Share of the pitch circle that balls fill, over the contact angle [deg]."""
+    (a0, f0), (a1, f1), (a2, f2) = TYPICAL_FILL
+    if angle <= a1:
+        return f0 + (f1 - f0) * (angle - a0) / (a1 - a0)
+    return f1 + (f2 - f1) * (min(angle, a2) - a1) / (a2 - a1)
