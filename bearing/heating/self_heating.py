@@ -12,6 +12,7 @@ from ..geometry import Bearing
 from ..operation import Operation, QuasistaticModel
 from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic
+from ..rows import SINGLE, Row
 from .heat_balance import Cooling, HeatBalance, heat_balance
 
 TorqueModel = Callable[[QuasistaticSolution, Sequence[BearingContact], Lubricant], float]  # [N m]
@@ -33,6 +34,7 @@ class SelfHeatingProblem:
     # inner ring and shaft above the one temperature of the node, outer ring and housing as much
     # below it
     inner_excess: float = 0.0  # [K]
+    rows: tuple[Row, ...] = SINGLE  # of balls on the one inner ring
 
     def clearance(self, temperature: float) -> float:
         """Diametral clearance [m] at a temperature [K]."""
@@ -58,7 +60,7 @@ class SelfHeatingProblem:
         # 1. clearance, 2. equilibrium, 3. viscosity, 4. torque
         operation = replace(self.operation, temperature=temperature)
         bearing = replace(self.bearing, diametral_clearance=self.clearance(temperature))
-        solution = solve_quasistatic(bearing, operation, self.model)
+        solution = solve_quasistatic(bearing, operation, self.model, rows=self.rows)
         if not solution.converged:
             raise ValueError(f"no equilibrium at {temperature:.1f} K: {solution.message}")
         oil = self.oil(temperature)

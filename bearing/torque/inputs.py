@@ -26,7 +26,10 @@ class FrictionInput:
     sealed: bool = False  # contact seals on both sides
     seal_diameter: float | None = None  # [m]
     series: str | None = None  # of SKF's constants; None: no SKF model
+    # ratings of one row; None: from the geometry, as of a bearing of steel
     static_rating: float | None = None  # C_0 [N]
+    dynamic_rating: float | None = None  # C [N]
+    nominal_contact_angle: float = 0.0  # alpha of the rating formulas [rad]
     hysteresis: float | None = None  # share of the elastic energy lost in rolling, beta_a [-]
     cage: Cage | None = None
     oil_fraction: float | None = None  # share of the cavity filled with oil [-]

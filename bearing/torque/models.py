@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from math import cos, hypot, sin
 
 from ehl import Lubricant
+from ehl.units import MILLIMETRE, MILLION, RPM, from_si
 
 from ..contacts.contact import BearingContact
 from ..friction.coulomb import balanced_friction
@@ -18,13 +19,16 @@ from ..friction.resistance import (
     pocket_power,
 )
 from ..geometry import Bearing
+from ..material import MaterialKind, load_material
 from ..quasistatic.solution import QuasistaticSolution
+from ..rating.load_rating import dynamic_rating, static_equivalent_load, static_rating
 from . import palmgren, skf, sliding
 from .inputs import FrictionInput
 
 ROUND_OFF = 1.0e-8  # of one load over the other below which there is none [-]
 # of Jones (1959), as quoted in the comparison of sliding friction torques [-]
 CONSTANT_COULOMB = 0.07
+COMPUTED_RATING = "static rating computed from the geometry, as of steel; none was given"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -34,6 +38,7 @@ class ModelTorque:
     components: dict[str, float] = field(default_factory=dict)
     total: float | None = None
     note: str = ""
+    remarks: tuple[str, ...] = ()  # on a total: beyond the model's range, or what it rests on
 
 
 def summed(components: dict[str, float], note: str = "") -> ModelTorque:
@@ -168,9 +173,13 @@ def skf_model(
     if isinstance(inputs, str):
         return dict.fromkeys(names, ModelTorque(note=inputs))
     inner, at = inputs
-    models = {"skf": _skf(inner, at)}
+    remarks = model_remarks("skf", solution, lubricant, friction)
+    if inner.constants.kind is skf.Series.DEEP_GROOVE and at.axial_load and _unrated(friction):
+        remarks += (COMPUTED_RATING,)
+    models = {"skf": replace(_skf(inner, at), remarks=remarks)}
     if asperity_share is not None:
-        models["skf_lambda"] = _skf(inner, replace(at, boundary_share=asperity_share))
+        by_films = _skf(inner, replace(at, boundary_share=asperity_share))
+        models["skf_lambda"] = replace(by_films, remarks=remarks)
     if friction.as_printed:
         models["skf_as_printed"] = summed({"sliding": skf.sliding_as_printed(inner, at)})
     return models
@@ -185,8 +194,6 @@ def _skf_inputs(
         return "needs bearing.skf_series, bore_mm and outside_diameter_mm"
     radial, axial = ring_loads(solution)
     kind = _kind(bearing)
-    if kind is skf.Series.DEEP_GROOVE and axial > 0.0 and friction.static_rating is None:
-        return "needs bearing.basic_static_rating_kN under axial load"
     try:
         constants = skf.skf_constants(kind, friction.series)
     except ValueError as error:
@@ -195,7 +202,7 @@ def _skf_inputs(
         constants=constants,
         bore=bearing.bore,
         outside_diameter=bearing.outside_diameter,
-        static_rating=friction.static_rating,
+        static_rating=static_capacity(bearing, friction),
         sealed=friction.sealed,
         seal_diameter=friction.seal_diameter,
         rows=len(solution.rows),
@@ -214,6 +221,60 @@ def _skf_inputs(
     )
 
 
+def _unrated(friction: FrictionInput) -> bool:
+    return friction.static_rating is None
+
+
+def static_capacity(bearing: Bearing, friction: FrictionInput) -> float:
+    """C_0 of one row [N] as given, or from the geometry, as of a bearing of steel."""
+    if friction.static_rating is not None:
+        return friction.static_rating
+    return static_rating(_of_steel(bearing), friction.nominal_contact_angle)
+
+
+def _of_steel(bearing: Bearing) -> Bearing:
+    """The same geometry in bearing steel, whose ratings the friction models were made for."""
+    steel = load_material("bearing steel")
+    return replace(
+        bearing, ball_material=steel, inner_ring_material=steel, outer_ring_material=steel
+    )
+
+
+def model_remarks(
+    name: str, solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput
+) -> tuple[str, ...]:
+    """Where speed, viscosity [Pa s] or load lie beyond the range of a model ("skf" or "palmgren"),
+    and what it was made for.
+    """
+    bearing = solution.bearing
+    limits = skf.RANGES[name]
+    speed = solution.operation.shaft_speed / RPM * mean_diameter(bearing) / MILLIMETRE
+    viscosity = from_si("viscosity_mm2_s", lubricant.viscosity / lubricant.density)
+    remarks = []
+    if speed > limits.speed_factor:
+        remarks.append(
+            f"n d_m = {speed / MILLION:.3g} million mm/min is beyond the "
+            f"{limits.speed_factor / MILLION:g} million of the model"
+        )
+    low, high = limits.viscosity
+    if not low <= viscosity <= high:
+        text = f"a viscosity of {viscosity:.3g} mm2/s lies outside the model's {low:g} to {high:g}"
+        remarks.append(text)
+    share = hypot(*ring_loads(solution)) / len(solution.rows) / _capacity(bearing, friction)
+    if share < limits.load_share:
+        remarks.append(
+            f"the load of {share:.2g} C is below the {limits.load_share:g} C the model asks for"
+        )
+    if bearing.ball_material.kind is not MaterialKind.BEARING_STEEL:
+        remarks.append("that of a bearing of steel at the same loads, which it was made for")
+    return tuple(remarks)
+
+
+def _capacity(bearing: Bearing, friction: FrictionInput) -> float:
+    """C of one row [N] as given, or from the geometry."""
+    return friction.dynamic_rating or dynamic_rating(bearing, friction.nominal_contact_angle)
+
+
 def _skf(bearing: skf.SkfBearing, operation: skf.SkfOperation) -> ModelTorque:
     torque = skf.skf_torque(bearing, operation)
     names = ("rolling", "sliding", "seal", "drag")
@@ -223,16 +284,16 @@ def _skf(bearing: skf.SkfBearing, operation: skf.SkfOperation) -> ModelTorque:
 def palmgren_model(
     solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput
 ) -> ModelTorque:
-    """Palmgren's model; needs a static rating unless f_1 is given."""
+    """Palmgren's model."""
     kind = _kind(solution.bearing).value.replace("_", " ")
     radial, axial = ring_loads(solution)
     factor = friction.load_factor
     if factor is None:
-        if friction.static_rating is None:
-            needed = "bearing.basic_static_rating_kN or friction.palmgren_load_factor"
-            return ModelTorque(note=f"needs {needed}")
-        static = max(0.6 * radial + 0.5 * axial, radial)  # P_0 of ISO 76 for radial ball bearings
-        factor = palmgren.load_factor(kind, static, friction.static_rating)
+        static = static_equivalent_load(radial, axial, friction.nominal_contact_angle)
+        if static is None:
+            return ModelTorque(note="needs friction.palmgren_load_factor: no P_0 at this angle")
+        capacity = len(solution.rows) * static_capacity(solution.bearing, friction)
+        factor = palmgren.load_factor(kind, static, capacity)
     viscous = friction.viscous_factor
     if viscous is None:
         viscous = palmgren.viscous_factor(kind, friction.lubrication.value)
@@ -243,7 +304,11 @@ def palmgren_model(
         len(solution.rows) * viscous,
         (factor, palmgren.directed_load(kind, radial, axial)),
     )
-    return summed(dict(zip(("viscous", "load"), torques, strict=True)))
+    remarks = model_remarks("palmgren", solution, lubricant, friction)
+    if friction.load_factor is None and _unrated(friction):
+        remarks += (COMPUTED_RATING,)
+    found = summed(dict(zip(("viscous", "load"), torques, strict=True)))
+    return replace(found, remarks=remarks)
 
 
 def yao_model(

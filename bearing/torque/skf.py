@@ -54,6 +54,23 @@ FULL_FILM_FRICTION = {"mineral": 0.05, "synthetic": 0.04, "transmission fluid": 
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class ModelRange:
+    """Range of a torque model; the sources were not read, numbers from memory."""
+
+    speed_factor: float  # largest n d_m [mm/min]
+    viscosity: tuple[float, float]  # kinematic [mm^2/s]
+    load_share: float  # least load over C [-]
+
+
+# SKF: catalogue bearings up to their permissible speeds, oils of 2 to 500 mm^2/s, the minimum load
+# of ball bearings; Palmgren: "moderate" speeds and loads
+RANGES = {
+    "skf": ModelRange(speed_factor=1.0e6, viscosity=(2.0, 500.0), load_share=0.01),
+    "palmgren": ModelRange(speed_factor=1.0e6, viscosity=(1.0, 1000.0), load_share=0.0),
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class SkfConstants:
     """Constants of one series in the catalogue's units."""
 

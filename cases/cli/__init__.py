@@ -16,5 +16,6 @@
 | view | view |
 | documents | report, compare, cut, interferogram |
 | files | list, validate, init, schema |
+| new_case | text of a new case file, by designation or boundary dimensions |
 | verify | verify |
 """

@@ -120,7 +120,7 @@ def init(  # noqa: PLR0913
     angle: Annotated[float, typer.Option(help="Nominal contact angle [deg]; 0: deep groove.")] = 0,
 ) -> None:
     """Write a new case file: of a bearing by its designation or its size, or copied."""
-    from ..format.new_case import BoundaryDimensions, case_of_designation, case_of_dimensions
+    from .new_case import BoundaryDimensions, case_of_designation, case_of_dimensions
 
     size = {"bore": bore, "outside": outside, "width": width}
     given = [f"--{key}" for key, value in size.items() if value is not None]

@@ -26,11 +26,12 @@ if TYPE_CHECKING:
 def load_bearing(name: str, needed: str) -> Case:
     """The bearing case of a name; `CaseError` saying what is `needed` for a single contact."""
     from ..format.case import Case, load_case
+    from ..runs.heating import at_its_temperature
 
     case = load_case(name)
     if not isinstance(case, Case):
         raise CaseError(f"{name}: is a single contact; {needed}")
-    return case
+    return at_its_temperature(case)
 
 
 def results_directory(case: str, output: Path | None, as_json: bool) -> Path | None:

@@ -15,7 +15,6 @@ friction    - [friction] and the shear law of the oil
 library     - [materials.NAME], names and values of the libraries of bearings, materials, oils
 load_cases  - [[load_cases]]: states of a duty cycle in the place of [operation]
 lubricant   - [lubricant] and [lubricants.NAME]: the oil at the temperature of operation
-new_case    - text of a new case file, by designation or boundary dimensions
 operation   - [operation], [model] and [slip]: speeds, loads, assumptions, slip maps
 problems    - faults of a case file as sentences: line, key, found, allowed, nearest name
 rows        - [[rows]]: rows of balls, and the balls whose films are wanted

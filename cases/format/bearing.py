@@ -301,14 +301,20 @@ def _clearance(table: BearingTable) -> float:
     return contact_angle_to_clearance(si["free_contact_angle"], *(si[name] for name in lengths))
 
 
+def nominal_contact_angle(table: BearingTable) -> float:
+    """Nominal contact angle: as given, else the free one, else zero [rad]."""
+    si = table.si()
+    nominal = si["nominal_contact_angle"]
+    return float(si["free_contact_angle"] or 0.0 if nominal is None else nominal)
+
+
 def rating(table: BearingTable, contamination_factor: float | None) -> RatingInput:
     """Inputs of the rating life: C_r, C_0 [N], nominal contact angle [rad], e_C [-]."""
     si = table.si()
-    nominal = si["nominal_contact_angle"]
     return RatingInput(
         dynamic_rating=si["basic_dynamic_rating"],
         static_rating=si["basic_static_rating"],
-        nominal_contact_angle=si["free_contact_angle"] or 0.0 if nominal is None else nominal,
+        nominal_contact_angle=nominal_contact_angle(table),
         contamination_factor=contamination_factor,
     )
 

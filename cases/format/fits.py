@@ -155,6 +155,17 @@ def elastic_rings(
     return ElasticRings(**rings)
 
 
+def part_temperatures(
+    table: TemperaturesTable | None, mean_C: float, excess: float
+) -> TemperaturesTable:
+    """Temperatures of the parts about that of the bearing [degrees Celsius]: inner ring and shaft
+    above, outer ring and housing below it by an excess [K].
+    """
+    parts = {"inner_ring_C": 1.0, "shaft_C": 1.0, "outer_ring_C": -1.0, "housing_C": -1.0}
+    values = {key: mean_C + sign * excess for key, sign in parts.items()} | {"ball_C": mean_C}
+    return TemperaturesTable(**values) if table is None else table.model_copy(update=values)
+
+
 def _rises(table: TemperaturesTable) -> TemperatureRise:
     """Rise of the parts above the temperature of measurement [K]."""
     parts = {

@@ -19,7 +19,7 @@ from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.traction.coefficient_kernels import COEFFICIENTS, Constant
 from ehl.units import MEGAPASCAL, to_si
 
-from .bearing import BearingTable, SurfaceTable, roughness
+from .bearing import BearingTable, SurfaceTable, nominal_contact_angle, roughness
 from .fields import LENGTH_MAXIMUM, OneOf, Table, above, between, described
 from .lubricant import LubricantTable, Oil
 from .problems import CaseFault, shown
@@ -115,11 +115,7 @@ OF_ONE_NAME = (
     *("coefficient", "oil", "oil_fraction", "oil_level_mm", "drag_factor", "as_printed"),
     "seal_diameter_mm",
 )
-<<<<<<< HEAD
-OTHER_ANGULAR = "other single row"
 SHEAR_ASSUMED = "lubricant: the shear of the oil is assumed"
-=======
->>>>>>> 9b81f9e (Bearings by designation or size: a catalogue of 380 by rule, oilfilm init writes their case, the type no longer follows the clearance)
 
 
 def _only_with(where: Where, *names: str) -> Iterator[Relation]:
@@ -197,12 +193,15 @@ def friction(
     angular: bool,
 ) -> FrictionInput:
     """What the friction models take: ratings [N], lengths [m]; `angular`: of angular contact."""
+    si = bearing.si()
     return FrictionInput(
         **table.si(*OF_ONE_NAME),
         sealed=_sealed(table, bearing),
         lubrication=Lubrication(table.lubrication),
         series=_series(bearing, angular=angular),
-        static_rating=bearing.si()["basic_static_rating"],
+        static_rating=si["basic_static_rating"],
+        dynamic_rating=si["basic_dynamic_rating"],
+        nominal_contact_angle=nominal_contact_angle(bearing),
         hysteresis=table.hysteresis_loss,
         cage=cage,
         boundary=table.boundary_coefficient,

@@ -26,7 +26,9 @@ from .fields import (
 )
 from .friction import FrictionTable
 from .problems import CaseFault, shown
-from .rules import CaseValues, Excludes
+from .rules import CaseValues, Excludes, Needs, Where
+
+SELF_HEATED = "self-heated"
 
 
 class OperationTable(Table):
@@ -44,6 +46,9 @@ class OperationTable(Table):
     tilt_mrad: Tilt | None = described('[about y, about z]; "free" where the moment decides')
     tilt: Literal["held", "free"] | None = described("without tilt_mrad: held at zero, or free")
     temperature_C: float = between(-100, 500, "temperature of the oil in the contacts", 40.0)
+    temperature: Literal["given", "self-heated"] = described(
+        "given: temperature_C; self-heated: that where friction and cooling agree", "given"
+    )
 
 
 class ModelTable(Table):
@@ -58,6 +63,11 @@ class ModelTable(Table):
 
 
 RELATIONS = (
+    Needs(
+        "friction.heat_transfer_W_K",
+        Where("operation.temperature", SELF_HEATED),
+        'needed with operation.temperature = "self-heated"',
+    ),
     Excludes("operation.radial_load_N", "operation.force_N"),
     Excludes("operation.axial_load_N", "operation.force_N"),
     Excludes("operation.tilt", "operation.tilt_mrad"),

@@ -27,7 +27,7 @@ from ..format.contact import FilmModel
 from ..version import version
 from .equilibrium import case_equilibrium
 from .films import Progress, Solve, solve_contacts, wanted_contacts
-from .heating import self_heated
+from .heating import at_its_temperature, self_heated
 from .interrupt import interruptible
 from .load_cases import solve_load_cases
 from .traction_films import traction_messages, with_workers
@@ -64,8 +64,7 @@ def run_case(
     notify = progress or (lambda done, total, state: None)
     notify(0, 1, "equilibrium of the bearing")
     start = perf_counter()
-    if case.traction is not None:
-        case = replace(case, traction=with_workers(case.traction, workers, notify, solve))
+    case = _prepared(case, workers, notify, solve)
     try:
         state = case_equilibrium(case)
         contacts, bodies = _contacts(case, state, notify)
@@ -101,6 +100,16 @@ def run_case(
         **(friction or {}),
     )
     return _complete(results)
+
+
+def _prepared(case: Case, workers: int | None, notify: Progress, solve: Solve | None) -> Case:
+    """The case at its own temperature, where it asks for that, and its films as they are solved
+    here.
+    """
+    case = at_its_temperature(case)
+    if case.traction is None:
+        return case
+    return replace(case, traction=with_workers(case.traction, workers, notify, solve))
 
 
 def _complete(results: BearingResults) -> BearingResults:

@@ -4,6 +4,7 @@ import warnings
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
+from typing import Any
 
 from bearing.contacts.contact import BearingContact
 from bearing.heating.self_heating import (
@@ -12,13 +13,47 @@ from bearing.heating.self_heating import (
     solve_self_heating,
 )
 from bearing.quasistatic.solution import QuasistaticSolution
+from bearing.rows import SINGLE
 from bearing.torque.breakdown import model_torque
 from ehl import Lubricant
+from ehl.units import from_si
 
-from ..format.case import Case
+from ..format.case import Case, case_of_file
+from ..format.fields import rounded
+from ..format.fits import part_temperatures
+from ..format.operation import SELF_HEATED
 from .equilibrium import without_traction_equilibrium
 
 Contacts = Sequence[BearingContact]
+
+
+def at_its_temperature(case: Case) -> Case:
+    """The case at the temperature that its bearing warms itself to, where it asks for that: oil
+    and films, and with fits or temperatures the parts and the clearance as well.
+
+    Without a balance the case stays at `operation.temperature_C`, with a warning.
+    """
+    if case.file.operation.temperature != SELF_HEATED:
+        return case
+    heating = self_heated(case)
+    if heating is None or heating.balance is None or not heating.converged:
+        why = "nothing turns" if heating is None else heating.note
+        note = f"operation.temperature: no balance of heat, {why}; temperature_C is taken"
+        return replace(case, warnings=(note, *case.warnings))
+    balanced = from_si("temperature_C", heating.balance.temperature)
+    file = case.file
+    operation = {"temperature_C": rounded(balanced), "temperature": "given"}
+    changed: dict[str, Any] = {"operation": file.operation.model_copy(update=operation)}
+    if case.heating is not None and case.heating.reference is not None:
+        parts = part_temperatures(file.temperatures, balanced, case.heating.inner_excess)
+        changed["temperatures"] = parts
+    found = case_of_file(file.model_copy(update=changed), case.title or "case")
+    assert isinstance(found, Case)  # a bearing
+    note = (
+        f"operation.temperature: computed at {balanced:.1f} C, where friction ({heating.model}) "
+        "and cooling agree"
+    )
+    return replace(found, warnings=(note, *found.warnings))
 
 
 def self_heated(case: Case) -> SelfHeatingSolution | None:
@@ -39,6 +74,7 @@ def self_heated(case: Case) -> SelfHeatingSolution | None:
         fit=given.fit,
         reference=given.reference,
         inner_excess=given.inner_excess,
+        rows=case.rows or SINGLE,
     )
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # the search looks beyond the range of the oil's data

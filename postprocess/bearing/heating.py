@@ -9,6 +9,8 @@ from ..quantities import values_of
 from .quantities import HEATING
 from .results import BearingResults
 
+AGREEMENT = 1.0  # of temperatures that count as one [K]
+
 
 def heating_block(results: BearingResults) -> dict[str, Any]:
     """Temperature, torque, power, oil, clearance; None without a balance of heat."""
@@ -19,6 +21,22 @@ def heating_block(results: BearingResults) -> dict[str, Any]:
         "torque_model": None if heating is None else heating.model,
         "converged": None if heating is None else heating.converged,
     }
+
+
+def temperature_messages(results: BearingResults) -> Iterator[str]:
+    """That the results are those of another temperature than the balance of heat finds."""
+    heating = results.heating
+    if heating is None or heating.balance is None or not heating.converged:
+        return
+    balanced = heating.balance.temperature
+    given = results.quasistatic.operation.temperature
+    if abs(balanced - given) > AGREEMENT:
+        yield (
+            "two temperatures: loads, clearance, films, torque and life are those of "
+            f"operation.temperature_C = {from_si('temperature_C', given):.4g}, the block "
+            f"self_heating that of {from_si('temperature_C', balanced):.4g} C, where friction and "
+            'cooling agree; operation.temperature = "self-heated" computes all of it there'
+        )
 
 
 def heating_messages(results: BearingResults) -> Iterator[str]:
@@ -38,7 +56,7 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
         given = from_si("temperature_C", results.quasistatic.operation.temperature)
         yield (
             f"self_heating: friction ({heating.model}) and cooling agree at {balanced:.1f} C; all "
-            f"else was computed at operation.temperature_C = {given:g}"
+            f"else was computed at operation.temperature_C = {given:.4g}"
         )
         if heating.note:
             yield f"self_heating: {heating.note}"

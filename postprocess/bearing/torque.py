@@ -87,6 +87,8 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
     for name in shown_models(results):
         if torque.models[name].total is None:
             yield f"torque_N_mm.models.{name}: null, {torque.models[name].note}"
+        for remark in torque.models[name].remarks:
+            yield f"torque_N_mm.models.{name}: {remark}"
     for part, why in ({} if torque.shear is None else torque.shear.missing_components).items():
         yield f"torque_N_mm.models.integrated.{part}: null, {why}"
     if torque.total is None:

@@ -111,6 +111,7 @@ KNOWN_CHOICES = (
     "operation.inner_speed_rpm",
     "operation.radial_load_N",
     "operation.axial_load_N",
+    "operation.temperature",
     "lubricant.name",
     "friction.lubrication",
 )
@@ -145,7 +146,8 @@ def _tables(
         "inner_speed_rpm": f"{_rounded(SPEED_FACTOR / pitch):.1f}",
         "radial_load_N": f"{_rounded(radial * capacity):.1f}",
         "axial_load_N": f"{_rounded(AXIAL_SHARE * capacity if angular and not pair else 0.0):.1f}",
-        "temperature_C": "70.0",
+        "temperature_C": "70.0  # where no heat balance is found",
+        "temperature": '"self-heated"',
     }
     sealed = designation is not None and designation.sealed
     lubricant = {"name": '"iso vg 100"' if sealed else '"iso vg 68"'}

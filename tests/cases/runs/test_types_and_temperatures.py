@@ -1,0 +1,141 @@
+"""Type of a bearing against its clearance, models beyond their range, one temperature of a summary."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from bearing.geometry import BearingType
+from cases import run_case
+from cases.format.case import case_from_text
+from postprocess import summary
+
+CASE = """
+schema_version = 1
+[bearing]
+name = "6205"
+[lubricant]
+name = "VG68"
+contamination_factor = 0.5
+[operation]
+inner_speed_rpm = 3000.0
+radial_load_N = 700.0
+temperature_C = 70.0
+[ehl]
+film_maps = "none"
+"""
+HEATED = "[friction]\nheat_transfer_W_K = 1.2\nambient_C = 25.0\n"
+GEOMETRY = """\
+ball_diameter_mm = 7.94
+pitch_diameter_mm = 39.0
+balls = 9
+inner_groove_radius_mm = 4.09
+outer_groove_radius_mm = 4.17
+ring_material = "bearing steel"
+ball_material = "bearing steel"
+"""
+
+
+def case(text):
+    return case_from_text(text, "case.toml")
+
+
+def found(text):
+    return summary(run_case(case(text)))
+
+
+def test_no_clearance_makes_a_deep_groove_bearing_one_of_angular_contact():
+    """C5 gives the 6205 a free contact angle above 20 degrees; SKF and Palmgren keep their constants."""
+    wide = case(CASE.replace('"6205"', '"6205 C5"'))
+    assert wide.bearing.free_contact_angle > 0.3
+    assert wide.bearing.type is BearingType.DEEP_GROOVE
+    assert not wide.bearing.angular_contact
+    tight, loose = (found(CASE.replace('"6205"', f'"6205 {name}"')) for name in ("C2", "C5"))
+    for model in ("skf", "palmgren"):
+        one, other = (s["torque_N_mm"]["models"][model]["total"] for s in (tight, loose))
+        assert one == pytest.approx(other, rel=1e-6)
+
+
+def test_the_type_of_a_bearing_without_a_name_follows_its_angle_and_a_clearance_is_told():
+    text = CASE.replace('name = "6205"\n', GEOMETRY + "{}\n")
+    small = case(text.format("diametral_clearance_um = 10.0"))
+    assert small.bearing.type is BearingType.DEEP_GROOVE
+    by_angle = case(text.format("free_contact_angle_deg = 25.0"))
+    assert by_angle.bearing.type is BearingType.ANGULAR_CONTACT
+    assert not any("bearing.type" in note for note in by_angle.warnings)
+    by_clearance = case(text.format("diametral_clearance_um = 40.0"))
+    assert by_clearance.bearing.type is BearingType.ANGULAR_CONTACT
+    assert any("bearing.type is not given" in note for note in by_clearance.warnings)
+    given = case(text.format('diametral_clearance_um = 40.0\ntype = "deep groove"'))
+    assert given.bearing.type is BearingType.DEEP_GROOVE
+    assert replace(given.bearing, type=None).angular_contact
+
+
+def test_ratings_computed_for_life_serve_the_friction_models():
+    sized = CASE.replace('name = "6205"\n', GEOMETRY + "bore_mm = 25.0\noutside_diameter_mm = 52.0\n")
+    sized = sized.replace("balls = 9\n", "balls = 9\ndiametral_clearance_um = 12.0\n")
+    both = found(sized.replace("radial_load_N = 700.0", "radial_load_N = 700.0\naxial_load_N = 200.0"))
+    models = both["torque_N_mm"]["models"]
+    rated = found(CASE.replace("radial_load_N = 700.0", "radial_load_N = 700.0\naxial_load_N = 200.0"))
+    for model in ("skf", "palmgren"):
+        assert models[model]["total"] == pytest.approx(rated["torque_N_mm"]["models"][model]["total"], rel=0.02)
+        assert any(model in message and "computed from the geometry" in message for message in both["messages"])
+    assert any("'62', nearest by the dimensions" in message for message in both["messages"])
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "expected"),
+    [
+        ("3000.0", "46800.0", "n d_m = 1.8 million mm/min is beyond the 1 million"),
+        ("temperature_C = 70.0", "temperature_C = -20.0", "a viscosity of"),
+        ("700.0", "70.0", "the load of 0.005 C is below the 0.01 C"),
+        ('"6205"', '"6205 hybrid"', "that of a bearing of steel"),
+    ],
+)
+def test_a_model_says_where_it_is_beyond_its_range(old, new, expected):
+    messages = found(CASE.replace(old, new))["messages"]
+    assert any(message.startswith(f"torque_N_mm.models.skf: {expected}") for message in messages), messages
+    assert not any("torque_N_mm.models.skf" in message for message in found(CASE)["messages"])
+
+
+def test_the_first_message_says_that_there_are_two_temperatures():
+    first = found(CASE + HEATED)["messages"][0]
+    assert first.startswith("two temperatures: loads, clearance, films, torque and life are those of")
+
+
+def test_a_case_can_be_computed_at_the_temperature_of_its_balance():
+    own = CASE.replace("temperature_C = 70.0", 'temperature_C = 70.0\ntemperature = "self-heated"')
+    result = found(own + HEATED)
+    assert result["messages"][0].startswith("operation.temperature: computed at")
+    balanced = result["self_heating"]["temperature_C"]
+    assert result["case"]["operation"]["temperature_C"] == pytest.approx(balanced, abs=0.01)
+    assert result["torque_N_mm"]["total"] == pytest.approx(result["self_heating"]["torque_N_mm"], rel=1e-3)
+
+
+def test_fits_take_the_temperature_of_the_balance_too():
+    seats = "[fit]\ninner_ring_interference_um = 10.0\n"
+    own = CASE.replace("temperature_C = 70.0", 'temperature = "self-heated"')
+    result = found(own + HEATED + seats)
+    assert result["clearance"]["operating_um"] == pytest.approx(result["self_heating"]["clearance_um"], abs=1e-3)
+
+
+def test_a_set_of_two_warms_itself_by_the_loads_of_both_rows():
+    """Preloaded rows without an external load: one row alone would carry nothing."""
+    pair = CASE.replace('"6205"', '"7205C"').replace("radial_load_N = 700.0", "radial_load_N = 0.0")
+    rows = "".join(
+        f'[[rows]]\naxial_position_mm = {x}\nloaded_by = "{sense}"\npreload_class = "medium"\n'
+        for x, sense in ((-8.0, "+x"), (8.0, "-x"))
+    )
+    own = pair.replace("temperature_C = 70.0", 'temperature = "self-heated"')
+    result = found(own + HEATED.replace("ambient", 'heating_torque = "coulomb"\nambient') + rows)
+    assert result["self_heating"]["torque_N_mm"] > 1.0
+    assert sum("rows.preload_class: medium is taken as" in message for message in result["messages"]) >= 1
+
+
+def test_self_heating_is_needed_for_its_temperature():
+    from cases import CaseError
+
+    own = CASE.replace("temperature_C = 70.0", 'temperature = "self-heated"')
+    with pytest.raises(CaseError, match="heat_transfer_W_K"):
+        case(own)
