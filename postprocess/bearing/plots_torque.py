@@ -2,7 +2,7 @@
 every ball.
 """
 
-from math import degrees
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from bearing.torque.models import ModelTorque
 
-from ..plot_style import INK, PAGE_WIDTH, REFERENCE
+from ..plot_style import CAGE_COLOUR, PAGE_WIDTH, REFERENCE
 from .quantities import BALL_QUANTITY, TORQUE, TORQUE_MODELS
 from .results import BearingResults
 from .torque import shown_torques
@@ -21,7 +21,6 @@ SPIN = "#b23a3a"
 CURVATURE = "#e0b35a"
 ROTATION = "#f0dcae"
 ORBIT = "#8c6bb1"
-CAGE = "#5a8f5a"
 DRAG = "#79b7c9"
 SEAL = "#9a9a9a"
 ASPERITY = "#4d3b2f"
@@ -36,7 +35,7 @@ KINDS = (  # what one colour stands for, and the components of the models that a
     ("asperities", ASPERITY, ("asperity",)),
     ("hysteresis", REFERENCE, ("ME",)),
     ("load term", LOAD, ("load",)),
-    ("cage", CAGE, ("cage", "MC")),
+    ("cage", CAGE_COLOUR, ("cage", "MC")),
     ("churning", DRAG, ("drag",)),
     ("seals", SEAL, ("seal",)),
 )
@@ -99,12 +98,19 @@ def _draw_bar(axes: Axes, row: int, model: ModelTorque, visible: float) -> None:
 
 
 def _draw_balls(axes: Axes, results: BearingResults, shares: np.ndarray) -> None:
-    """Torque of each ball's contacts over its azimuth from the load line."""
-    azimuth = np.array([(degrees(a) + 180.0) % 360.0 - 180.0 for a in results.quasistatic.azimuth])
-    axes.bar(azimuth, shares, width=min(18.0, 200.0 / azimuth.size), color=OIL)
-    axes.set_xlim(-190.0, 190.0)
-    axes.set_xticks(range(-180, 181, 60))
-    axes.axvline(0.0, color=INK, linewidth=0.5, linestyle=":")
+    """Torque of each ball's contacts over its azimuth from the load line, row beside row."""
+    state = results.quasistatic
+    several = len(state.rows) > 1
+    width = min(18.0, 200.0 / len(shares))
+    for row in range(len(state.rows)):
+        mine = state.row_of_ball == row
+        azimuth = np.degrees(state.azimuth[mine]) % 360.0 + (row - 0.5) * width * several
+        style: Any = {"color": OIL, "alpha": 1.0 if row == 0 else 0.5, "label": f"row {row + 1}"}
+        axes.bar(azimuth, shares[mine], width=width, **style)
+    if several:
+        axes.legend(ncols=2)
+    axes.set_xlim(-20.0, 380.0)
+    axes.set_xticks(range(0, 361, 45))
     axes.set_xlabel(BALL_QUANTITY["azimuth_deg"].label)
-    axes.set_ylabel(f"contacts of a ball: {TORQUE.label}")
+    axes.set_ylabel(f"per ball: {TORQUE.label}")
     axes.spines[["top", "right"]].set_visible(False)

@@ -15,7 +15,16 @@ from matplotlib.ticker import MaxNLocator, MultipleLocator
 from bearing.dynamics.statistics import INPUTS, LOSSES
 from ehl.units import to_si
 
-from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE, write_figures
+from ..plot_style import (
+    BALL_COLOUR,
+    CAGE_COLOUR,
+    INK,
+    INNER_COLOUR,
+    OUTER_COLOUR,
+    PAGE_WIDTH,
+    REFERENCE,
+    write_figures,
+)
 from ..quantities import FREQUENCIES
 from .history import open_history
 from .quantities import PLOTTED, STATES
@@ -28,8 +37,10 @@ MECHANISM_COLOURS = (
 TIME = PLOTTED["time_ms"]
 SPEED = PLOTTED["speed_rpm"]
 SHOWN_TURNS = 2.0  # turns of the cage in the pictures of one ball [-]
+SPIKES = 0.01  # share of the time at each end of an axis that may lie beyond it [-]
 ORBIT_POINTS = 4000  # of an orbit, the last ones
 SMALLEST_LOAD = 1.0e-2  # of the largest one; below, a traction factor says nothing [-]
+ROUND_ORBIT = 1e-3  # smaller over larger extent of an orbit below which it is a line [-]
 SPECTRUM_REACH = 6.0  # highest frequency shown over the ball pass frequency of the inner ring [-]
 
 
@@ -50,19 +61,40 @@ def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
         SPEED.in_unit(speed)
         for speed in (speeds, orbit_speed(data), kinematic_speed(data, document))
     )
-    style: dict[str, Any] = {"color": OUTER_COLOUR, "alpha": 0.25, "linewidth": 0}
-    top.fill_between(time, orbit.min(axis=1), orbit.max(axis=1), **style)
-    top.plot(time, orbit.mean(axis=1), color=OUTER_COLOUR, label="balls: mean, and all (shaded)")
-    top.plot(time, cage, color=INNER_COLOUR, label="cage")
+    style: dict[str, Any] = {"color": BALL_COLOUR, "alpha": 0.25, "linewidth": 0}
+    slowest, fastest = orbit.min(axis=1), orbit.max(axis=1)
+    top.fill_between(time, slowest, fastest, **style)
+    top.plot(time, orbit.mean(axis=1), color=BALL_COLOUR, label="balls: mean, and all (shaded)")
+    top.plot(time, cage, color=CAGE_COLOUR, label="cage")
     top.plot(time, kinematic, "--", color=REFERENCE, label="kinematic")
     top.set_ylabel(SPEED.label)
-    top.legend()
+    top.legend(ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1.0))
+    _without_spikes(top, cage, slowest, fastest, kinematic)
     moving = kinematic > 0.02 * kinematic.max()
     slip = np.full(time.shape, np.nan)
     slip[moving] = 100.0 * (1.0 - cage[moving] / kinematic[moving])
-    bottom.plot(time, slip, color=INNER_COLOUR)
+    bottom.plot(time, slip, color=CAGE_COLOUR)
     bottom.axhline(0.0, color=REFERENCE, linewidth=0.6)
     bottom.set_ylabel("slip of the cage [%]")
+    _without_spikes(bottom, slip, np.zeros(1))
+
+
+def _without_spikes(axes: Any, *lines: Any) -> None:
+    """Limits of an axis without short spikes, as at the start, and a note where some are cut."""
+    known = [line[np.isfinite(line)] for line in lines]
+    known = [line for line in known if line.size]
+    low = min(float(np.quantile(line, SPIKES)) for line in known)
+    high = max(float(np.quantile(line, 1.0 - SPIKES)) for line in known)
+    margin = 0.15 * (high - low)
+    if not margin > 0.0:
+        return
+    least, most = (float(end([end(line) for line in known])) for end in (np.min, np.max))
+    axes.set_ylim(max(low - margin, least - 0.3 * margin), min(high + margin, most + 0.3 * margin))
+    cut = [f"{least:.4g}"] * (least < low - margin) + [f"{most:.4g}"] * (most > high + margin)
+    if cut:
+        note = f"short spikes reach {' and '.join(cut)}".replace("-", "\N{MINUS SIGN}")
+        style: dict[str, Any] = {"color": REFERENCE, "fontsize": 6.5, "va": "top", "ha": "right"}
+        axes.text(0.995, 0.97, note, transform=axes.transAxes, **style)
 
 
 def draw_forces(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
@@ -85,8 +117,10 @@ def draw_sliding(figure: Figure, data: xarray.Dataset, document: dict[str, Any])
     """Sliding speed [m/s] and traction factor [-] of ball 1 over its azimuth [deg]."""
     top, bottom = _over_time(figure, document)
     part = last_turns(data).sel(ball=1)
-    azimuth = PLOTTED["azimuth_deg"].in_unit(_turned(part))
-    azimuth -= 360.0 * np.floor(azimuth[-1] / 360.0)
+    azimuth = PLOTTED["azimuth_deg"].in_unit(_turned(part)) % 360.0
+    # a line ends where a turn does
+    wraps = np.flatnonzero(np.abs(np.diff(azimuth)) > 180.0) + 1
+    azimuth = np.insert(azimuth, wraps, np.nan)
     for race, colour in RACES:
         one = {name: values.to_numpy() for name, values in part.sel(race=race).items()}
         load = one["contact_load"]
@@ -94,22 +128,29 @@ def draw_sliding(figure: Figure, data: xarray.Dataset, document: dict[str, Any])
         pull = np.hypot(one["contact_friction_x"], one["contact_friction_y"])
         loaded = load > SMALLEST_LOAD * max(float(load.max()), 1e-300)
         factor = np.divide(pull, load, out=np.full(load.shape, np.nan), where=loaded)
-        slide = np.where(loaded, slide, np.nan)
+        slide = np.insert(np.where(loaded, slide, np.nan), wraps, np.nan)
+        factor = np.insert(factor, wraps, np.nan)
         top.plot(azimuth, slide, color=colour, label=f"{race} race", linewidth=0.9)
         bottom.plot(azimuth, factor, color=colour, linewidth=0.9)
     top.set_ylabel(PLOTTED["sliding_speed_m_s"].label)
     bottom.set_ylabel(PLOTTED["traction_factor"].label)
-    bottom.set_xlabel(f"{PLOTTED['azimuth_deg'].label}; the load line at multiples of 360")
-    bottom.xaxis.set_major_locator(MultipleLocator(90.0))
-    top.legend(title="where loaded", ncols=2)
+    bottom.set_xlabel(f"{PLOTTED['azimuth_deg'].label}; the load line at 0")
+    bottom.xaxis.set_major_locator(MultipleLocator(45.0))
+    bottom.set_xlim(0.0, 360.0)
+    bottom.set_ylim(bottom=0.0)
+    top.set_ylim(bottom=0.0)
+    top.legend(ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1.0))
 
 
 def draw_states(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Free, contact, impact of each ball at both races over time [ms]."""
+    """Free, contact, impact of each ball at both races over time [ms], the last turns."""
     axes = _over_time(figure, document, 4.2)
+    data = last_turns(data)
     time = TIME.in_unit(data["time"].to_numpy())
     extent = (float(time[0]), float(time[-1]), data.sizes["ball"] + 0.5, 0.5)
     style: dict[str, Any] = {"aspect": "auto", "extent": extent, "interpolation": "nearest"}
+    for ax in axes:
+        ax.grid(visible=False)
     for ax, (race, _) in zip(axes, RACES, strict=True):
         kinds = data["contact_state"].sel(race=race).to_numpy().T
         ax.imshow(kinds, cmap=ListedColormap(STATE_COLOURS), vmin=-0.5, vmax=2.5, **style)
@@ -127,15 +168,17 @@ def draw_orbits(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
     axes = _start(figure, document, (1, 2), 3.6)
     late = data.isel(time=slice(-ORBIT_POINTS, None))
     vertical, across = PLOTTED["y_um"], PLOTTED["z_um"]
-    for ax, body, colour in zip(axes, ("ring", "cage"), (INNER_COLOUR, OUTER_COLOUR), strict=True):
+    for ax, body, colour in zip(axes, ("ring", "cage"), (INNER_COLOUR, CAGE_COLOUR), strict=True):
         place = late[f"{body}_position"]
         y = vertical.in_unit(place.sel({f"{body}_coordinate": "y"}).to_numpy())
         z = across.in_unit(place.sel({f"{body}_coordinate": "z"}).to_numpy())
         ax.plot(z, y, color=colour, linewidth=0.5)
         ax.plot(z[-1], y[-1], "o", color=INK, markersize=3)
         whirl = document[f"{body}_whirl_speed_rpm"]
-        turns = "" if whirl is None else f", turning at {whirl:.0f} r/min"
-        ax.set_title(f"centre of the {'inner ring' if body == 'ring' else 'cage'}{turns}")
+        is_line = min(np.ptp(y), np.ptp(z)) <= ROUND_ORBIT * max(np.ptp(y), np.ptp(z))
+        turns = "" if whirl is None or is_line else f", turning at {whirl:.0f} r/min"
+        title = f"centre of the {'inner ring' if body == 'ring' else 'cage'}{turns}"
+        ax.set_title(title.replace("-", "\N{MINUS SIGN}"))
         ax.set_xlabel(across.label)
         ax.set_aspect("equal", adjustable="datalim")
         if np.ptp(y) == 0.0 and np.ptp(z) == 0.0:
@@ -154,10 +197,12 @@ def draw_spectrum(figure: Figure, data: xarray.Dataset, document: dict[str, Any]
     heights = length.in_unit(amplitude[shown][1:])
     ax.semilogy(frequency[shown][1:], heights, color=INNER_COLOUR, linewidth=0.8)
     style = {"color": OUTER_COLOUR, "va": "top", "transform": ax.get_xaxis_transform()}
+    # room for the names of the defects above the peaks
+    ax.set_ylim(top=float(heights.max(initial=1e-12)) * 30.0)
     for k, defect in enumerate(f for f in FREQUENCIES if f.key in defects):
         value = defects[defect.key]
         ax.axvline(value, color=OUTER_COLOUR, linestyle="--", linewidth=0.7)
-        ax.text(value, 0.98 - 0.06 * k, f" {defect.symbol} {value:.1f}", **style)
+        ax.text(value, 0.98 - 0.07 * k, f" {defect.symbol} {value:.1f} Hz", **style)
     ax.set_xlabel(f"{PLOTTED['frequency_Hz'].label}; defect frequencies with the slip of the cage")
     ax.set_ylabel(f"{length.label}, along {direction}")
 

@@ -10,7 +10,7 @@ from PIL import Image
 from ehl.units import MILLIMETRE
 
 from ..dynamics.history import open_history
-from ..plot_style import INK
+from ..plot_style import CAGE_COLOUR, INK, INNER_COLOUR, OUTER_COLOUR
 from .geometry import Surface, ring_shape, ring_surface
 from .rendering import read_request, write_gif
 from .scene import AnimationOptions
@@ -19,9 +19,8 @@ from .vtk_history import RACES, MovingBearing
 
 LIGHT = "#e8ebef"
 DARK = "#39424e"
-CAGE_COLOUR = "#b98a4a"
 RING_COLOUR = "#c3cad3"
-FORCE_COLOURS = dict(zip(RACES, ("#0b5394", "#c1440e"), strict=True))
+FORCE_COLOURS = dict(zip(RACES, (INNER_COLOUR, OUTER_COLOUR), strict=True))
 PER_FRAME = 60  # [ms]
 LONGEST_ARROW = 0.9  # over the ball diameter [-]
 
@@ -97,7 +96,7 @@ def draw_frames(directory: Path, file: Path, options: AnimationOptions) -> None:
     with open_history(directory) as data:
         bearing = MovingBearing.read(data, options.frames, options.turns)
         title = str(data.attrs.get("title", ""))
-    legend = "forces on the balls: inner race blue, outer race red"
+    legend = "forces on the balls: inner race blue, outer race orange"
     frames = Frames(bearing, f"{title}\n{legend}", options.size)
     write_gif([frames.frame(row) for row in range(bearing.data.sizes["time"])], file, PER_FRAME)
     frames.plotter.close()

@@ -188,7 +188,11 @@ def draw_balls(figure: Figure, results: SlipResults) -> None:
     every = -(-len(azimuths) // MOST_TICKS)
     axes.set_xticks(azimuths[::every], [f"{a:.4g}" for a in azimuths[::every]])
     highest = float(finite.max()) / (results.printed_force or 1.0)
-    axes.set_ylim(0.0, 1.3 * max(results.limit, highest))
+    lowest = min(finite[finite > NO_LOAD].min(initial=np.inf), results.limit)
+    axes.set_yscale("log")
+    # a bar of the lowest factor still has a height
+    axes.set_ylim(0.4 * lowest, 3.0 * max(results.limit, highest))
+    axes.yaxis.set_major_formatter("{x:g}")
     x, y, _ = results.state.ring_force
     speed = from_si("speed_rpm", results.state.operation.inner_speed)
     title = f"{speed:.0f} r/min, axial {round(x) + 0:d} N, radial {round(y) + 0:d} N"
@@ -197,12 +201,13 @@ def draw_balls(figure: Figure, results: SlipResults) -> None:
 
 
 def _ball_bars(axes: Axes, azimuths: Array, factors: Array, slips: Any) -> None:
-    """Bars of the balls that slip and of those that do not; a zero where there is no bar."""
+    """Bars of the balls that slip and of those that do not; "none" where there is no bar."""
     width = 0.6 * 360.0 / len(factors)
     for label, colour in (("slips", OUTER_COLOUR), ("does not slip", INNER_COLOUR)):
         chosen = slips if label == "slips" else ~slips
         if chosen.any():
             axes.bar(azimuths[chosen], factors[chosen], width=width, color=colour, label=label)
     style: Any = {"textcoords": "offset points", "ha": "center", "fontsize": 6.5}
-    for azimuth in azimuths[~(factors > 0.0)]:
-        axes.annotate("0", (azimuth, 0.0), xytext=(0, 2), **style)
+    style |= {"xycoords": axes.get_xaxis_transform(), "color": REFERENCE}
+    for azimuth in azimuths[~(factors > NO_LOAD)]:
+        axes.annotate("no\nload", (azimuth, 0.0), xytext=(0, 2), **style)
