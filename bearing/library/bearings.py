@@ -83,16 +83,25 @@ def warn_of_estimates(name: str, values: Mapping[str, Any], assumed: Collection[
         return
     entry = load_catalogue_entry(key)
     estimates = []
-    for field in entry["estimated"]:
-        value = values.get(field)
-        if value is None or field in assumed or not isclose(value, entry[field]):
+    for field in estimated_fields(name, values):
+        if field in assumed:
             continue
         low, high = entry["range"][field]
         text, unit = _words(field)
-        estimates.append(f"{text} {value:g}{unit} ({low:g} to {high:g})")
+        estimates.append(f"{text} {values[field]:g}{unit} ({low:g} to {high:g})")
     if estimates:
         text = f"bearing {key!r}: internal geometry is estimated: {', '.join(estimates)}"
         warnings.warn(text, stacklevel=2)
+
+
+def estimated_fields(name: str, values: Mapping[str, Any]) -> tuple[str, ...]:
+    """Keys of a case's [bearing] table whose values are the catalogue's estimates."""
+    key = matching_name(name, list_bearings())
+    if key is None:
+        return ()
+    entry = load_catalogue_entry(key)
+    known = (field for field in entry["estimated"] if values.get(field) is not None)
+    return tuple(field for field in known if isclose(values[field], entry[field]))
 
 
 def _words(field: str) -> tuple[str, str]:

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from html import escape
-from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +9,8 @@ from ehl.units import unit_symbol
 
 from ..bearing.contacts import CONTACT_QUANTITY, REPORT_COLUMNS
 from . import html
-from .svg import stacked_bars
+from .cards import estimated_keys
+from .torque import torque_section
 
 # blocks of a summary that have a place on the page
 PLACED = frozenset(
@@ -20,8 +20,8 @@ PLACED = frozenset(
 )
 # input among the results of a rating
 GIVEN = {"nominal_contact_angle_deg", "contamination_factor"}
+WHOLE_PERCENT = 10.0  # from which on an error has no decimals
 TOP = ("schema_version", "title", "source", "assumed")
-MODEL_NAMES = {"skf": "SKF", "houpert": "Houpert", "palmgren": "Palmgren", "yao": "Yao"}
 FILM_PICTURES = {
     "film_per_azimuth": "Film thickness ball by ball, both races",
     "pressure_per_azimuth": "Pressure ball by ball, both races",
@@ -40,9 +40,9 @@ BLOCKS = {
 
 def input_tables(case: dict[str, Any]) -> str:
     """Every table of the case as run; what the case marks as assumed stands out."""
-    assumed = frozenset(str(key) for key in case.get("assumed", ()))
+    assumed = frozenset(str(key) for key in case.get("assumed", ())) | estimated_keys(case)
     blocks = [html.facts(title, values, assumed, path) for title, values, path in _tables(case)]
-    legend = '<span class="mark">*</span> assumed: no source gives this value'
+    legend = '<span class="mark">*</span> assumed or estimated: no source gives this value'
     legend = f'<p class="small">{legend}</p>' if assumed else ""
     return legend + (html.side_by_side(*blocks) or '<div class="facts"></div>')
 
@@ -64,44 +64,6 @@ def _tables(case: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any], str]]:
                 yield f"{name} {k}", row, name
 
 
-def cards(summary: dict[str, Any]) -> str:
-    """The numbers that are looked at first."""
-    contacts = [contact for contact in summary.get("contacts") or () if contact.get("loaded")]
-    entries = _film_card(contacts or [summary])
-    pressures = [contact.get("hertz_pressure_GPa") for contact in contacts or [summary]]
-    largest = max((value for value in pressures if value is not None), default=None)
-    if largest is not None:
-        entries.append(html.card("largest Hertz pressure", html.number(largest, 4), "GPa"))
-    if contacts:
-        inner = sum(contact["race"] == "inner" for contact in contacts)
-        entries.append(html.card("balls loaded", f"{inner} of {len(summary.get('balls') or ())}"))
-    torque = (summary.get("torque_N_mm") or {}).get("total")
-    hours = "basic_reference_rating_h"
-    life = (summary.get("life") or {}).get(hours)
-    cycle = (summary.get("duty_cycle") or {}).get(hours)
-    for name, value, unit in (
-        ("friction torque", torque, "N mm"),
-        ("rating life L10h", life, "h"),
-        ("L10h of the duty cycle", cycle, "h"),
-        ("cage speed", summary.get("cage_speed_rpm"), "rpm"),
-        ("load", summary.get("load_N"), "N"),
-    ):
-        if value is not None:
-            entries.append(html.card(name, html.number(value, 4), unit))
-    return html.side_by_side(*entries, kind="cards")
-
-
-def _film_card(contacts: list[dict[str, Any]]) -> list[str]:
-    """The thinnest film; dimensionless of a contact in Moes' groups."""
-    for key, unit in (("film_minimum_um", "µm"), ("film_minimum_dimensionless", "a²/Rx")):
-        films = [contact for contact in contacts if contact.get(key) is not None]
-        if films:
-            thinnest = min(films, key=itemgetter(key))
-            where = f", ball {thinnest['ball']} {thinnest['race']}" if "ball" in thinnest else ""
-            return [html.card(f"minimum film{where}", html.with_error(thinnest, key), unit)]
-    return []
-
-
 def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, str]]:
     """Anchor, title and content of the parts that a bearing or a contact has."""
     plots = folder / "plots"
@@ -111,7 +73,7 @@ def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, 
         yield "films", "Film and pressure", _films(plots)
     else:
         yield "films", "Film and pressure", _single_film(summary, plots)
-    yield "torque", "Friction torque", _torque(summary.get("torque_N_mm") or {})
+    yield "torque", "Friction torque", torque_section(summary.get("torque_N_mm") or {}, plots)
     blocks = []
     for key, title in BLOCKS.items():
         # the notes say why a value is null
@@ -126,7 +88,7 @@ def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, 
 
 def _loads(summary: dict[str, Any], plots: Path) -> str:
     ring = summary.get("ring") or {}
-    numbers = {key: value for key, value in ring.items() if key != "stiffness"}
+    numbers = {key: html.vector(value) for key, value in ring.items() if key != "stiffness"}
     numbers["cage_speed_rpm"] = summary.get("cage_speed_rpm")
     blocks = html.side_by_side(html.facts("Inner ring", numbers))
     blocks += _stiffness(ring.get("stiffness") or {}) + _balls(summary.get("balls") or [])
@@ -198,7 +160,7 @@ def _column_title(key: str) -> str:
 
 def known_pictures(summary: dict[str, Any]) -> set[str]:
     """Names of the pictures that the parts of the page place themselves."""
-    names = {"load_zone", "contact", *FILM_PICTURES}
+    names = {"load_zone", "contact", "torque", *FILM_PICTURES}
     for contact in summary.get("contacts") or ():
         names |= {f"{race}_ball{contact['ball']:02d}" for race in ("inner", "outer")}
     return {f"{name}.png" for name in names}
@@ -238,46 +200,6 @@ def _films(plots: Path) -> str:
     return content
 
 
-def _torque(torque: dict[str, Any]) -> str:
-    """The models side by side: bars of their parts, and the numbers."""
-    models = [
-        (_words(name), _torque_parts(model), float(model["total"]))
-        for name, model in (torque.get("models") or {}).items()
-        if isinstance(model, dict) and isinstance(model.get("total"), int | float)
-    ]
-    if not models:
-        return ""
-    rows = []
-    for name, parts, total in models:
-        texts = (f"{escape(_words(part))} {html.number(v, 4)}" for part, v in parts.items())
-        cells = [escape(name), html.number(total, 4), ", ".join(texts) or html.NOTHING]
-        rows.append(("", cells))
-    bars = f'<div class="scroll wide">{stacked_bars(models, "N mm")}</div>'
-    caption = "Each model has its own assumptions; hover over a bar for its parts."
-    picture = f"<figure>{bars}<figcaption>{caption}</figcaption></figure>"
-    head = [("model", ""), ("total", "N mm"), ("parts", "N mm")]
-    remarks = "; ".join(
-        f"{html.name_text(key)} {html.text(value)}"
-        for key, value in torque.items()
-        if value is not None and not isinstance(value, dict | list)
-    )
-    return picture + html.table(head, rows, (0, 2)) + (f"<p>{remarks}</p>" if remarks else "")
-
-
-def _torque_parts(model: dict[str, Any]) -> dict[str, float]:
-    """Parts of a sum [N mm]; round-off beside the largest of them is 0."""
-    parts = {
-        name: float(value)
-        for name, value in model.items()
-        if name != "total" and isinstance(value, int | float)
-    }
-    return dict(zip(parts, html.without_noise(list(parts.values())), strict=True))
-
-
-def _words(name: str) -> str:
-    return MODEL_NAMES.get(name, name.replace("_", " "))
-
-
 def _convergence(summary: dict[str, Any]) -> str:
     """Residual of the equilibrium, and box, nodes and error bars of every distinct film."""
     content = ""
@@ -311,4 +233,7 @@ def _convergence_cells(contact: dict[str, Any]) -> list[str]:
 def _relative_error(contact: dict[str, Any], film: str) -> str:
     value = contact[f"{film}_um"]
     error = contact[f"{film}_uncertainty_um"]
-    return html.NOTHING if not value else html.number(100.0 * error / value, 2)
+    if not value:
+        return html.NOTHING
+    percent = 100.0 * error / value
+    return f"{percent:.0f}" if percent >= WHOLE_PERCENT else html.number(percent, 2)

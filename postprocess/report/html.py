@@ -19,6 +19,17 @@ ROUND_OFF = 1e-9  # of the largest component
 MAX_LISTED = 6  # entries of a list on one line
 MAX_BESIDE_KEY = 60  # characters of a value beside its key
 MAX_UNBROKEN = 28  # characters from which on a text may break
+VECTOR_DECIMALS = 3
+ABBREVIATIONS = {
+    "ehl": "EHL",
+    "skf": "SKF",
+    "youngs": "Young's",
+    "poisson": "Poisson's",
+    "iso": "ISO",
+    "hertz": "Hertz",
+    "coulomb": "Coulomb",
+    "csv": "CSV",
+}
 LIBRARIES = ("numpy", "scipy", "numba", "xarray", "vtk")
 
 
@@ -77,9 +88,19 @@ def without_noise(values: Sequence[Any]) -> list[Any]:
     return [0.0 if isinstance(v, float) and abs(v) < level else v for v in values]
 
 
+def vector(value: Any) -> Any:
+    """A vector of the bearing with the names of its components; other values as they are."""
+    names = {3: "xyz", 2: "yz"}.get(len(value) if isinstance(value, list) else 0)
+    if names is None or not all(isinstance(part, int | float) for part in value):
+        return value
+    parts = zip(names, without_noise(value), strict=True)
+    return ", ".join(f"{name} {round(part, VECTOR_DECIMALS) + 0.0:g}" for name, part in parts)
+
+
 def name_text(key: str) -> str:
-    """A key in words."""
-    return escape(without_unit(key))
+    """A key in words, abbreviations as they are written."""
+    words = without_unit(key).split(" ")
+    return escape(" ".join(ABBREVIATIONS.get(word, word) for word in words))
 
 
 def key_head(keys: Iterable[str]) -> list[tuple[str, str]]:

@@ -1,5 +1,6 @@
 """One HTML page of a result folder that needs no other file; for whatever has a summary."""
 
+import re
 from collections.abc import Iterator
 from html import escape
 from importlib import resources
@@ -9,6 +10,7 @@ from typing import Any
 
 from ..files import read_summary, write_text
 from . import batch, bearing, html
+from . import cards as headline
 
 REPORT_FILE = "report.html"
 GENERATOR = '<meta name="generator" content="oilfilm'
@@ -50,7 +52,7 @@ def report_page(folder: Path) -> str:
         sections = batch.sections(summary, folder)
     else:
         title = summary["case"].get("title") or folder.name
-        cards = bearing.cards(summary)
+        cards = headline.cards(summary)
         sections = _sections(summary, folder)
     parts = [(anchor, name, body) for anchor, name, body in sections if body]
     links = " ".join(f'<a href="#{anchor}">{escape(name)}</a>' for anchor, name, _ in parts)
@@ -87,7 +89,8 @@ def _warnings(summary: dict[str, Any]) -> str:
 
 def is_urgent(message: str) -> bool:
     """Whether a message states a doubt about a result, and not only why a value is null."""
-    return any(word in message for word in DOUBTS) and ": null" not in message
+    doubtful = any(word in message for word in DOUBTS)
+    return doubtful and ("not converged" in message or not re.search(r"\bnull\b", message))
 
 
 def _sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, str]]:
@@ -102,16 +105,20 @@ def _sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str,
 
 
 def _further_results(summary: dict[str, Any]) -> str:
-    """Blocks that no part of the page places: whatever numbers they hold."""
-    blocks = {key: value for key, value in summary.items() if key not in bearing.PLACED}
+    """Blocks that no part of the page places: whatever numbers they hold; notes say why not."""
+    blocks = {
+        key: value
+        for key, value in summary.items()
+        if key not in bearing.PLACED and value not in (None, [], {})
+    }
     single = {key: value for key, value in blocks.items() if not html.is_large(value)}
     facts_blocks = (
         [html.facts("", single)] if single and not bearing.is_single_contact(summary) else []
     )
     for key, value in blocks.items():
-        if isinstance(value, dict):
-            plain = {name: item for name, item in value.items() if not html.is_large(item)}
-            facts_blocks += [html.facts(key.replace("_", " "), plain)] if plain else []
+        known = value.items() if isinstance(value, dict) else ()
+        plain = {name: v for name, v in known if v is not None and not html.is_large(v)}
+        facts_blocks += [html.facts(html.name_text(key), plain)] if plain else []
     lists = {key: value for key, value in blocks.items() if isinstance(value, list)}
     if "contacts" not in summary:
         lists["balls"] = summary.get("balls") or []

@@ -1,9 +1,8 @@
 """Diagrams drawn as SVG, so that a page needs no other file and prints sharply."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from html import escape
-
-from .html import number
+from types import MappingProxyType
 
 # of a bar chart, in pixels
 WIDTH = 860
@@ -15,28 +14,43 @@ COLOURS = (
     "#0b5394 #c1440e #5b9a3c #8e5ea2 #c99a2e #3a9aa8 "
     "#7a6a5a #b3476a #4a7fc1 #e08a5a #2f6b3a #b9a0cf"
 ).split()
+REST = "#9aa4b1"  # a bar without parts
+VISIBLE = 1e-3  # of the longest bar: smaller parts are not drawn
 INK = "#1b1f24"
 FONT = 'font-family="system-ui, sans-serif"'
 
 
-def stacked_bars(rows: Sequence[tuple[str, dict[str, float], float]], unit: str) -> str:
+def stacked_bars(
+    rows: Sequence[tuple[str, dict[str, float], float]],
+    unit: str,
+    known: Mapping[str, str] = MappingProxyType({}),
+) -> str:
     """Horizontal bars as an SVG element, each a stack of parts, its total at the end.
 
-    From name, parts and total of each bar, in `unit`; parts not all of one sign are left out.
+    From name, parts and total of each bar, in `unit`; negative parts go to the left of zero.
+    Parts have their colours `known`, others one each; tiny parts are left out.
     """
-    largest = max((abs(total) for _, _, total in rows), default=0.0) or 1.0
-    scale = (WIDTH - LABEL - RIGHT) / largest
-    names = dict.fromkeys(name for _, parts, _ in rows for name, value in parts.items() if value)
-    colours = {name: COLOURS[i % len(COLOURS)] for i, name in enumerate(names)}
+    sums = [(_sum(parts, total, -1.0), _sum(parts, total, 1.0)) for _, parts, total in rows]
+    left = max((low for low, _ in sums), default=0.0)
+    right = max((high for _, high in sums), default=0.0)
+    scale = (WIDTH - LABEL - RIGHT) / ((left + right) or 1.0)
+    visible = VISIBLE * max(left, right)
+    names = dict.fromkeys(
+        name for _, parts, _ in rows for name, value in parts.items() if abs(value) > visible
+    )
+    others = iter(COLOURS)
+    colours = {name: known.get(name) or next(others, REST) for name in names}
+    zero = LABEL + left * scale
     shapes = []
-    for i, (name, parts, total) in enumerate(rows):
+    for i, ((name, parts, total), (_, high)) in enumerate(zip(rows, sums, strict=True)):
         y = 8 + i * ROW
-        end = LABEL + abs(total) * scale
         shapes.append(_text(LABEL - 8, y + 15, name, "end"))
-        shapes += _bar(parts, total, y, scale, colours)
-        shapes.append(_text(end + 6, y + 15, f"{total:.4g} {unit}".replace("-", "−")))
+        shown = {part: value for part, value in parts.items() if abs(value) > visible}
+        shapes += _bar(shown or {"total": total}, y, zero, scale, colours)
+        text = f"{total:.4g} {unit}".replace("-", "−")
+        shapes.append(_text(zero + high * scale + 6, y + 15, text))
     bottom = 8 + len(rows) * ROW
-    shapes.append(f'<line x1="{LABEL}" y1="4" x2="{LABEL}" y2="{bottom}" stroke="{INK}"/>')
+    shapes.append(f'<line x1="{zero:.1f}" y1="4" x2="{zero:.1f}" y2="{bottom}" stroke="{INK}"/>')
     legend, height = _legend(colours, bottom + 12)
     label = escape(f"bars of {', '.join(name for name, _, _ in rows)}")
     view = (
@@ -46,19 +60,24 @@ def stacked_bars(rows: Sequence[tuple[str, dict[str, float], float]], unit: str)
     return f'<svg xmlns="http://www.w3.org/2000/svg" {view}>{"".join(shapes)}{legend}</svg>'
 
 
+def _sum(parts: dict[str, float], total: float, sign: float) -> float:
+    """Sum of the parts of one sign, positive; of the total where there are no parts."""
+    return sum(max(sign * value, 0.0) for value in (parts or {"": total}).values())
+
+
 def _bar(
-    parts: dict[str, float], total: float, y: float, scale: float, colours: dict[str, str]
+    parts: dict[str, float], y: float, zero: float, scale: float, colours: dict[str, str]
 ) -> list[str]:
-    """The rectangles of one bar; a single one where the parts cannot be stacked."""
-    values = {name: value for name, value in parts.items() if value}
-    if not values or min(values.values()) < 0.0 < max(values.values()):
-        return [_rectangle(LABEL, y, abs(total) * scale, "#9aa4b1", f"total {number(total)}")]
+    """The rectangles of one bar, negative parts to the left of zero."""
     shapes = []
-    x = float(LABEL)
-    for name, value in values.items():
+    right = left = zero
+    for name, value in parts.items():
         width = abs(value) * scale
-        shapes.append(_rectangle(x, y, width, colours[name], f"{name} {value:.4g}"))
-        x += width
+        left -= width if value < 0.0 else 0.0
+        x = left if value < 0.0 else right
+        colour = colours.get(name, REST)
+        shapes.append(_rectangle(x, y, width, colour, f"{escape(name)} {value:.4g}"))
+        right += width if value > 0.0 else 0.0
     return shapes
 
 

@@ -7,13 +7,16 @@ import re
 import shutil
 import subprocess
 from html.parser import HTMLParser
+from operator import itemgetter
 
 import pytest
 
+from bearing.library.bearings import load_catalogue_entry
 from ehl.units import unit_of, without_unit
 from postprocess.files import SUMMARY_FILE
+from postprocess.report.cards import cards, estimated_keys
 from postprocess.report.html import number, text
-from postprocess.report.page import report_page, write_report
+from postprocess.report.page import is_urgent, report_page, write_report
 from postprocess.report.svg import stacked_bars
 
 VOID = {"meta", "img", "br", "rect", "line"}
@@ -102,12 +105,54 @@ def test_assumed_values_are_marked(folder):
     assert "3250" in rows[1]
 
 
-def test_parts_of_both_signs_are_not_stacked():
-    svg = stacked_bars([("both", {"drive": 2.0, "brake": -1.0}, 1.0), ("one", {"a": 1.0, "b": 3.0}, 4.0)], "N mm")
-    assert svg.count("<rect") == 1 + 2 + 4  # one bar, a stack of two, a legend of four
-    widths = [float(w) for w in re.findall(r'width="([\d.]+)" height="20"', svg)]
-    assert widths[0] == pytest.approx(widths[1], rel=0.01)
-    assert widths[2] == pytest.approx(3.0 * widths[1], rel=0.01)
+def rectangles(svg):
+    """Places, widths and colours of the bars."""
+    bars = re.findall(r'<rect x="([\d.]+)" y="[\d.]+" width="([\d.]+)" height="20" fill="(#\w+)"', svg)
+    return [(float(x), float(width), colour) for x, width, colour in bars]
+
+
+def test_negative_parts_stand_left_of_zero():
+    rows = [("both", {"drive": 2.0, "brake": -1.0}, 1.0), ("one", {"drive": 1.0, "b": 2.0}, 3.0)]
+    drive, brake, first, second = rectangles(stacked_bars(rows, "N mm", {"drive": "#123456"}))
+    assert drive[0] == first[0] == pytest.approx(brake[0] + brake[1], abs=0.2)
+    assert drive[1] == pytest.approx(2.0 * brake[1], rel=0.01)
+    assert second[0] == pytest.approx(first[0] + first[1], abs=0.2)
+    assert drive[2] == first[2] == "#123456" != brake[2] != second[2]
+
+
+def test_tiny_negative_parts_leave_the_others_their_colours():
+    """A sliding part of -0.002 of 10.5 N mm must not turn the bar grey."""
+    rows = [("films", {"oil": 10.47, "sliding": -0.002, "curvature": 0.06}, 10.53)]
+    assert len({colour for _, _, colour in rectangles(stacked_bars(rows, "N mm"))}) == 2
+
+
+def test_headline_names_the_ball_and_stars_estimates(folder):
+    document = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))
+    document["case"]["bearing"] = load_catalogue_entry("6205")
+    document["life"] = {"basic_reference_rating_h": 12345.0}
+    page = cards(document)
+    thinnest = min((c for c in document["contacts"] if c["film_minimum_um"]), key=itemgetter("film_minimum_um"))
+    assert f"minimum film, ball {thinnest['ball']}, {thinnest['race']} race" in page
+    assert "1.234·10<sup>4</sup>" in page or "12340" in page or "12345" in page
+    assert "estimated" in page
+    assert "bearing.ball_diameter_mm" in estimated_keys(document["case"])
+    document["case"]["bearing"]["ball_diameter_mm"] = 8.1
+    assert "bearing.ball_diameter_mm" not in estimated_keys(document["case"])
+    document["contacts"][0] |= {"converged": False, "film_minimum_um": None}
+    assert "minimum film, not converged, ball 1, inner race" in cards(document)
+
+
+@pytest.mark.parametrize(
+    ("message", "urgent"),
+    [
+        ("outer race, ball 1: converged but unresolved: error bar 28% of the film", True),
+        ("inner race, ball 1: not converged: film null", True),
+        ("contacts: residual and mass_imbalance null where no film was computed", False),
+        ("life: null, no rating was asked for", False),
+    ],
+)
+def test_warnings_only_where_there_is_something_to_warn_of(message, urgent):
+    assert is_urgent(message) is urgent
 
 
 def test_a_single_contact_and_one_of_moes_groups(contact_folder, moes_folder):

@@ -1,0 +1,87 @@
+"""The numbers of a bearing or a contact that are looked at first."""
+
+from operator import itemgetter
+from typing import Any
+
+from bearing.library.bearings import estimated_fields
+from ehl.units import unit_symbol
+
+from ..main_results import MAIN_QUANTITY, thinnest_film
+from . import html
+
+ESTIMATED = (
+    '<p class="small"><span class="mark">*</span> The internal geometry of the bearing is '
+    "estimated, the values with a star under Input; every result rests on it.</p>"
+)
+STAR = ' <span class="mark">*</span>'
+LIVES = (  # blocks and titles of the lives that have a card, where there are any
+    ("life", "basic_reference_rating_h", "rating life L10h"),
+    ("life", "modified_reference_rating_h", "modified rating life L10mh"),
+    ("duty_cycle", "basic_reference_rating_h", "L10h of the duty cycle"),
+    ("duty_cycle", "modified_reference_rating_h", "L10mh of the duty cycle"),
+)
+
+
+def cards(summary: dict[str, Any]) -> str:
+    """The cards side by side, and below them what they rest on."""
+    contacts = [contact for contact in summary.get("contacts") or () if contact.get("loaded")]
+    is_bearing = "contacts" in summary
+    entries = _film_card(contacts) if is_bearing else _single_film_card(summary)
+    entries += _pressure_card(contacts if is_bearing else [summary])
+    if contacts:
+        inner = sum(contact["race"] == "inner" for contact in contacts)
+        entries.append(html.card("balls loaded", f"{inner} of {len(summary.get('balls') or ())}"))
+    numbers = [(title, (summary.get(block) or {}).get(key), key) for block, key, title in LIVES]
+    torque = summary.get("torque_N_mm") or {}
+    numbers.insert(0, ("friction torque", torque.get("total"), "torque_N_mm"))
+    for key in ("cage_speed_rpm", "load_N"):
+        numbers.append((MAIN_QUANTITY[key].title, summary.get(key), key))
+    for title, value, key in numbers:
+        if value is not None:
+            entries.append(html.card(title, html.number(value, 4), unit_symbol(key)))
+    estimated = is_bearing and estimated_keys(summary["case"])
+    return html.side_by_side(*entries, kind="cards") + (ESTIMATED if estimated else "")
+
+
+def estimated_keys(case: dict[str, Any]) -> frozenset[str]:
+    """Dotted keys of the case whose values are estimates of the catalogue."""
+    values = case.get("bearing")
+    if not isinstance(values, dict):
+        return frozenset()
+    fields = estimated_fields(str(values.get("name", "")), values)
+    return frozenset(f"bearing.{field}" for field in fields)
+
+
+def _place(contact: dict[str, Any]) -> str:
+    """Ball and race of a contact of a bearing in words; nothing of a single one."""
+    return f", ball {contact['ball']}, {contact['race']} race" if "ball" in contact else ""
+
+
+def _film_card(contacts: list[dict[str, Any]]) -> list[str]:
+    """The thinnest film of the loaded contacts; a dash where the film of one did not converge."""
+    failed = [contact for contact in contacts if contact.get("converged") is False]
+    if failed:
+        return [html.card(f"minimum film, not converged{_place(failed[0])}", html.NOTHING)]
+    thinnest = thinnest_film(contacts)
+    if thinnest is None:  # no film was asked for
+        return []
+    value = html.with_error(thinnest, "film_minimum_um")
+    return [html.card(f"minimum film{_place(thinnest)}", value, "µm")]
+
+
+def _single_film_card(summary: dict[str, Any]) -> list[str]:
+    """The minimum film of a single contact; dimensionless of one in Moes' groups."""
+    for key, unit in (("film_minimum_um", "µm"), ("film_minimum_dimensionless", "a²/Rx")):
+        if summary.get(key) is not None:
+            return [html.card("minimum film", html.with_error(summary, key), unit)]
+    return []
+
+
+def _pressure_card(contacts: list[dict[str, Any]]) -> list[str]:
+    key = "hertz_pressure_GPa"
+    pressed = [contact for contact in contacts if contact.get(key) is not None]
+    if not pressed:
+        return []
+    most = max(pressed, key=itemgetter(key))
+    title = f"largest Hertz pressure{_place(most)}"
+    return [html.card(title, html.number(most[key], 4), unit_symbol(key))]
