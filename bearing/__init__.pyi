@@ -13,6 +13,7 @@ from .geometry import (
     reduced_radii,
 )
 from .library.bearings import list_bearings, load_catalogue_entry
+from .library.greases import Grease, list_greases, load_grease
 from .library.lubricants import library_lubricant, list_lubricants
 from .library.typical_geometry import typical_geometry
 from .material import Material, MaterialKind, list_materials, load_material, reduced_modulus
@@ -40,6 +41,7 @@ __all__ = [
     "Curvature",
     "Fit",
     "Frequencies",
+    "Grease",
     "LifeRating",
     "Material",
     "MaterialKind",
@@ -67,9 +69,11 @@ __all__ = [
     "kinematic_frequencies",
     "library_lubricant",
     "list_bearings",
+    "list_greases",
     "list_lubricants",
     "list_materials",
     "load_catalogue_entry",
+    "load_grease",
     "load_material",
     "minimum_preload",
     "preload_offset",

@@ -3,6 +3,7 @@
 bearings         - bearings by name, as the keys of a case file's [bearing] table
 catalogue        - entries by rule: boundary dimensions, ratings, clearance classes
 designation      - designations of bearings: series, bore, contact angle, suffixes
+greases          - greases by name: base oil, and their film over that of it by age
 lubricants       - lubricants by name: viscosity, pressure-viscosity coefficient, density
 names            - names of libraries, matched without regard to case, spaces and hyphens
 tolerances       - seats by name: k5, H7, and the tolerance classes of bearings

@@ -79,7 +79,7 @@ def housing_deviations(name: str, size: float) -> Interval:
         return float(table[f"J{grade}"][column]) - width, float(table[f"J{grade}"][column])
     mirrored = -float(library_data(DATA)["shafts"][letter.lower()][column])
     if letter not in PUSHED_UP:
-        return mirrored, mirrored + width
+        return mirrored + 0.0, mirrored + width
     if letter == "P" and grade > 7:
         return mirrored - width, mirrored
     upper = mirrored + width - _grade(grade - 1, column)

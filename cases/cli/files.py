@@ -30,6 +30,8 @@ class Listing(StrEnum):
     BEARINGS = "bearings"
     MATERIALS = "materials"
     LUBRICANTS = "lubricants"
+    GREASES = "greases"
+    TYPICAL = "typical"
 
 
 @app.command("list")
@@ -38,7 +40,7 @@ def list_names(
     what: Annotated[Listing | None, typer.Argument(help="What to list; all if left out.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
 ) -> None:
-    """List shipped cases, sweeps, bearings, materials and lubricants."""
+    """List shipped cases, sweeps, bearings, materials, oils, greases, and typical values."""
     names = {kind.value: listing(kind.value) for kind in (Listing if what is None else (what,))}
     if as_json:
         print_json(names)
@@ -192,7 +194,7 @@ def schema() -> None:
 
 
 def listing(kind: str) -> dict[str, str]:
-    """Names and remarks of one kind: cases, bearings, materials or lubricants."""
+    """Names and remarks of one kind: cases, bearings, materials, lubricants, ..."""
     from ..format.shipped import shipped_cases, shipped_sweeps, title
 
     if kind == "cases":
@@ -207,6 +209,15 @@ def listing(kind: str) -> dict[str, str]:
         from bearing.material import list_materials, load_material
 
         return {name: _properties(load_material(name)) for name in list_materials()}
+    if kind == "greases":
+        from bearing.library.greases import list_greases, load_grease
+
+        greases = (load_grease(name) for name in list_greases())
+        return {grease.name: f"{grease.oil}; {grease.thickener}" for grease in greases}
+    if kind == "typical":
+        from bearing.library.names import library_data
+
+        return {key: _range(data) for key, data in library_data("typical.toml").items()}
     from bearing.library.lubricants import library_lubricant, list_lubricants
 
     return {
@@ -220,6 +231,11 @@ def _dimensions(entry: dict[str, Any]) -> str:
     diameters = f"{entry.get('ball_diameter_mm')} mm on {entry.get('pitch_diameter_mm')} mm"
     balls = f"{entry.get('balls')} balls of {diameters}"
     return f"{boundary}{balls}{', estimated' if 'balls' in entry.get('estimated', ()) else ''}"
+
+
+def _range(data: dict[str, Any]) -> str:
+    low, high = data["range"]
+    return f"{data['value']:g} ({low:g} to {high:g}); {data['source']}"
 
 
 def _properties(material: Material) -> str:

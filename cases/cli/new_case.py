@@ -113,6 +113,7 @@ KNOWN_CHOICES = (
     "operation.axial_load_N",
     "operation.temperature",
     "lubricant.name",
+    "lubricant.grease",
     "friction.lubrication",
 )
 
@@ -150,14 +151,11 @@ def _tables(
         "temperature": '"self-heated"',
     }
     sealed = designation is not None and designation.sealed
-    lubricant = {"name": '"iso vg 100"' if sealed else '"iso vg 68"'}
+    lubricant = {"grease": '"lithium mineral 100"'} if sealed else {"name": '"iso vg 68"'}
     lubricant["contamination_factor"] = _typical("contamination_factor")
     area = pi * entry["width_mm"] * (entry["bore_mm"] + entry["outside_diameter_mm"]) * 1e-6
-    friction = {
-        "lubrication": '"grease"' if sealed else '"oil bath"',
-        "heat_transfer_W_K": _typical("heat_flow_W_m2_K", area),
-        "ambient_C": "25.0",
-    }
+    friction = {} if sealed else {"lubrication": '"oil bath"'}
+    friction |= {"heat_transfer_W_K": _typical("heat_flow_W_m2_K", area), "ambient_C": "25.0"}
     race = "race_roughness_um"
     if entry.get("tolerance_class") in PRECISE:
         race = "precision_race_roughness_um"

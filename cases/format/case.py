@@ -11,6 +11,7 @@ from bearing.fits.clearance import ClearanceBudget
 from bearing.friction.law import BallTraction
 from bearing.geometry import Bearing
 from bearing.library.bearings import warn_of_estimates
+from bearing.library.greases import load_grease
 from bearing.material import Material
 from bearing.operation import BallKinematics, Operation, QuasistaticModel, RatingInput
 from bearing.rating.load_rating import capacity
@@ -159,7 +160,7 @@ def _bearing_case(file: BearingFile) -> Case:
     library = _materials(file)
     cage = (library.get(file.bearing.cage_material or ""), guiding_land(file.cage))
     delivered = bearings.bearing(file.bearing, library, file.title)
-    seats = fits.fit(file.fit, library)
+    seats = fits.fit(file.fit, library, file.bearing)
     bearing, clearance = fits.in_operation(delivered, at, seats, file.temperatures, cage)
     rated = bearings.rating(file.bearing, file.lubricant.contamination_factor)
     # 3. the films, and the friction of balls on races
@@ -214,9 +215,23 @@ def _warn(file: BearingFile) -> None:
     """Warn of what the file says in an unusual way, and of estimated dimensions."""
     for note in file.notes:
         warnings.warn(note, stacklevel=2)
+    if file.lubricant.grease is not None:
+        warnings.warn(_grease_text(file.lubricant.grease), stacklevel=2)
     prefix = "bearing."
     assumed = {name.removeprefix(prefix) for name in file.assumed if name.startswith(prefix)}
     warn_of_estimates(file.bearing.name or "", file.bearing.model_dump(), assumed)
+
+
+def _grease_text(name: str) -> str:
+    """What films mean that are computed for the base oil of a grease."""
+    grease = load_grease(name)
+    fresh_low, fresh_high = grease.fresh_film
+    aged_low, aged_high = grease.aged_film
+    return (
+        f"lubricant.grease {name!r}: films, viscosity ratio and life are those of the base oil, "
+        f"flooded; the film of the grease is {fresh_low:g} to {fresh_high:g} of that when fresh, "
+        f"{aged_low:g} to {aged_high:g} when aged"
+    )
 
 
 def _material_names(file: BearingFile) -> list[str]:

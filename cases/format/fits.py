@@ -2,6 +2,7 @@
 operation, and the heat balance.
 """
 
+import warnings
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Literal
@@ -15,6 +16,7 @@ from bearing.fits.clearance import (
 )
 from bearing.geometry import Bearing, Race
 from bearing.heating.heat_balance import Cooling
+from bearing.library.tolerances import TOLERANCE_CLASSES, inner_interference, outer_interference
 from bearing.material import Material
 from bearing.operation import Operation
 from bearing.rings.elastic_ring import ElasticRing, ElasticRings, elastic_ring
@@ -23,10 +25,11 @@ from ehl import Lubricant
 from ehl.solid.bodies.ring_profile import Seat
 from ehl.units import to_si
 
+from .bearing import BearingTable
 from .fields import LENGTH_MAXIMUM, Name, Table, between, described, length, within
 from .friction import FrictionTable
 from .lubricant import Oil, lubricant
-from .problems import CaseFault, UnfitKey
+from .problems import CaseFault, UnfitKey, shown
 from .rules import CaseValues, Excludes, Needs, Where, bounded
 
 
@@ -37,6 +40,8 @@ class FitTable(Table):
         1e3, "on the diameter, at rest and at reference_C; negative is loose", 0.0
     )
     outer_ring_interference_um: float = within(1e3, "likewise, in the housing", 0.0)
+    shaft_tolerance: Name | None = described("ISO 286, as k5: the mean interference instead")
+    housing_tolerance: Name | None = described("likewise, as H7")
     shaft_bore_mm: float = between(0, LENGTH_MAXIMUM, "inner diameter of a hollow shaft", 0.0)
     housing_outside_diameter_mm: float | None = length("left out, the outer ring is free")
     shaft_material: Name = described("material of the shaft", "bearing steel")
@@ -77,6 +82,9 @@ RELATIONS = (
     Needs("bearing.bore_mm", INNER),
     Needs("bearing.outside_diameter_mm", OUTER),
     Needs("fit.housing_outside_diameter_mm", OUTER),
+    Needs("bearing.bore_mm", Where("fit.shaft_tolerance")),
+    Needs("bearing.outside_diameter_mm", Where("fit.housing_tolerance")),
+    Needs("fit.housing_outside_diameter_mm", Where("fit.housing_tolerance")),
     Needs("bearing.bore_mm", Where("rings.inner_seat")),
     Needs("bearing.width_mm", Where("rings.inner_seat")),
     Needs("bearing.outside_diameter_mm", Where("rings.outer_seat")),
@@ -92,7 +100,8 @@ RELATIONS = (
 
 
 def faults(values: CaseValues) -> Iterator[CaseFault]:
-    """Shaft and housing around the bearing."""
+    """Shaft and housing around the bearing, their tolerances."""
+    yield from _seat_faults(values)
     bore = values.get("bearing", "bore_mm")
     if bore is not None:
         allowed = f"less than the bore of the bearing, {bore:g} mm"
@@ -105,16 +114,82 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
         )
 
 
-def fit(table: FitTable | None, materials: Mapping[str, Material]) -> Fit | None:
+@dataclass(frozen=True, kw_only=True)
+class NamedSeat:
+    """A seat by its tolerance."""
+
+    key: str  # of [fit]
+    size_key: str  # of [bearing]
+    interference_key: str
+    # smallest and largest interference [um] by tolerance, tolerance class and size [mm]
+    interference: Callable[[str, str, float], tuple[float, float]]
+    text: str
+
+
+NAMED_SEATS = (
+    NamedSeat(
+        key="shaft_tolerance",
+        size_key="bore_mm",
+        interference_key="inner_ring_interference_um",
+        interference=inner_interference,
+        text="bore",
+    ),
+    NamedSeat(
+        key="housing_tolerance",
+        size_key="outside_diameter_mm",
+        interference_key="outer_ring_interference_um",
+        interference=outer_interference,
+        text="outside diameter",
+    ),
+)
+
+
+def _seat_faults(values: CaseValues) -> Iterator[CaseFault]:
+    """Tolerances that there are, each in place of its interference."""
+    for seat in NAMED_SEATS:
+        name = values.get("fit", seat.key)
+        size = values.get("bearing", seat.size_key)
+        if name is None or size is None:
+            continue
+        path = ("fit", seat.key)
+        if values.get("fit", seat.interference_key):
+            finding = f"found together with {seat.interference_key}"
+            yield CaseFault(path, finding, "allowed: one of them")
+        try:
+            seat.interference(name, TOLERANCE_CLASSES[0], size)
+        except ValueError as error:
+            yield CaseFault(path, f"found {shown(name)}: {error}")
+
+
+def _interference(table: FitTable, bearing: BearingTable, seat: NamedSeat) -> float:
+    """Interference [m] as given, or the middle of that of the tolerance, with a warning."""
+    name = getattr(table, seat.key)
+    size = getattr(bearing, seat.size_key)
+    if name is None or size is None:
+        return float(to_si(seat.interference_key, getattr(table, seat.interference_key)))
+    grade = bearing.tolerance_class or TOLERANCE_CLASSES[0]
+    low, high = seat.interference(name, grade, size)
+    middle = 0.5 * (low + high)
+    text = (
+        f"fit.{seat.key}: {name} with the {seat.text} of {size:g} mm in the class {grade}: "
+        f"interference of {low:g} to {high:g} um, {middle:g} taken"
+    )
+    warnings.warn(text, stacklevel=2)
+    return float(to_si(seat.interference_key, middle))
+
+
+def fit(
+    table: FitTable | None, materials: Mapping[str, Material], bearing: BearingTable
+) -> Fit | None:
     """Fits of the rings [m]; None where the case gives none."""
     if table is None:
         return None
-    si = table.si()
+    inner, outer = (_interference(table, bearing, seat) for seat in NAMED_SEATS)
     return Fit(
         shaft_material=materials[table.shaft_material],
         housing_material=materials[table.housing_material],
-        inner_interference=si["inner_ring_interference"],
-        outer_interference=si["outer_ring_interference"],
+        inner_interference=inner,
+        outer_interference=outer,
         **table.si("shaft_bore_mm", "housing_outside_diameter_mm"),
     )
 

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Annotated, Any
 
 from bearing.library.bearings import catalogue_name, list_bearings, load_catalogue_entry
+from bearing.library.greases import list_greases, load_grease
 from bearing.library.lubricants import list_lubricants
 from bearing.library.names import matching_name
 from bearing.material import Material, MaterialKind, list_materials, load_material
@@ -81,6 +82,8 @@ def _names(document: dict[str, Any]) -> Iterator[tuple[str, str, tuple[str, ...]
         yield from ((table, key, materials) for key in own(table) if "material" in key)
     if "name" in own("lubricant"):  # the library of oils needs NumPy, most cases do not
         yield "lubricant", "name", (*own("lubricants"), *list_lubricants())
+    if "grease" in own("lubricant"):
+        yield "lubricant", "grease", list_greases()
 
 
 def with_library_names(document: dict[str, Any]) -> dict[str, Any]:
@@ -90,7 +93,26 @@ def with_library_names(document: dict[str, Any]) -> dict[str, Any]:
         given = document[table][key]
         if isinstance(given, str):
             spelled[table] = {**spelled[table], key: matching_name(given, names) or given}
-    return spelled
+    return _with_base_oil(spelled)
+
+
+def _with_base_oil(document: dict[str, Any]) -> dict[str, Any]:
+    """The document with the base oil of a grease, and grease as lubrication, unless it says
+    otherwise.
+    """
+    oil = document.get("lubricant")
+    friction = document.get("friction", {})
+    if not isinstance(oil, dict) or not isinstance(friction, dict):
+        return document
+    grease = oil.get("grease")
+    if grease not in list_greases():
+        return document
+    own = {"name", "viscosity_mPa_s", "kinematic_viscosity_mm2_s"} & oil.keys()
+    base = {} if own else {"name": load_grease(grease).oil}
+    document = {**document, "lubricant": {**base, **oil}}
+    if "bearing" in document:
+        document["friction"] = {"lubrication": "grease", **friction}
+    return document
 
 
 def name_faults(values: CaseValues) -> Iterator[CaseFault]:

@@ -90,6 +90,7 @@ class LubricantTable(OilTable):
     """The lubricant: a name, or its properties at the temperature of operation."""
 
     name: Name | None = described("oil of [lubricants] or the library; the keys here override it")
+    grease: Name | None = described("of the library: its base oil is the lubricant")
     supply: Literal["flooded", "starved"] | None = described(
         "of the total torque; else starved with inlet_film_um or supply_mL_min"
     )

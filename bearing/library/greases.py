@@ -1,0 +1,47 @@
+"""Greases by name: the oil of the library that stands for the base oil, and what is known of the
+film with the grease over that of its base oil, by age.
+"""
+
+from dataclasses import dataclass
+
+from .names import library_data, matching_name
+
+DATA = "greases.toml"
+FACTOR = "film factor"  # table of the data file that is no grease
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Grease:
+    """A grease, by its base oil."""
+
+    name: str
+    oil: str  # of `list_lubricants()`
+    thickener: str  # and what it is used for
+    # film with the grease over the flooded one of its base oil, smallest and largest [-]
+    fresh_film: tuple[float, float]  # [-]
+    aged_film: tuple[float, float]  # [-]
+    source: str  # of these
+
+
+def list_greases() -> tuple[str, ...]:
+    """Names of the shipped greases, in the order of the data file."""
+    return tuple(name for name in library_data(DATA) if name != FACTOR)
+
+
+def load_grease(name: str) -> Grease:
+    """A grease of `list_greases()`, case, spaces and hyphens apart; else ValueError."""
+    key = matching_name(name, list_greases())
+    if key is None:
+        raise ValueError(f"grease {name!r} is unknown; known: {', '.join(list_greases())}")
+    entry = library_data(DATA)[key]
+    factor = library_data(DATA)[FACTOR]
+    fresh_low, fresh_high = factor["fresh"]
+    aged_low, aged_high = factor["aged"]
+    return Grease(
+        name=key,
+        oil=entry["oil"],
+        thickener=entry["thickener"],
+        fresh_film=(fresh_low, fresh_high),
+        aged_film=(aged_low, aged_high),
+        source=f"fresh: {factor['fresh_source']}; aged: {factor['aged_source']}",
+    )
