@@ -12,8 +12,13 @@ class Difference:
     path: str
     first: Any
     second: Any
-    relative: float | None  # difference over the larger magnitude [-]
-    covered: bool | None = None  # whether the error bars of both enclose it; None without
+    relative: float | None  # second less first over the magnitude [-]
+    over_bars: float | None = None  # second less first over both error bars [-]; None without
+
+    @property
+    def covered(self) -> bool | None:
+        """Whether the error bars of both enclose the difference; None without them."""
+        return None if self.over_bars is None else abs(self.over_bars) <= 1.0
 
     @property
     def differs(self) -> bool:
@@ -23,7 +28,8 @@ class Difference:
     def document(self) -> dict[str, Any]:
         """As plain JSON types."""
         values = {"path": self.path, "first": self.first, "second": self.second}
-        return values | {"relative": self.relative, "within_error_bars": self.covered}
+        values |= {"relative": self.relative, "within_error_bars": self.covered}
+        return values | {"over_error_bars": self.over_bars}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -43,7 +49,8 @@ class Comparison:
     @property
     def largest(self) -> float:
         """Largest relative difference of a result [-]; infinite if one of them has it alone."""
-        return max((inf if d.relative is None else d.relative for d in self.results), default=0.0)
+        sizes = (inf if d.relative is None else abs(d.relative) for d in self.results)
+        return max(sizes, default=0.0)
 
     def document(self) -> dict[str, Any]:
         """The comparison as plain JSON types."""

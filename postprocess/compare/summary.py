@@ -19,11 +19,16 @@ OF_THE_SOLUTION = frozenset(  # how a result was computed
     "domain points iterations residual mass_imbalance message cycles fft_equivalents "
     "wall_s".split()
 )
-ROUND_OFF = 1e-9  # of the largest component of a vector: what lies below is no difference
+# of the magnitude of a quantity: a smaller difference is round-off, amplified by the solvers
+ROUND_OFF = 1e-9
+NOTHING = 1e-12  # of any unit of a summary: less is round-off of zero
+# of the magnitude of a quantity: a component that is smaller is compared to this
+LEAST = 0.01
 
 
 def compare(first: str | Path, second: str | Path) -> Comparison:
-    """Compare two result folders of the same kind; differences [-] relative to the larger value.
+    """Compare two result folders of the same kind: signed differences, second less first, relative
+    to the magnitude of the quantity and to the error bars [-].
 
     Raises ValueError if one holds no readable results, or they are of different kinds.
     """
@@ -48,7 +53,7 @@ def compare(first: str | Path, second: str | Path) -> Comparison:
 def _of_the_solution(path: str) -> bool:
     """Whether a value describes how the result was computed, not what it is."""
     name = path.rpartition(".")[2].partition("[")[0]
-    return "_uncertainty_" in name or name in OF_THE_SOLUTION
+    return "_uncertainty" in name or name in OF_THE_SOLUTION
 
 
 def _kind(summary: dict[str, Any]) -> str:
@@ -100,51 +105,79 @@ def flat(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:
 
 
 def _differences(one: Any, two: Any) -> Iterator[Difference]:
-    """Every value that stands in one of two documents or in both."""
+    """Every value that stands in one of two documents or in both, but for round-off."""
     first, second = dict(flat(one)), dict(flat(two))
-    scales = _scales(first), _scales(second)
+    scales = _scales(first, second)
     for path in dict.fromkeys((*first, *second)):
         a, b = first.get(path), second.get(path)
-        noise = ROUND_OFF * max(scale.get(_group(path), 0.0) for scale in scales)
-        if is_number(a) and is_number(b) and max(abs(a), abs(b)) <= noise:
+        scale = scales.get(_group(path), 0.0)
+        if is_number(a) and is_number(b) and a != b and _is_round_off(path, a, b, scale):
             continue
-        covered = _covered(path, a, b, first, second)
-        yield Difference(path=path, first=a, second=b, relative=relative(a, b), covered=covered)
+        yield Difference(
+            path=path,
+            first=a,
+            second=b,
+            relative=relative(a, b, scale),
+            over_bars=_over_bars(path, a, b, first, second),
+        )
 
 
-def _scales(values: dict[str, Any]) -> dict[str, float]:
-    """Largest magnitude among the numbers of one unit that belong together."""
-    scales: dict[str, float] = {}
-    for path, value in values.items():
+def _is_round_off(path: str, a: float, b: float, scale: float) -> bool:
+    """Whether two numbers differ by less than is computed of a quantity of this magnitude."""
+    noise = ROUND_OFF * scale
+    if unit_of(path.partition("[")[0]):
+        noise = max(noise, NOTHING)
+    return abs(b - a) <= noise
+
+
+def _scales(*documents: dict[str, Any]) -> dict[tuple[str, str], float]:
+    """Largest magnitude of each quantity, in all contacts, balls or points that have it."""
+    scales: dict[tuple[str, str], float] = {}
+    for path, value in (item for values in documents for item in values.items()):
         if is_number(value):
             group = _group(path)
             scales[group] = max(scales.get(group, 0.0), abs(value))
     return scales
 
 
-def _group(path: str) -> str:
-    """What a number is a part of: its vector, or the block that has the unit, as of a torque."""
+def _group(path: str) -> tuple[str, str]:
+    """The quantity that a number belongs to: a key anywhere in the same part of a summary, its
+    vector, or the block that has the unit, as of a torque.
+    """
     name, bracket, _ = path.partition("[")
     block, _, last = name.rpartition(".")
-    return name if bracket or unit_of(last) or not unit_of(name) else block
+    part = name.partition(".")[0]
+    return (part, last) if bracket or unit_of(last) or not unit_of(name) else (part, block)
 
 
-def relative(a: Any, b: Any) -> float | None:
-    """Difference over the larger magnitude [-]; None where they are not two numbers."""
+def relative(a: Any, b: Any, scale: float = 0.0) -> float | None:
+    """Second less first over the larger magnitude [-], which counts as at least `LEAST` of that
+    of the quantity anywhere; None where they are not two numbers.
+    """
     if a == b:
         return 0.0
     if not (is_number(a) and is_number(b)):
         return None
-    return abs(a - b) / max(abs(a), abs(b))
+    return (b - a) / max(abs(a), abs(b), LEAST * scale)
 
 
-def _covered(
+def _over_bars(
     path: str, a: Any, b: Any, first: dict[str, Any], second: dict[str, Any]
-) -> bool | None:
-    """Whether both error bars together enclose the difference of two films."""
-    head, _, unit = path.rpartition("_")
-    error = f"{head}_uncertainty_{unit}"
-    bars = [bar for bar in (first.get(error), second.get(error)) if bar is not None]
-    if "uncertainty" in path or relative(a, b) is None or len(bars) < 2:
+) -> float | None:
+    """Second less first over both error bars together [-]; None without these."""
+    if not (is_number(a) and is_number(b)) or "uncertainty" in path:
         return None
-    return abs(a - b) <= hypot(*bars)
+    for error in _error_names(path):
+        bars = [bar for bar in (first.get(error), second.get(error)) if is_number(bar)]
+        if len(bars) == 2:
+            together = hypot(*map(float, bars))
+            return (b - a) / together if together > 0.0 else None
+    return None
+
+
+def _error_names(path: str) -> Iterator[str]:
+    """Names that the error bar of a quantity may have: before its unit, or after its name."""
+    block, dot, last = path.rpartition(".")
+    words = last.split("_")
+    for k in range(1, len(words) + 1):
+        yield block + dot + "_".join([*words[:k], "uncertainty", *words[k:]])

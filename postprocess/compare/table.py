@@ -15,8 +15,12 @@ MOST_ROWS = 25  # of the differences of all results, the largest first
 
 
 def comparison_table(comparison: Comparison) -> Group:
-    """What differs: input, main results, and the largest differences of all results [%]."""
-    ordered = sorted(comparison.results, key=lambda d: -1.0 if d.relative is None else -d.relative)
+    """What differs: input, main results, and the largest differences of all results, second less
+    first [%].
+    """
+    ordered = sorted(
+        comparison.results, key=lambda d: -1.0 if d.relative is None else -abs(d.relative)
+    )
     shown = ordered[:MOST_ROWS]
     parts: list[Any] = [
         Text(f"{which}: {name} (oilfilm {version})")
@@ -34,7 +38,7 @@ def comparison_table(comparison: Comparison) -> Group:
     if len(ordered) > len(shown):
         parts.append(Text(f"... and {len(ordered) - len(shown)} more differences; --json has all"))
     if any(d.covered for d in (*main, *shown)):
-        parts.append(Text("±: the difference is within the error bars of the two films"))
+        parts.append(Text("±: the difference is within the error bars of the two"))
     return Group(*parts)
 
 
@@ -52,7 +56,8 @@ def _table(title: str, differences: Iterable[Difference]) -> Table:
     for d in differences:
         if d.first is None and d.second is None:
             continue
-        percent = number(None if d.relative is None else 100.0 * d.relative, ".3g")
+        percent = number(None if d.relative is None else 100.0 * d.relative, "+.3g")
+        percent = "0" if d.relative == 0.0 else percent
         percent += " ±" if d.relative is not None and d.covered and d.differs else ""
         cells = (d.path, _text(d.first), _text(d.second), percent)
         table.add_row(*(Text(cell) for cell in cells))

@@ -73,7 +73,7 @@ def test_every_difference_is_found_and_nothing_else(folder, changed):
         "contacts.ball 1 inner.film_central_um",
         "torque_N_mm.total",
     }
-    assert results["contacts.ball 1 inner.load_N"].relative == pytest.approx(0.1)
+    assert results["contacts.ball 1 inner.load_N"].relative == pytest.approx(-0.1)
     assert results["contacts.ball 1 inner.film_minimum_um"].covered is True
     assert results["contacts.ball 1 inner.film_central_um"].covered is False
     assert results["torque_N_mm.total"].relative is None
@@ -91,12 +91,51 @@ def test_round_off_is_no_difference(folder, tmp_path):
         (tmp_path / name / SUMMARY_FILE).write_text(text, encoding="utf-8")
     (found,) = compare(tmp_path / "one", tmp_path / "two").results
     assert found.path == "torque_N_mm.models.integrated.spin"
+    assert found.relative == pytest.approx(1e-3 / (0.01 * 200.0))  # a small part counts as a hundredth of the largest
+
+
+@pytest.mark.parametrize(
+    ("change", "listed"),
+    [
+        (lambda d: d["ring"].update(tilt_mrad=[3e-14, -2e-13]), False),  # zero but for round-off in all components
+        (lambda d: d["ring"].update(tilt_mrad=[3e-7, 0.0]), True),
+        (lambda d: d["contacts"][0].update(load_N=d["contacts"][0]["load_N"] * (1.0 + 1e-14)), False),
+        (lambda d: d["contacts"][0].update(load_N=d["contacts"][0]["load_N"] * (1.0 + 1e-6)), True),
+    ],
+)
+def test_changes_of_round_off_are_not_listed_and_small_ones_are(change, listed, folder, tmp_path):
+    document = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))
+    document["ring"]["tilt_mrad"] = [-1e-15, 2e-14]
+    for name in ("one", "two"):
+        (tmp_path / name).mkdir()
+        (tmp_path / name / SUMMARY_FILE).write_text(json.dumps(document), encoding="utf-8")
+        change(document)
+    assert len(compare(tmp_path / "one", tmp_path / "two").results) == listed
+
+
+def test_error_bars_of_any_quantity_are_found(folder, tmp_path):
+    document = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))
+    for name, stiffness, rolling in (("one", 100.0, 50.0), ("two", 103.0, 46.0)):
+        contact = document["contacts"][0]
+        contact.update({"stiffness_N_um": stiffness, "stiffness_uncertainty_N_um": 3.0})
+        parts = {"rolling": rolling, "rolling_uncertainty": 1.0, "total": 200.0}
+        document["torque_N_mm"] = {"models": {"integrated": parts}}
+        (tmp_path / name).mkdir()
+        (tmp_path / name / SUMMARY_FILE).write_text(json.dumps(document), encoding="utf-8")
+    found = {d.path: d for d in compare(tmp_path / "one", tmp_path / "two").results}
+    first = found["contacts.ball 1 inner.stiffness_N_um"]
+    assert first.over_bars == pytest.approx(3.0 / np.hypot(3.0, 3.0)) and first.covered is True
+    second = found["torque_N_mm.models.integrated.rolling"]
+    assert second.over_bars == pytest.approx(-4.0 / np.hypot(1.0, 1.0)) and second.covered is False
+    assert set(found) == {first.path, second.path}  # the bars themselves are no results
 
 
 def test_relative_differences():
     assert relative(1.0, 1.0) == 0.0
     assert relative(-1.0, 1.0) == 2.0
     assert relative(0.0, 2.0) == 1.0
+    assert relative(2.0, 1.0) == -0.5
+    assert relative(0.0, 1e-6, scale=1.0) == pytest.approx(1e-4)
     assert relative(True, 1.5) is None
     assert relative(None, 1.0) is None
 
