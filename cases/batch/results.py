@@ -8,6 +8,7 @@ from postprocess.batch.summary import batch_summary
 from postprocess.batch.write import write_batch_csv, write_batch_netcdf
 from postprocess.files import write_json
 
+from ..runs.integrity import write_digests
 from ..version import version
 from .engine import Batch
 from .store import read_point
@@ -54,3 +55,4 @@ def write_batch(results: BatchResults, directory: Path) -> None:
     write_batch_csv(results, directory / TABLE)
     write_batch_netcdf(results, directory / DATA)
     write_json(batch_summary(results), directory / SUMMARY)
+    write_digests(directory, (TABLE, DATA, SUMMARY))

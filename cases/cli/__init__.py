@@ -14,6 +14,7 @@
 | dynamics | dynamics |
 | batch | batch |
 | view | view |
+| reading | folders of results that are read: there, and as they were written |
 | documents | report, compare, cut, interferogram |
 | files | list, validate, init, schema |
 | new_case | text of a new case file, by designation or boundary dimensions |

@@ -1,7 +1,5 @@
 """Commands on results: report, compare, cut, interferogram, diagram, export."""
 
-from collections.abc import Iterator
-from contextlib import contextmanager
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
@@ -12,6 +10,7 @@ from ..format.problems import CaseError
 from ..runs.interrupt import say
 from .app import app
 from .output import held_directory, held_file
+from .reading import reading
 from .terminal import NOT_CONVERGED, guarded, print_json, print_table
 
 Directory = Annotated[Path, typer.Argument(metavar="DIR", help="A directory of results.")]
@@ -32,25 +31,13 @@ class Axis(StrEnum):
     Y = "y"
 
 
-@contextmanager
-def _as_case_errors(*directories: Path) -> Iterator[None]:
-    """What is wrong with a folder of results is bad input."""
-    for directory in directories:
-        if not directory.is_dir():
-            raise CaseError(f"{directory}: no such directory; allowed: a directory of results")
-    try:
-        yield
-    except ValueError as error:
-        raise CaseError(str(error)) from error
-
-
 @app.command()
 @guarded
 def report(directory: Directory, quiet: Errors = False) -> None:
     """Write one self-contained HTML page of results."""
     from postprocess.report.page import write_report
 
-    with _as_case_errors(directory):
+    with reading(directory):
         path = write_report(held_directory(directory))
     from ..runs.output_directory import add_to_manifest
 
@@ -76,7 +63,7 @@ def compare(
     """Compare two results: differences of input and numbers."""
     from postprocess.compare.summary import compare as compared
 
-    with _as_case_errors(first, second):
+    with reading(first, second):
         comparison = compared(first, second)
     if as_json:
         print_json(comparison.document())
@@ -110,7 +97,7 @@ def cut(
     """Write film and pressure along a line through a contact as CSV."""
     from postprocess.contact.line_cut import write_line_cut
 
-    with _as_case_errors(directory):
+    with reading(directory):
         file = held_file(output or Path("cut.csv"))
         say(f"table in {write_line_cut(directory, file, contact, axis.value, at)}")
 
@@ -138,7 +125,7 @@ def interferogram(
     from ehl.units import NANOMETRE
     from postprocess.contact.interferogram import SODIUM, Optics, write_interferogram
 
-    with _as_case_errors(directory):
+    with reading(directory):
         lengths = tuple(value * NANOMETRE for value in wavelength) if wavelength else (SODIUM,)
         optics = Optics(wavelengths=lengths, refractive_index=index)
         file = held_file(output or Path("interferogram.png"))
@@ -172,7 +159,7 @@ def diagram(
     from postprocess.batch.plots import write_diagram
     from postprocess.batch.read import read_batch
 
-    with _as_case_errors(directory):
+    with reading(directory):
         file = held_file(output or Path("diagram.png"))
         results = read_batch(directory)
         say(f"picture in {write_diagram(results, file, tuple(over or ()), tuple(of or ()))}")
@@ -201,7 +188,7 @@ def export(
     file = output or Path(f"{stem}.{file_format}")
     if file.suffix.lower() != f".{file_format}":
         raise CaseError(f"--output {file}: allowed: a .{file_format} file, as --format says")
-    with _as_case_errors(directory):
+    with reading(directory):
         held_file(file)
         files = _write_document(directory, file, file_format) or _write_meshes(directory, file)
     if not quiet:

@@ -101,7 +101,11 @@ def _check(name: str) -> tuple[str, ...]:
         from ..batch.sweep import sweep_from_text
 
         return sweep_from_text(text, str(path), path.parent).messages
-    return validate_text(text, str(path)).notes
+    from ..format.case import case_of_file
+
+    file = validate_text(text, str(path))
+    case_of_file(file, str(path), text)  # what only its conversion tells, as before a run
+    return file.notes
 
 
 @app.command()

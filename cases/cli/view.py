@@ -12,6 +12,7 @@ from ..runs.interrupt import say
 from .app import app
 from .output import held_file
 from .progress import progress_bar
+from .reading import reading
 from .terminal import FAILED, guarded
 
 
@@ -62,7 +63,7 @@ def view(
         quantity=quantity.value, magnification=factors, film_exaggeration=exaggeration
     )
     try:
-        with progress_bar(quiet=False) as progress:
+        with reading(directory), progress_bar(quiet=False) as progress:
             if screenshot is not None:
                 progress(0, 1, f"drawing {screenshot}")
                 say(f"picture in {scene.screenshot(directory, screenshot, options)}")
@@ -74,9 +75,10 @@ def view(
                 small = replace(options, size=scene.MOVIE_SIZE)
                 say(f"movie in {scene.movie(directory, movie, small)}")
         if screenshot is None and html is None and movie is None:
-            scene.show(directory, options)
-    except ValueError as error:
-        raise CaseError(str(error)) from error
+            with reading(directory):
+                scene.show(directory, options)
+    except CaseError:
+        raise
     except scene.RenderingError as error:
         say(f"oilfilm: {error}")
         return FAILED

@@ -242,6 +242,8 @@ def _statements(text: str) -> list[tuple[int, str]]:
     statements = []
     start = 0
     depth = 0
+    line = 1  # of `counted`: lines are counted once, not from the beginning for every statement
+    counted = 0
     for position, character in enumerate(plain + "\n"):
         if character in "[{":
             depth += 1
@@ -250,8 +252,10 @@ def _statements(text: str) -> list[tuple[int, str]]:
         elif character == "\n" and depth <= 0:
             statement = text[start:position].lstrip()
             if statement and not statement.startswith("#"):
-                number = text.count("\n", 0, position - len(statement)) + 1
-                statements.append((number, statement.rstrip()))
+                begin = position - len(statement)
+                line += text.count("\n", counted, begin)
+                counted = begin
+                statements.append((line, statement.rstrip()))
             start = position + 1
             depth = 0
     return statements

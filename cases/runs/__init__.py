@@ -17,6 +17,7 @@
 | processes | what worker processes do first |
 | export | meshes of results for other programs |
 | output_directory | folders of results: complete or not there |
+| integrity | whether files of results are as they were written |
 | output_lock | one writer at a time, and what killed ones have left |
 | interrupt | messages, and work that an interrupt lets finish |
 | kernel_cache | where compiled kernels are kept |

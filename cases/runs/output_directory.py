@@ -10,6 +10,7 @@ from pathlib import Path
 from bearing.files import umask
 
 from ..format.problems import CaseError
+from .integrity import DIGESTS, write_digests
 from .output_lock import TEMPORARY, home
 
 # what we wrote, so that a later run replaces that and nothing else
@@ -60,8 +61,8 @@ def save(write: Callable[[Path], tuple[str, ...]], directory: Path) -> tuple[str
     )
     try:
         problems = write(temporary)
-        written = (path for path in temporary.rglob("*") if path.is_file())
-        files = sorted(str(path.relative_to(temporary)) for path in written)
+        write_digests(temporary, _files(temporary))
+        files = _files(temporary)
         _write_manifest(temporary, files)
         if directory.exists():
             _replace(temporary, directory, files)
@@ -73,9 +74,15 @@ def save(write: Callable[[Path], tuple[str, ...]], directory: Path) -> tuple[str
         shutil.rmtree(temporary, ignore_errors=True)
 
 
+def _files(folder: Path) -> list[str]:
+    """Names of all files of a folder and those below it."""
+    files = (path for path in folder.rglob("*") if path.is_file())
+    return sorted(str(path.relative_to(folder)) for path in files)
+
+
 def _replace(temporary: Path, directory: Path, files: list[str]) -> None:
     """Move the new files in; remove files of an earlier result that have no successor."""
-    earlier = _earlier_files(directory)
+    earlier = [*_earlier_files(directory), DIGESTS]
     foreign = [name for name in files if name not in earlier and (directory / name).exists()]
     if foreign:
         refused = "not written by oilfilm, will not be replaced; choose another -o"

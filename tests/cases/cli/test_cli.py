@@ -404,3 +404,42 @@ def test_init_refuses_what_makes_no_bearing(options, expected, tmp_path):
     assert answer.exit_code == 2
     assert expected in " ".join(answer.stderr.split())
     assert not (tmp_path / "mine.toml").exists()
+
+
+@pytest.mark.parametrize(
+    ("words", "change"),
+    [
+        ("report out", {"contacts": 3}),
+        ("compare out out", {"contacts": [{"ball": None}]}),
+        ("report out", {"messages": {"a": [1]}, "ring": "x"}),
+        ("compare out out", {"case": [1, 2], "balls": [7]}),
+    ],
+)
+def test_damaged_results_are_bad_input(words, change, tmp_path):
+    assert oilfilm("run", AT_REST, "-o", "out", "-q").exit_code == 0
+    path = tmp_path / "out" / "summary.json"
+    document = json.loads(path.read_text())
+    path.write_text(json.dumps(document | change))
+    answer = oilfilm(*words.split())
+    assert answer.exit_code in (0, 2)
+    assert "summary.json: damaged, not as it was written" in answer.stderr or "changed since" in answer.stderr
+
+
+def test_a_number_that_was_changed_is_told(tmp_path):
+    assert oilfilm("run", AT_REST, "-o", "out", "-q").exit_code == 0
+    path = tmp_path / "out" / "summary.json"
+    assert oilfilm("report", "out").stderr == f"report in {Path('out/report.html')}\n"
+    path.write_text(path.read_text().replace("6", "7"))
+    answer = oilfilm("report", "out")
+    assert answer.exit_code == 0
+    assert f"{Path('out/summary.json')}: changed since it was written" in answer.stderr
+
+
+def test_validation_refuses_what_a_run_refuses(tmp_path):
+    """Also what only the conversion to a case finds."""
+    from cases.format.shipped import shipped_cases as cases
+
+    text = cases()["6208_full_ceramic"].read_text(encoding="utf-8")
+    (tmp_path / "case.toml").write_text(text.replace("temperature_C = 40.0", "temperature_C = -200.0"))
+    checked, run = oilfilm("validate", "case.toml"), oilfilm("run", "case.toml", "-o", "out")
+    assert (checked.exit_code, checked.stderr) == (run.exit_code, run.stderr)

@@ -8,6 +8,7 @@ import pytest
 
 from cases import CaseError
 from cases.runs import output_lock
+from cases.runs.integrity import DIGESTS, damaged_files
 from cases.runs.output_directory import MANIFEST, check_file, check_output, save
 from cases.runs.output_lock import one_writer
 
@@ -27,7 +28,7 @@ def contents(folder):
     return {
         path.relative_to(folder).as_posix(): path.read_text()
         for path in sorted(folder.rglob("*"))
-        if path.is_file() and path.name != MANIFEST
+        if path.is_file() and path.name not in (MANIFEST, DIGESTS)
     }
 
 
@@ -149,3 +150,18 @@ def test_a_file_that_cannot_be_written_is_told_before_anything_is_computed(tmp_p
     (tmp_path / "file").write_text("")
     with pytest.raises(CaseError, match="cannot be written"):
         check_file(tmp_path / "file" / "below.png")
+
+
+def test_damaged_files_are_found(tmp_path):
+    target = tmp_path / "results"
+    save(writer(a="12", vtk__b="34", c="56"), target)
+    assert damaged_files(target) == []
+    (target / "a").write_text("13")
+    (target / "vtk" / "b").unlink()
+    assert damaged_files(target) == [target / "a", target / "vtk" / "b"]
+    save(writer(a="10", d="4"), target)
+    assert damaged_files(target) == []
+    assert contents(target) == {"a": "10", "d": "4"}
+    for text in ("", "[]", "1", "{", '{"a": 3, "b": null}'):
+        (target / DIGESTS).write_text(text)
+        assert damaged_files(target) == ([target / "a", target / "b"] if "b" in text else [])

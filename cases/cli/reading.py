@@ -1,0 +1,36 @@
+"""Folders of results that a command reads: there, and as they were written."""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from bearing.files import is_disk_failure
+
+from ..format.problems import CaseError
+from ..runs.integrity import damaged_files
+from ..runs.interrupt import say
+
+ANEW = "compute the results again"
+
+
+@contextmanager
+def reading(*directories: Path) -> Iterator[None]:
+    """Say which files are damaged; what is wrong with a folder of results is bad input."""
+    for directory in directories:
+        if not directory.is_dir():
+            raise CaseError(f"{directory}: no such directory; allowed: a directory of results")
+    damaged = [path for directory in directories for path in damaged_files(directory)]
+    try:
+        yield
+    except CaseError:
+        raise
+    except Exception as error:
+        if is_disk_failure(error):
+            raise
+        if damaged:
+            raise CaseError(f"{damaged[0]}: damaged, not as it was written; {ANEW}") from error
+        if isinstance(error, ValueError):
+            raise CaseError(str(error)) from error
+        raise
+    for path in damaged:
+        say(f"oilfilm: {path}: changed since it was written; {ANEW}")
