@@ -49,6 +49,25 @@ class ContactRecord(FilmRecord):
         return lambda_ratio(self.contact, to_si("film_um", film), self.surface)
 
     @property
+    def kappa(self) -> float | None:
+        """Viscosity ratio that the film stands for [-]."""
+        return self.kappa_at(0.0)
+
+    def kappa_at(self, end: float) -> float | None:
+        """kappa = lambda^1.3, or the exponent of the case, of the solved film moved by a share of
+        its uncertainty, -1 to 1, and starved where a supply is given [-]; None if not resolved.
+        """
+        film = self.film
+        if film is None or not (film.converged and film.resolved) or film.film_minimum is None:
+            return None
+        error = film.film_minimum_uncertainty or 0.0
+        share = 1.0 if self.starved is None else self.starved.share
+        moved = share * max(0.0, film.film_minimum + end * error)
+        ratio = lambda_ratio(self.contact, moved, self.surface)
+        exponent = None if self.surface is None else self.surface["kappa_exponent"]
+        return None if ratio is None or exponent is None else float(ratio**exponent)
+
+    @property
     def starved_lambda_ratio(self) -> float | None:
         """Lambda ratio of the starved film [-]; None without roughness."""
         ratio = None if self.starved is None else self.starved.lambda_ratio
@@ -92,6 +111,7 @@ CONTACT_QUANTITIES = (  # columns of contacts.csv
         "",
         f"{NO_FILM}, or [surface] has no roughness of race and ball",
         ("lambda_ratio", "", "", "λ", "Λ"),
+        ("kappa", "viscosity ratio of the film", "", "κ"),
     ),
     *quantities(
         "starved.",

@@ -72,10 +72,10 @@ def duty_cycle_rows(results: BearingResults) -> dict[str, str]:
 
 def hours_text(basic: float, modified: float | None) -> str:
     """Life in words, from hours."""
-    text = f"L10h {_hours(basic)}"
-    return text if modified is None else f"{text}, modified L10mh {_hours(modified)}"
+    text = f"L10h {hours(basic)}"
+    return text if modified is None else f"{text}, modified L10mh {hours(modified)}"
 
 
-def _hours(life: float) -> str:
+def hours(life: float) -> str:
     """Hours to three figures, without a power of ten."""
     return f"{float(f'{life:.3g}'):.0f} h" if life >= 100.0 else f"{life:.3g} h"

@@ -108,7 +108,30 @@ LOAD_CASE = quantities(
     ("torque_N_mm", "friction torque"),
     ("power_W", "friction power"),
 )
-FILM_LIFE = ("kappa_film", "a_iso_film", "modified_reference_rating_film_Mrev")
+FILM_LIFE = quantities(
+    "",
+    "there is no resolved film, no [surface] roughness or no a_ISO",
+    ("kappa_film", "viscosity ratio of the thinnest film", "smallest_kappa"),
+    ("a_iso_film", "life factor of the thinnest film", "smallest_life_factor"),
+    (
+        "modified_reference_rating_film_Mrev",
+        "modified rating life by the thinnest film",
+        "smallest_life",
+    ),
+    ("a_iso_contacts", "life factor with the film of each contact", "life_factor"),
+    (
+        "modified_reference_rating_contacts_Mrev",
+        "modified rating life with the film of each contact",
+        "life",
+    ),
+    (
+        "modified_reference_rating_contacts_h",
+        "modified rating life with the film of each contact",
+        "life_time",
+    ),
+    ("modified_reference_rating_contacts_low_h", "its lower end by the films", "low_time"),
+    ("modified_reference_rating_contacts_high_h", "its upper end by the films", "high_time"),
+)
 CLEARANCE = quantities(
     "",
     "the case gives neither [fit] nor [temperatures], or no cage_C",

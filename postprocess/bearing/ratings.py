@@ -3,12 +3,12 @@
 from collections.abc import Iterator
 from typing import Any
 
-from bearing.rating.life import SMALLEST_KAPPA, life_factor
+from bearing.rating.film_life import ContactKappa, FilmLife, film_life
 from ehl.units import from_si, to_si
 
 from ..quantities import values_of
-from .contacts import lambda_ratio
-from .duty_cycle import hours_text
+from .contacts import contact_records
+from .duty_cycle import hours, hours_text
 from .quantities import CLEARANCE, FILM_LIFE, LIFE_RATING, LOAD_RATING
 from .results import BearingResults
 
@@ -17,36 +17,25 @@ def life_block(results: BearingResults) -> dict[str, Any]:
     """Rating life, loads and the factors that led to it; None where it does not apply."""
     life = results.life
     loads = () if life is None else LOAD_RATING
-    return values_of(life, (*LIFE_RATING, *loads)) | film_life(results)
+    films = values_of(life_by_films(results), FILM_LIFE)
+    return values_of(life, (*LIFE_RATING, *loads)) | films
 
 
-def least_lambda(results: BearingResults) -> float | None:
-    """Smallest lambda ratio of converged, resolved films [-]; None without films or roughness."""
-    surface = results.case.get("surface")
-    ratios = [
-        lambda_ratio(contact, solution.film_minimum, surface)
-        for contact, solution in zip(results.contacts, results.solutions, strict=True)
-        if solution is not None and solution.converged and solution.resolved
-    ]
-    return min((ratio for ratio in ratios if ratio is not None), default=None)
-
-
-def film_life(results: BearingResults) -> dict[str, float | None]:
-    """kappa, a_ISO and modified life from the solved films in place of the viscosity, or None."""
+def life_by_films(results: BearingResults) -> FilmLife | None:
+    """Life from the solved films in place of the viscosity; None without films or roughness."""
     life = results.life
-    least = least_lambda(results)
-    if life is None or life.viscosity_ratio is None or least is None:
-        return dict.fromkeys(FILM_LIFE)
-    kappa = least ** results.case["surface"]["kappa_exponent"]
-    values = dict.fromkeys(FILM_LIFE) | {"kappa_film": kappa}
-    cleanliness = life.rating.contamination_factor
-    limit = life.fatigue_load_limit
-    if cleanliness is None or limit is None or life.basic_life is None or kappa < SMALLEST_KAPPA:
-        return values
-    assert life.equivalent_load is not None  # where there is a life
-    factor = life_factor(kappa, cleanliness * limit / life.equivalent_load)
-    modified = from_si("life_Mrev", factor * life.basic_life)
-    return values | {"a_iso_film": factor, "modified_reference_rating_film_Mrev": modified}
+    solved = any(film is not None for film in results.solutions)
+    if life is None or life.viscosity_ratio is None or not (solved and "surface" in results.case):
+        return None
+    records = contact_records(results)
+    ends = [_kappa([record.kappa_at(end) for record in records]) for end in (0.0, -1.0, 1.0)]
+    found = film_life(results.quasistatic, life, *ends)
+    return None if found.smallest_kappa is None else found
+
+
+def _kappa(values: list[float | None]) -> ContactKappa:
+    """kappa by race from that of all contacts, ball by ball and inner race first."""
+    return ContactKappa(inner=values[0::2], outer=values[1::2])
 
 
 def clearance_block(results: BearingResults) -> dict[str, float | None]:
@@ -72,16 +61,19 @@ def rating_messages(results: BearingResults) -> Iterator[str]:
         yield from _cage_messages(results)
     if life is None or life.viscosity_ratio is None:
         return
-    if least_lambda(results) is None:
+    films = life_by_films(results)
+    if films is None:
         yield (
             "life: kappa_film and what follows from it null, they need a resolved film and "
             "[surface] roughness"
         )
     else:
+        if films.note:
+            yield f"life: modified rating with the film of each contact null, {films.note}"
         exponent = results.case["surface"]["kappa_exponent"]
         yield (
             f"life: kappa_film is the smallest lambda_ratio to the power {exponent:g}, a rule "
-            "that is unverified"
+            "that is unverified; kappa of each contact likewise"
         )
 
 
@@ -120,10 +112,10 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
         return rows
     known = values_of(life, (*LIFE_RATING, *LOAD_RATING))
     revolutions = known["basic_reference_rating_Mrev"]
-    hours = known["basic_reference_rating_h"]
+    basic = known["basic_reference_rating_h"]
     kappa = known["kappa"]
-    if revolutions is not None and hours is not None:
-        rows["rating life"] = hours_text(hours, known["modified_reference_rating_h"])
+    if revolutions is not None and basic is not None:
+        rows["rating life"] = hours_text(basic, known["modified_reference_rating_h"])
         rows["rating life"] += f" ({revolutions:.4g} million revolutions"
         if known["a_iso"] is not None:
             rows["rating life"] += f", a_ISO {known['a_iso']:.3g}"
@@ -134,9 +126,21 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
             rows["static safety"] += f", by pressure {known['static_safety']:.3g}"
     if kappa is not None:
         rows["viscosity ratio"] = f"κ {kappa:.3g}"
-        film = film_life(results)["kappa_film"]
-        if film is not None:
+        films = life_by_films(results)
+        if films is not None:
             rows["viscosity ratio"] += (
-                f" from the viscosity, {film:.3g} from the film (λ {least_lambda(results):.3g})"
+                f" from the viscosity, {films.smallest_kappa:.3g} from the thinnest film"
             )
+            rows |= _film_row(values_of(films, FILM_LIFE))
     return rows
+
+
+def _film_row(known: dict[str, Any]) -> dict[str, str]:
+    """A line of the terminal's table: the life with the film of each contact, and its ends."""
+    ends = [known[f"modified_reference_rating_contacts_{end}h"] for end in ("", "low_", "high_")]
+    if ends[0] is None:
+        return {}
+    text = f"L10mh {hours(ends[0])}"
+    if ends[1] is not None and ends[2] is not None:
+        text += f" ({hours(ends[1])} to {hours(ends[2])})"
+    return {"life by the films": text}

@@ -170,6 +170,23 @@ def test_kappa_of_the_solved_film_stands_beside_that_of_the_viscosity():
     assert block["kappa"] == pytest.approx(summary(run_case(case(CASE)))["life"]["kappa"])
     film, plain = block["modified_reference_rating_film_Mrev"], block["modified_reference_rating_Mrev"]
     assert film / plain == pytest.approx(block["a_iso_film"] / block["a_iso"])
+    kappas = [contact["kappa"] for contact in found["contacts"] if contact["lambda_ratio"] is not None]
+    assert kappas == pytest.approx([ratio**1.1 for ratio in ratios])
+    assert block["modified_reference_rating_contacts_h"] is None
+    assert any("loaded contacts without a resolved film: 2 at the inner race" in m for m in found["messages"])
+
+
+def test_life_with_the_film_of_each_contact():
+    """A third of the balls is loaded; the life lies above that of the thinnest film for all, its ends enclose it."""
+    text = CASE.replace("[lubricant]", "[lubricant]\ncontamination_factor = 0.5")
+    text = text.replace('film_maps = "none"', "points = 257") + ROUGH
+    results = run_case(case(text))
+    block = summary(results)["life"]
+    low, life, high = (block[f"modified_reference_rating_contacts_{end}h"] for end in ("low_", "", "high_"))
+    assert low < life < high
+    assert life == pytest.approx(1e6 * block["modified_reference_rating_contacts_Mrev"] / 3000.0 / 60.0)
+    assert block["modified_reference_rating_contacts_Mrev"] > block["modified_reference_rating_film_Mrev"]
+    assert block["a_iso_contacts"] < 50.0
 
 
 def test_without_film_there_is_no_kappa_of_it():
