@@ -17,7 +17,12 @@ FIELDS = {  # of Material: key of the data file
     "thermal_expansion": "thermal_expansion_um_m_K",
     "thermal_conductivity": "thermal_conductivity_W_m_K",
     "specific_heat": "specific_heat_J_kg_K",
+    "bending_strength": "bending_strength_MPa",
+    "weibull_modulus": "weibull_modulus",
 }
+# positive where they are known
+MAY_BE_UNKNOWN = ("thermal_conductivity", "specific_heat", "bending_strength", "weibull_modulus")
+STRENGTH = ("bending_strength", "weibull_modulus")  # of brittle materials, with their ranges
 
 
 class MaterialKind(Enum):
@@ -42,12 +47,18 @@ class Material:
     kind: MaterialKind = MaterialKind.OTHER
     thermal_conductivity: float | None = None  # k [W/(m K)]; None if not known
     specific_heat: float | None = None  # c at constant pressure [J/(kg K)]; None if not known
+    # of a brittle material: mean strength of bars in four-point bending, Weibull's modulus, and
+    # the ends of what is known of them; None if not known
+    bending_strength: float | None = None  # [Pa]
+    weibull_modulus: float | None = None  # m [-]
+    bending_strength_range: tuple[float, float] | None = None  # [Pa]
+    weibull_modulus_range: tuple[float, float] | None = None  # [-]
     unverified: tuple[str, ...] = ()  # fields whose values no source was read for
 
     def __post_init__(self) -> None:
-        for field in ("youngs_modulus", "density", "thermal_conductivity", "specific_heat"):
+        for field in ("youngs_modulus", "density", *MAY_BE_UNKNOWN):
             value = getattr(self, field)
-            if value is None and field in ("thermal_conductivity", "specific_heat"):
+            if value is None and field in MAY_BE_UNKNOWN:
                 continue
             if not (isfinite(value) and value > 0.0):
                 raise ValueError(f"{field} must be positive and finite, got {value!r}")
@@ -79,10 +90,15 @@ def load_material(name: str) -> Material:
     if key is None:
         raise ValueError(f"material {name!r} is unknown; known: {', '.join(table)}")
     entry = material_data(key)
-    numbers = {
+    numbers: dict[str, Any] = {
         field: float(to_si(key, entry[key]["value"]))
         for field, key in FIELDS.items()
         if key in entry
+    }
+    ranges: dict[str, Any] = {
+        f"{field}_range": tuple(float(to_si(key, end)) for end in entry[key]["range"])
+        for field, key in FIELDS.items()
+        if field in STRENGTH and key in entry
     }
     return Material(
         name=key,
@@ -94,6 +110,7 @@ def load_material(name: str) -> Material:
             field for field, key in FIELDS.items() if not entry.get(key, {}).get("verified", True)
         ),
         **numbers,
+        **ranges,
     )
 
 

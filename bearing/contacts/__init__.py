@@ -7,6 +7,7 @@ hertz         - Hertz contacts of many balls at once
 motion        - the one kinematics of ball on race: rolling, sliding and spin of both
 shape         - curvatures and ellipse of a contact, as the laws of friction take them
 shoulder      - distance of ellipses to the shoulders, what these cut off, pressure of what is left
+surface_tension - largest tension in the surfaces of ring and ball
 stress        - stress below a contact and sliding in it
 traction      - shear of the film of one contact at the motion of its ball
 """

@@ -69,6 +69,7 @@ class Case(AnyCase):
     rating: RatingInput | None = None  # what the rating life needs beyond the loads
     # where fits or temperatures change it; `bearing` has the operating one
     clearance: ClearanceBudget | None = None
+    seats: fits.Seats  # of the rings, for their strength
     rows: tuple[Row, ...] | None = None  # None: a single one
     load_cases: tuple["LoadCaseInput", ...] = ()  # states of a duty cycle
 
@@ -155,7 +156,6 @@ def _bearing_case(file: BearingFile) -> Case:
     oil = oil_of_file(file)
     at = operation(file.operation)
     fluid = lubricant(oil, at.temperature)
-    shear = rheology(oil, fluid)
     # 2. the bearing, as delivered and in operation
     library = _materials(file)
     cage = (library.get(file.bearing.cage_material or ""), guiding_land(file.cage))
@@ -167,7 +167,7 @@ def _bearing_case(file: BearingFile) -> Case:
     rings = fits.elastic_rings(file.rings, file.fit, delivered, library)
     assumptions = replace(model(file.model, file.friction), rings=rings)
     bodies = (bearing.ball_material, bearing.inner_ring_material)
-    films = case_films(file.ehl, shear, bodies)
+    films = case_films(file.ehl, rheology(oil, fluid), bodies)
     torque = _friction(file, delivered)
     balanced = assumptions.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
     traction = None
@@ -188,6 +188,7 @@ def _bearing_case(file: BearingFile) -> Case:
         friction=torque,
         heating=fits.heating(file.friction, file.temperatures, oil, fluid, delivered, seats),
         clearance=clearance,
+        seats=fits.seats_of(seats, file.temperatures),
         rows=rows(file.rows, delivered, assumptions, lambda: capacity(delivered, rated)),
     )
 

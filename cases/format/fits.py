@@ -274,6 +274,22 @@ def in_operation(
     return replace(given, diametral_clearance=budget.operating), budget
 
 
+@dataclass(frozen=True, kw_only=True)
+class Seats:
+    """Seats and temperatures of the rings, for their strength, SI."""
+
+    fit: Fit | None
+    rise: TemperatureRise | None
+    reference: float  # temperature of measurement [K]
+
+
+def seats_of(fit: Fit | None, table: TemperaturesTable | None) -> Seats:
+    """Seats [m] and temperatures [K] of a case."""
+    if table is None:
+        return Seats(fit=fit, rise=None, reference=REFERENCE)
+    return Seats(fit=fit, rise=_rises(table), reference=table.si()["reference"])
+
+
 # where no [temperatures] gives the one of measurement [K]
 REFERENCE = to_si("reference_C", TemperaturesTable.model_fields["reference_C"].default)
 

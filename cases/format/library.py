@@ -7,7 +7,7 @@ from bearing.library.bearings import catalogue_name, list_bearings, load_catalog
 from bearing.library.greases import list_greases, load_grease
 from bearing.library.lubricants import list_lubricants
 from bearing.library.names import matching_name
-from bearing.material import Material, MaterialKind, list_materials, load_material
+from bearing.material import STRENGTH, Material, MaterialKind, list_materials, load_material
 from ehl.units import from_si
 
 from .bearing import ALTERNATIVES, GEOMETRY, BearingTable
@@ -16,7 +16,11 @@ from .problems import CaseFault, nearest_name, shown
 from .rules import CaseValues
 
 # of a material that its table in the case may leave to the library's
-OF_THE_LIBRARY = ("kind", "thermal_expansion", "thermal_conductivity", "specific_heat")
+OF_THE_LIBRARY = (
+    *("kind", "thermal_expansion", "thermal_conductivity", "specific_heat"),
+    *("bending_strength", "weibull_modulus"),
+    *("bending_strength_range", "weibull_modulus_range"),
+)
 # tables whose keys with the word "material" name one
 OF_MATERIALS = ("bearing", "fit", "contact")
 INTERNAL_GEOMETRY = ("ball_diameter_mm", "pitch_diameter_mm", "balls")
@@ -29,8 +33,8 @@ OF_THE_GEOMETRY = (  # hold for the catalogue's internal geometry only
 
 
 class MaterialTable(Table):
-    """A material of the case, before those of the library; what it leaves out of thermal data and
-    kind is taken from the library's of this name.
+    """A material of the case, before those of the library; what it leaves out of thermal data,
+    strength and kind is taken from the library's of this name.
     """
 
     youngs_modulus_GPa: float = above(0, 2e3, "Young's modulus", ...)
@@ -39,6 +43,10 @@ class MaterialTable(Table):
     thermal_expansion_um_m_K: float | None = between(-100, 1e3, "linear thermal expansion")
     thermal_conductivity_W_m_K: float | None = above(0, 1e4, "thermal conductivity")
     specific_heat_J_kg_K: float | None = above(0, 1e5, "specific heat capacity")
+    bending_strength_MPa: float | None = above(
+        0, 1e5, "of a brittle material, mean of bars in four-point bending"
+    )
+    weibull_modulus: float | None = above(1, 1e3, "of this strength")
     kind: Annotated[str, OneOf(MaterialKind)] | None = described(
         'for the rating life; else "other"'
     )
@@ -53,12 +61,17 @@ def materials(own: Mapping[str, MaterialTable], names: Iterable[str]) -> dict[st
 
 
 def _material(name: str, table: MaterialTable) -> Material:
-    """A material of the case, SI; kind and thermal data of the library's of the same name."""
+    """A material of the case, SI; what is left out of the library's of the same name."""
     values: dict[str, Any] = {"kind": MaterialKind.OTHER}
     if matching_name(name, list_materials()):
         library = load_material(name)
         values = {field: getattr(library, field) for field in OF_THE_LIBRARY}
-    values |= {field: value for field, value in table.si().items() if value is not None}
+    given = {field: value for field, value in table.si().items() if value is not None}
+    for field in STRENGTH:  # a strength of the case's own beyond the library's range has none
+        ends = values.get(f"{field}_range")
+        if ends and field in given and not ends[0] <= given[field] <= ends[1]:
+            values[f"{field}_range"] = None
+    values |= given
     return Material(name=name, **{**values, "kind": MaterialKind(values["kind"])})
 
 

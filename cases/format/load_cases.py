@@ -46,7 +46,8 @@ def merged(operation: dict[str, Any], own: dict[str, Any]) -> dict[str, Any]:
     """Keys of [operation] with those of a load case in their place; a key that excludes another,
     `force_N` of a load case the `radial_load_N` of [operation], takes it away.
     """
-    gone = set()
+    # a temperature of its own is that of the load case, where [operation] warms itself, too
+    gone = {"temperature"} if "temperature_C" in own else set()
     for rule in EXCLUDED:
         pair = [path.partition(".")[2] for path in (rule.key, rule.other)]
         for key, other in (pair, reversed(pair)):

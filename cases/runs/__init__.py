@@ -7,6 +7,7 @@
 | equilibrium | equilibrium of the bearing, by hypothesis or by traction |
 | load_cases | states of a duty cycle |
 | heating | temperature by self-heating |
+| strength | strength of the rings, tension in the contacts |
 | bearing | a bearing: equilibrium, films, torque |
 | contact | a single contact |
 | slip | slip maps |

@@ -30,6 +30,7 @@ from .films import Progress, Solve, solve_contacts, wanted_contacts
 from .heating import at_its_temperature, self_heated
 from .interrupt import interruptible
 from .load_cases import solve_load_cases
+from .strength import case_strength, contact_tensions
 from .traction_films import traction_messages, with_workers
 
 STOPPED = "interrupted: films that were not finished, friction and self-heating are null"
@@ -93,10 +94,9 @@ def run_case(
         messages=messages if friction is not None else (*messages, STOPPED),
         interrupted=friction is None,
         timing=timing,
-        life=None if case.rating is None else bearing_life(state, case.lubricant, case.rating),
-        clearance=case.clearance,
         finite_bodies=bodies,
         duty_cycle=cycle,
+        **_ratings(case, state),
         **(friction or {}),
     )
     return _complete(results)
@@ -110,6 +110,16 @@ def _prepared(case: Case, workers: int | None, notify: Progress, solve: Solve | 
     if case.traction is None:
         return case
     return replace(case, traction=with_workers(case.traction, workers, notify, solve))
+
+
+def _ratings(case: Case, state: QuasistaticSolution) -> dict[str, Any]:
+    """Life, clearance and strength."""
+    rating = case.rating
+    return {
+        "life": None if rating is None else bearing_life(state, case.lubricant, rating),
+        "clearance": case.clearance,
+        "strength": case_strength(case),
+    }
 
 
 def _complete(results: BearingResults) -> BearingResults:
@@ -158,10 +168,12 @@ def _friction(
     balanced = () if shear is None else shear.tractions
     tractions = _tractions(case, state, contacts, solutions, balanced)
     timing["torque"] = perf_counter() - start
+    tensions = contact_tensions(case, solutions, tractions)
+    timing["strength"] = perf_counter() - start - timing["torque"]
     if case.heating is not None:
         notify(0, 1, "self-heating")
     heating = self_heated(case) if state.converged else None
-    return {"tractions": tractions, "torque": torque, "heating": heating}
+    return {"tractions": tractions, "torque": torque, "heating": heating, "tensions": tensions}
 
 
 def _tractions(

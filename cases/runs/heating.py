@@ -49,6 +49,7 @@ def at_its_temperature(case: Case) -> Case:
         changed["temperatures"] = parts
     found = case_of_file(file.model_copy(update=changed), case.title or "case")
     assert isinstance(found, Case)  # a bearing
+    found = replace(found, load_cases=case.load_cases)  # each warms itself
     note = (
         f"operation.temperature: computed at {balanced:.1f} C, where friction ({heating.model}) "
         "and cooling agree"

@@ -13,6 +13,7 @@ from bearing.torque.breakdown import torque_breakdown
 from ..format.case import Case, LoadCaseInput
 from .equilibrium import case_equilibrium, without_traction_equilibrium
 from .films import Progress
+from .heating import at_its_temperature
 
 HALF_AND_HALF = (
     "its balls are taken as half and half in place of traction equilibrium, which loads hardly "
@@ -35,7 +36,7 @@ def solve_load_cases(case: Case, notify: Progress) -> DutyCycle | None:
 
 
 def _load_case(state: LoadCaseInput) -> LoadCase:
-    case = state.case
+    case = at_its_temperature(state.case)
     messages = list(case.warnings)
     if case.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
         case = replace(case, model=without_traction_equilibrium(case.model))

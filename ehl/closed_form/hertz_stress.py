@@ -12,7 +12,7 @@ int_{z^2}^inf dw/[(a^2 + w)^(3/2) (b^2 + w)^(1/2) w^(1/2)] = 2/3 R_D(b^2 + z^2, 
 its likes. Stresses are negative in compression; depth counts into the body.
 """
 
-from math import sqrt
+from math import atan, atanh, sqrt
 
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
@@ -22,6 +22,7 @@ from ..arrays import Array
 
 # the largest shear lies above this depth, in the smaller semi-axis: 0.48 (circle) to 0.79 (line)
 DEEPEST = 1.5
+SERIES = 1e-4  # e^2 of an ellipse below which its edge tension is expanded [-]
 
 
 def hertz_axis_stress(
@@ -91,3 +92,28 @@ def hertz_orthogonal_shear(
     t = float(brentq(excess, 1.0, 2.0 + ratio ** (1.0 / 3.0), xtol=1e-14))
     root = sqrt(2.0 * t - 1.0)
     return pressure * root / (2.0 * t * (t + 1.0)), semi_axis_rolling / ((t + 1.0) * root)
+
+
+def hertz_edge_tension(
+    semi_axes: tuple[float, float], pressure: float, poisson_ratio: float
+) -> tuple[float, float]:
+    """Radial tension in the surface at the ends of the x and of the y semi-axis of a Hertz contact
+    without friction [Pa], Johnson (1985), section 4.2; semi-axes along x and y [m], p_h [Pa].
+
+    With a the longer and b the shorter one, e^2 = 1 - b^2/a^2: (1 - 2 nu) p_h b/(a e^2) times
+    artanh(e)/e - 1 at the end of the longer, and 1 - b/(a e) arctan(e a/b) at that of the shorter
+    axis; (1 - 2 nu) p_h/3 on the rim of a circle.
+    """
+    a, b = max(semi_axes), min(semi_axes)
+    ratio = b / a
+    e2 = 1.0 - ratio**2
+    if e2 < SERIES:  # both to first order in e^2
+        long_end = 1.0 / 3.0 + e2 / 30.0
+        short_end = 1.0 / 3.0 - e2 / 30.0
+    else:
+        e = sqrt(e2)
+        long_end = ratio / e2 * (atanh(e) / e - 1.0)
+        short_end = ratio / e2 * (1.0 - ratio / e * atan(e / ratio))
+    scale = (1.0 - 2.0 * poisson_ratio) * pressure
+    ends = (long_end, short_end) if semi_axes[0] >= semi_axes[1] else (short_end, long_end)
+    return scale * ends[0], scale * ends[1]

@@ -8,5 +8,6 @@ deformation        - elastic deflection of the half-space by convolution
 heat               - bodies as half-spaces that move past a source of heat
 layered            - compliance of a contact one body of which is coated
 layered_fem        - surface compliance of a coated half space by axisymmetric finite elements
+surface_stress     - stress in the surface of a half-space under pressure and shear
 subsurface         - stress in a half-space below a given pressure
 """

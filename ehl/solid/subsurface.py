@@ -91,25 +91,25 @@ def rectangle_stress(
     v = v[None, :]
     r = np.sqrt(u * u + v * v + z * z)
     by_u, by_v = r * (u * u + z * z), r * (v * v + z * z)
-    psi_xx, psi_yy = _corners(-u * v / by_u), _corners(-u * v / by_v)
-    psi_z = _corners(-np.arctan2(u * v, z * r))
-    chi_xx = _corners(np.arctan(v / u) - np.arctan(v * z / (u * r)))
-    chi_yy = _corners(np.arctan(u / v) - np.arctan(u * z / (v * r)))
+    psi_xx, psi_yy = corner_sums(-u * v / by_u), corner_sums(-u * v / by_v)
+    psi_z = corner_sums(-np.arctan2(u * v, z * r))
+    chi_xx = corner_sums(np.arctan(v / u) - np.arctan(v * z / (u * r)))
+    chi_yy = corner_sums(np.arctan(u / v) - np.arctan(u * z / (v * r)))
     other = 1.0 - 2.0 * nu
     components = (
         2.0 * nu * psi_z - z * psi_xx - other * chi_xx,
         2.0 * nu * psi_z - z * psi_yy - other * chi_yy,
         psi_z + z * (psi_xx + psi_yy),
-        -z * _corners(1.0 / r) - other * _corners(np.log(r + z)),
-        -z * _corners(z * u / by_v),
-        -z * _corners(z * v / by_u),
+        -z * corner_sums(1.0 / r) - other * corner_sums(np.log(r + z)),
+        -z * corner_sums(z * u / by_v),
+        -z * corner_sums(z * v / by_u),
     )
     # from source minus field to the reverse
     return tuple(component[::-1, ::-1] / (2.0 * np.pi) for component in components)
 
 
-def _corners(values: Array) -> Array:
-    """Sum over the four corners of each cell with alternating signs."""
+def corner_sums(values: Array) -> Array:
+    """Sum over the four corners of each cell with alternating signs [that of the values]."""
     return np.asarray(values[1:, 1:] - values[:-1, 1:] - values[1:, :-1] + values[:-1, :-1])
 
 

@@ -8,6 +8,7 @@ from typing import Any
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.shoulder import Truncation, truncation
 from bearing.contacts.stress import ContactStress, contact_stress
+from bearing.contacts.surface_tension import SurfaceTension, edge_tension
 from bearing.geometry import Race
 from bearing.shoulder_diameter import ESTIMATED_HEIGHT, shoulder_diameter
 from bearing.supply.starved_films import StarvedFilm
@@ -30,6 +31,8 @@ class ContactRecord(FilmRecord):
     stress: ContactStress | None
     starved: StarvedFilm | None
     surface: dict[str, float] | None
+    edge_tension: float | None  # of the dry contact without friction [Pa]
+    tension: SurfaceTension | None  # under the film's pressure and shear
 
     @property
     def loaded(self) -> bool:
@@ -78,6 +81,7 @@ NO_FILM = "no film was computed"
 NO_LOAD = "it carries no load"
 NO_OIL = f"{NO_LOAD}, or no oil is entrained"
 NOT_STARVED = "the supply is flooded, or no flooded film is known"
+NOT_BRITTLE = f"{NO_FILM}, or neither ring nor ball has a bending strength"
 NO_SHOULDER = f"{NO_LOAD}, or no shoulder diameter is given"
 BEYOND_EDGE = f"{NO_SHOULDER}, or the middle of the ellipse lies beyond the edge"
 CONTACT_QUANTITIES = (  # columns of contacts.csv
@@ -131,6 +135,16 @@ CONTACT_QUANTITIES = (  # columns of contacts.csv
         ("orthogonal_shear_depth_mm", "depth of orthogonal shear", "orthogonal_depth"),
         ("sliding_speed_maximum_m_s", "largest sliding speed", "sliding_speed"),
         ("pressure_sliding_maximum_GPa_m_s", "largest pressure times sliding", "pressure_sliding"),
+    ),
+    *quantities("", NO_LOAD, ("edge_tension_GPa", "tension at the rim, dry, frictionless")),
+    *quantities(
+        "tension.",
+        NOT_BRITTLE,
+        ("surface_tension_ring_GPa", "largest tension in the ring's surface", "ring"),
+        ("surface_tension_ball_GPa", "largest tension in the ball's surface", "ball"),
+        ("surface_tension_uncertainty_GPa", "its uncertainty by the mesh", "uncertainty"),
+        ("surface_tension_rolling_mm", "its place along the rolling direction", "x"),
+        ("surface_tension_transverse_mm", "its place across it", "y"),
     ),
     *quantities(
         "stress.truncation.",
@@ -187,6 +201,7 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
     films = [film if film is not None and film.converged else None for film in results.solutions]
     moments = rolling_moments(films)
     torque = results.torque
+    tensions = results.tensions or (None,) * count
     starved = torque.films if torque is not None and torque.films else (None,) * count
     tractions = results.tractions or (None,) * count
     return [
@@ -198,6 +213,8 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
             stress=contact_stress(results.quasistatic, contact),
             starved=starved[i],
             surface=results.case.get("surface"),
+            edge_tension=edge_tension(results.quasistatic.bearing, contact),
+            tension=tensions[i],
         )
         for i, contact in enumerate(results.contacts)
     ]

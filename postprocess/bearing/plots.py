@@ -34,6 +34,7 @@ from ..plot_style import (
 )
 from ..quantities import Quantity
 from ..text import evenly_chosen, value_with_error
+from .plots_strength import draw_strength
 from .plots_torque import draw_torque
 from .quantities import BALL_QUANTITY
 from .results import BearingResults, distinct_contacts
@@ -154,6 +155,8 @@ def _figures(results: BearingResults) -> Iterator[tuple[str, Callable[[Figure], 
     yield "plots/load_zone", partial(draw_load_zone, results=results)
     if results.torque is not None and results.torque.total is not None:
         yield "plots/torque", partial(draw_torque, results=results)
+    if results.strength is not None and results.strength.inner_map is not None:
+        yield "plots/ring_strength", partial(draw_strength, results=results)
     groups = distinct_contacts(results)
     for quantity in ("film", "pressure") if groups else ():
         draw = partial(draw_per_azimuth, results=results, quantity=quantity)

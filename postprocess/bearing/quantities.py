@@ -43,6 +43,21 @@ RING_BODY = quantities(  # a ring as an elastic body
     ("ovality_um", "largest less smallest radial movement"),
     ("residual_ratio", "relative residual of the finite elements", "response.residual"),
 )
+RING_STRENGTH = quantities(  # hoop stress, tension positive, of the cylinder from seat to groove
+    "",
+    "its seat has no diameter, or the material no strength",
+    "seat_pressure_MPa",
+    ("hoop_tension_MPa", "hoop tension at the bore"),
+    ("hoop_by_fit_MPa", "its part by the fit", "fit_tension"),
+    ("hoop_by_rotation_MPa", "its part by rotation", "rotation_tension"),
+    ("groove_tension_MPa", "hoop tension at the bottom of the groove"),
+    ("bending_strength_MPa", "", "material.bending_strength"),
+    ("weibull_modulus", "Weibull's modulus", "material.weibull_modulus"),
+    ("strength_share", "hoop tension over bending strength"),
+    ("failure_probability", "probability of failure"),
+    ("failure_probability_low", "its lower end", "failure_low"),
+    ("failure_probability_high", "its upper end", "failure_high"),
+)
 ROW = quantities("", "", "axial_position_mm", "offset_um")
 LIFE_RATING = quantities(
     "",

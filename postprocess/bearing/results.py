@@ -5,8 +5,10 @@ from math import degrees
 
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.finite_bodies import FiniteBodies
+from bearing.contacts.surface_tension import SurfaceTension
 from bearing.contacts.traction import ContactTraction
 from bearing.fits.clearance import ClearanceBudget
+from bearing.fits.ring_strength import Strength
 from bearing.heating.self_heating import SelfHeatingSolution
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.duty_cycle import DutyCycle
@@ -36,6 +38,9 @@ class BearingResults(Results):
     heating: SelfHeatingSolution | None = None  # None where no heat transfer is given
     # None where the case leaves all bodies half-spaces
     finite_bodies: FiniteBodies | None = None
+    strength: Strength | None = None  # of the rings
+    # of the contacts with films and a brittle body; empty is None for all
+    tensions: tuple[SurfaceTension | None, ...] = ()
     duty_cycle: DutyCycle | None = None  # None where the case has no load cases
 
     @property
@@ -55,8 +60,8 @@ class BearingResults(Results):
 
     @property
     def pictures(self) -> int:
-        """The most that are drawn [-]: four of the bearing, one of each distinct contact."""
-        return 4 + len(distinct_contacts(self))
+        """The most that are drawn [-]: five of the bearing, one of each distinct contact."""
+        return 5 + len(distinct_contacts(self))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -18,6 +18,7 @@ from .ratings import clearance_block, life_block, rating_messages
 from .results import BearingResults, distinct_contacts
 from .rings import ring_blocks, ring_messages
 from .rows import kinematic_block, row_blocks, row_messages
+from .strength import strength_block, strength_messages
 from .supply import supply_block, supply_messages
 from .torque import rolling_messages, torque_block, torque_messages
 
@@ -39,6 +40,7 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
         "balls": rows_of(_balls(state)),
         "contacts": [contact_values(record) for record in contact_records(results)],
         "clearance": clearance_block(results),
+        "strength": strength_block(results),
         "life": life_block(results),
         "duty_cycle": duty_cycle_block(results),
         "load_cases": load_case_blocks(results),
@@ -78,6 +80,7 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
     yield from finite_body_messages(results)
     yield from rating_messages(results)
     yield from duty_cycle_messages(results)
+    yield from strength_messages(results)
     yield from torque_messages(results)
     yield from rolling_messages(results)
     yield from supply_messages(results)

@@ -20,6 +20,7 @@ from .ratings import rating_rows
 from .results import BearingResults
 from .rings import ring_lines
 from .rows import frequency_lines, row_lines
+from .strength import strength_rows
 from .supply import supply_rows
 from .torque import torque_rows
 
@@ -55,6 +56,7 @@ def _bearing_table(results: BearingResults) -> Table:
     rows = {titles.get(key, key): text for key, text in rows.items()}
     rows |= row_lines(state) | ring_lines(state)
     rows |= frequency_lines(results) | rating_rows(results) | duty_cycle_rows(results)
+    rows |= strength_rows(results)
     return facts_table(rows | torque_rows(results) | supply_rows(results))
 
 

@@ -52,6 +52,10 @@ def numbers(stem, points=None):
         kept[f"displacement_{direction}_um"] = value
     for block in ("life", "duty_cycle", "clearance"):
         kept |= {f"{block} {key}": value for key, value in found[block].items() if value is not None}
+    for ring in ("inner_ring", "outer_ring"):
+        block = found["strength"][ring]
+        if block["failure_probability"] is not None:
+            kept |= {f"strength {ring} {key}": block[key] for key in ("hoop_tension_MPa", "groove_tension_MPa")}
     for contact in found["contacts"]:
         name = f"ball {contact['ball']} {contact['race']}"
         for key in ("load_N", "contact_angle_deg", "hertz_pressure_GPa", "film_central_um", "film_minimum_um"):

@@ -264,3 +264,16 @@ def test_a_load_case_without_equilibrium_is_told():
     assert [block["converged"] for block in found["load_cases"]] == [False, True]
     assert any(message.startswith("load case 1: equilibrium not converged: ") for message in found["messages"])
     assert found["duty_cycle"]["basic_reference_rating_h"] is None
+
+
+def test_load_cases_warm_themselves_or_keep_a_temperature_of_their_own():
+    """With operation.temperature = "self-heated" each load case has its own balance, as it has alone."""
+    oil = CASE.replace("viscosity_mPa_s = 26.1\npressure_viscosity_1_GPa = 18.0", 'name = "iso vg 32"')
+    warm = oil.replace("[ehl]", 'temperature = "self-heated"\n[friction]\nheat_transfer_W_K = 0.6\n[ehl]')
+    cycle = CYCLE + "[[load_cases]]\nshare = 0.4\ntemperature_C = 55.0\n"
+    found = summary(run_case(case(warm + cycle.replace("0.6", "0.2"))))
+    temperatures = [block["temperature_C"] for block in found["load_cases"]]
+    assert temperatures[2] == pytest.approx(55.0)
+    slow = summary(run_case(case(warm.replace("rpm = 3000.0", "rpm = 1000.0"))))
+    assert temperatures[1] == pytest.approx(slow["case"]["operation"]["temperature_C"], abs=1e-3)
+    assert temperatures[0] > temperatures[1] + 10.0

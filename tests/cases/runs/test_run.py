@@ -66,7 +66,7 @@ def test_equal_contacts_are_solved_once_and_share_the_solution(solver):
         assert (solution is None) == (contact.conditions is None)
         assert solution is None or equal_contacts(solution.conditions, contact.conditions)
     assert len({id(solution) for solution in results.solutions if solution}) == 5
-    assert set(results.timing) == {"quasistatic", "contacts", "torque", "total"}
+    assert set(results.timing) == {"quasistatic", "contacts", "torque", "strength", "total"}
 
 
 def film_maps(case, wanted):

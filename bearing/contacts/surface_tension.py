@@ -1,0 +1,140 @@
+"""Largest tension in the surfaces of a contact, which opens ring cracks in ceramics.
+
+Without a film the closed form of the dry, frictionless Hertz contact, at the end of an axis of the
+ellipse. With one the stress in the surfaces of ring and ball as half-spaces under the pressure
+and the shear of the solved film, in the ring together with the hoop tension of its groove.
+Friction adds to the tension behind the contact, for a circle about pi (4 + nu)/8 times the
+coefficient times p_h (Hamilton and Goodman, 1966), so that it counts from coefficients of some
+per cent on. Left out: asperities, and what the body's finite size changes.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ehl import ContactSolution
+from ehl.closed_form.hertz_stress import hertz_edge_tension
+from ehl.oil.rheology import Rheology
+from ehl.solid.surface_stress import surface_stress
+from ehl.traction.shear import shear_fields
+
+from ..geometry import Array, Bearing, Race
+from ..material import Material
+from .contact import BearingContact
+from .traction import ContactTraction
+
+POINTS = 257  # of a film along x at most; every second one is left out until it has no more [-]
+# The pressure of a nearly dry contact ends with a vertical slope: the largest tension approaches
+# its limit like the square root of the mesh, 1/(sqrt 2 - 1) differences of half a grid and a whole
+# one beyond; four of them enclose the closed forms of dry contacts on 65 to 513 points (tests)
+BEYOND = 4.0  # error over the difference of half a grid and a whole one [-]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SurfaceTension:
+    """Largest principal tension in the surfaces of a solved contact, and where it is."""
+
+    ring: float  # with the hoop tension of the groove [Pa]
+    ball: float  # [Pa]
+    uncertainty: float  # by the mesh, of the worse of both [Pa]
+    x: float  # place in the ring's surface, along the rolling direction [m]
+    y: float  # and across it [m]
+
+
+def ring_material(bearing: Bearing, race: Race) -> Material:
+    """Material of a ring."""
+    return bearing.inner_ring_material if race is Race.INNER else bearing.outer_ring_material
+
+
+def edge_tension(bearing: Bearing, contact: BearingContact) -> float | None:
+    """Largest tension at the rim of the dry contact, of ring or ball [Pa]; None if unloaded."""
+    hertz = contact.hertz
+    if hertz is None:
+        return None
+    axes = (hertz.semi_axis_x, hertz.semi_axis_y)
+    bodies = (ring_material(bearing, contact.race), bearing.ball_material)
+    return max(max(hertz_edge_tension(axes, hertz.pressure, b.poisson_ratio)) for b in bodies)
+
+
+def surface_tensions(
+    bearing: Bearing,
+    solutions: Sequence[ContactSolution | None],
+    tractions: Sequence[ContactTraction | None],
+    rheology: Rheology,
+    hoop: dict[Race, float],
+    temperature: float,
+) -> tuple[SurfaceTension | None, ...]:
+    """Largest tension of every contact that has a film and a brittle body, else None.
+
+    `hoop`: tension of the grooves [Pa]; `temperature`: of the oil [K]. Equal contacts share one.
+    """
+    known: dict[tuple[int, Race], SurfaceTension] = {}
+    found: list[SurfaceTension | None] = []
+    for film, traction in zip(solutions, tractions, strict=True):
+        if film is None or traction is None or not is_brittle(bearing, traction.contact.race):
+            found.append(None)
+            continue
+        key = (id(film), traction.contact.race)
+        if key not in known:
+            pull = hoop.get(traction.contact.race, 0.0)
+            known[key] = solved_tension(bearing, film, traction, rheology, pull, temperature)
+        found.append(known[key])
+    return tuple(found)
+
+
+def is_brittle(bearing: Bearing, race: Race) -> bool:
+    """Whether ring or ball has a bending strength."""
+    bodies = (ring_material(bearing, race), bearing.ball_material)
+    return any(body.bending_strength is not None for body in bodies)
+
+
+def solved_tension(
+    bearing: Bearing,
+    film: ContactSolution,
+    traction: ContactTraction,
+    rheology: Rheology,
+    hoop: float,
+    temperature: float,
+) -> SurfaceTension:
+    """Largest tension under the pressure and the shear of a film; hoop tension of the groove along
+    the rolling direction [Pa], temperature of the oil [K].
+    """
+    own = film.thinned(POINTS)
+    ring, place = _largest(bearing, own, traction, rheology, hoop, temperature, ball=False)
+    ball, _ = _largest(bearing, own, traction, rheology, 0.0, temperature, ball=True)
+    coarse = own.thinned(own.X.size // 2 + 1)
+    errors = [
+        abs(value - _largest(bearing, coarse, traction, rheology, pull, temperature, ball=body)[0])
+        for value, pull, body in ((ring, hoop, False), (ball, 0.0, True))
+    ]
+    return SurfaceTension(
+        ring=ring, ball=ball, uncertainty=BEYOND * max(errors), x=place[0], y=place[1]
+    )
+
+
+def _largest(
+    bearing: Bearing,
+    film: ContactSolution,
+    traction: ContactTraction,
+    rheology: Rheology,
+    hoop: float,
+    temperature: float,
+    *,
+    ball: bool,
+) -> tuple[float, tuple[float, float]]:
+    """Largest principal tension of a surface [Pa], and its place [m]."""
+    fields = shear_fields(film, traction.kinematics, rheology, temperature=temperature)
+    shear: tuple[Array, Array] = (fields.body_2_x, fields.body_2_y)
+    body = ring_material(bearing, traction.contact.race)
+    if ball:
+        shear = (fields.body_1_x, fields.body_1_y)
+        body = bearing.ball_material
+    x = film.x
+    y = film.y
+    assert x is not None and y is not None  # dimensional conditions of a bearing
+    steps = (float(x[1] - x[0]), float(y[1] - y[0]))
+    stress = surface_stress(film.pressure, shear, steps, body.poisson_ratio)
+    tension = replace(stress, xx=stress.xx + hoop).tension
+    i, j = np.unravel_index(int(tension.argmax()), tension.shape)
+    return float(tension[i, j]), (float(x[i]), float(y[j]))
