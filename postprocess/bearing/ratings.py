@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from bearing.rating.film_life import ContactKappa, FilmLife, film_life
+from bearing.rating.relubrication import relubrication_interval
 from ehl.units import from_si, to_si
 
 from ..quantities import values_of
@@ -12,13 +13,26 @@ from .duty_cycle import hours, hours_text
 from .quantities import CLEARANCE, FILM_LIFE, LIFE_RATING, LOAD_RATING
 from .results import BearingResults
 
+RELUBRICATION = "relubrication_interval_h"
+
 
 def life_block(results: BearingResults) -> dict[str, Any]:
     """Rating life, loads and the factors that led to it; None where it does not apply."""
     life = results.life
     loads = () if life is None else LOAD_RATING
     films = values_of(life_by_films(results), FILM_LIFE)
-    return values_of(life, (*LIFE_RATING, *loads)) | films
+    interval = {RELUBRICATION: from_si(RELUBRICATION, interval_of(results))}
+    return values_of(life, (*LIFE_RATING, *loads)) | films | interval
+
+
+def interval_of(results: BearingResults) -> float | None:
+    """Time after which grease is to be renewed [s]; None without grease or bore."""
+    bore = results.quasistatic.bearing.bore
+    grease = (results.case.get("friction") or {}).get("lubrication") == "grease"
+    if not grease or bore is None:
+        return None
+    operation = results.quasistatic.operation
+    return relubrication_interval(bore, operation.shaft_speed, operation.temperature)
 
 
 def life_by_films(results: BearingResults) -> FilmLife | None:
@@ -51,6 +65,16 @@ def rating_messages(results: BearingResults) -> Iterator[str]:
     """What the two blocks leave out, and why."""
     life = results.life
     yield from ("life: null, no rating was asked for",) if life is None else life.messages
+    if interval_of(results) is None:
+        yield (
+            f"life.{RELUBRICATION}: null without grease (friction.lubrication), bore_mm and "
+            "rotation, and beyond the speeds of its formula"
+        )
+    else:
+        yield (
+            f"life.{RELUBRICATION}: rule for lithium grease, a horizontal shaft and clean "
+            "surroundings, with the temperature of the oil; the grease maker's data go before it"
+        )
     if results.clearance is None:
         yield (
             "clearance: taken as the operating one, the case gives neither [fit] nor "
@@ -120,6 +144,8 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
         if known["a_iso"] is not None:
             rows["rating life"] += f", a_ISO {known['a_iso']:.3g}"
         rows["rating life"] += ")"
+    if (interval := interval_of(results)) is not None:
+        rows["relubrication"] = f"every {hours(from_si(RELUBRICATION, interval))}"
     if known["static_safety_factor"] is not None:
         rows["static safety"] = f"S_0 {known['static_safety_factor']:.3g}"
         if known["static_safety"] is not None:

@@ -277,3 +277,11 @@ def test_load_cases_warm_themselves_or_keep_a_temperature_of_their_own():
     slow = summary(run_case(case(warm.replace("rpm = 3000.0", "rpm = 1000.0"))))
     assert temperatures[1] == pytest.approx(slow["case"]["operation"]["temperature_C"], abs=1e-3)
     assert temperatures[0] > temperatures[1] + 10.0
+
+
+def test_relubrication_only_with_grease():
+    text = CASE.replace('name = "6208"', 'name = "6208"\nbore_mm = 40.0')
+    found = summary(run_case(case(text + '[friction]\nlubrication = "grease"\n')))
+    assert found["life"]["relubrication_interval_h"] == pytest.approx(5778.65, abs=0.1)
+    assert any("lithium grease" in message for message in found["messages"])
+    assert summary(run_case(case(text)))["life"]["relubrication_interval_h"] is None
