@@ -27,7 +27,7 @@ ANGLES = {"C": 15.0, "AC": 25.0, "B": 40.0}  # nominal contact angle by suffix [
 # makers' letters for them, as patterns, longer ones first; E is FAG's
 ANGLE_LETTERS = (
     (r"AC[DEB]?|A5|E(?![A-Z])", "AC"),
-    (r"BE(?:[CG][ABC])?|B", "B"),
+    (r"BE?(?:[CG][ABC])?", "B"),
     (r"C[DE]?(?!\d)", "C"),
 )
 MAKERS = "SKF|FAG|INA|NSK|NTN|KOYO|NACHI|SNR|TIMKEN|BARDEN|GMN|NMB|URB|ZVL"

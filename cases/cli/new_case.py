@@ -102,7 +102,7 @@ def _text(
     ]
     for table, rows in tables.items():
         lines += ["", f"[{table}]", *(f"{key} = {value}" for key, value in rows.items())]
-    lines += ["", *_rows(entry, designation), "[ehl]", 'film_maps = "loaded"']
+    lines += ["", *_rows(entry, designation), "[ehl]", 'film_maps = "all"']
     return "\n".join(lines) + "\n"
 
 

@@ -38,8 +38,10 @@ def at_its_temperature(case: Case) -> Case:
     heating = self_heated(case)
     if heating is None or heating.balance is None or not heating.converged:
         why = "nothing turns" if heating is None else heating.note
-        note = f"operation.temperature: no balance of heat, {why}; temperature_C is taken"
-        return replace(case, warnings=(note, *case.warnings))
+        note = f"operation.temperature: not self-heated, {why}; temperature_C is taken"
+        given = case.file.operation.model_copy(update={"temperature": "given"})
+        file = case.file.model_copy(update={"operation": given})
+        return replace(case, file=file, warnings=(note, *case.warnings))
     balanced = from_si("temperature_C", heating.balance.temperature)
     file = case.file
     operation = {"temperature_C": rounded(balanced), "temperature": "given"}

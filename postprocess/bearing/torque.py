@@ -95,6 +95,7 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
         yield "torque_N_mm.total: null, neither the integrated model nor SKF's applies"
     else:
         yield f"torque_N_mm.total: the {_total_text(results, torque)}"
+        yield from _seal_message(torque)
 
 
 def _total_text(results: BearingResults, torque: TorqueBreakdown) -> str:
@@ -106,7 +107,23 @@ def _total_text(results: BearingResults, torque: TorqueBreakdown) -> str:
         ample = "" if flooded is None else f", {flooded:.4g} N mm if flooded"
         others = "null without films" if torque.shear is None else "those of flooded films"
         return f"model starved, at the supply{ample}; power_balance and per_ball_N_mm {others}"
-    return f"model {torque.chosen}; power_balance and per_ball_N_mm null without films"
+    text = f"model {torque.chosen}; power_balance and per_ball_N_mm null without films"
+    maps = results.case.get("ehl", {}).get("film_maps")
+    if maps == "all":
+        return text
+    return (
+        f'{text}; [ehl] film_maps = "all" gives the integrated model, which counts every contact'
+    )
+
+
+def _seal_message(torque: TorqueBreakdown) -> Iterator[str]:
+    """The torque of contact seals, which SKF's model alone has."""
+    seal = torque.models["skf"].components.get("seal")
+    if seal and torque.chosen != "skf":
+        yield (
+            f"torque_N_mm.total: without the contact seals, {TORQUE.in_unit(seal):.3g} N mm more "
+            "by SKF's model"
+        )
 
 
 def _balance_text(results: BearingResults, shear: SolvedShear) -> str:

@@ -192,6 +192,7 @@ def test_clearance_classes_follow_each_other():
         ("7014 CD/P4A", {"type": "angular contact", "free_contact_angle_deg": 15.0, "tolerance_class": "P4"}),
         ("HCB7014-C-T-P4S-UL", {"ball_material": "silicon nitride", "ring_material": "bearing steel"}),
         ("7208 BECBP", {"free_contact_angle_deg": 40.0, "skf_series": "72 B"}),
+        ("7324 BCBM", {"free_contact_angle_deg": 40.0}),
         ("71910 A5", {"free_contact_angle_deg": 25.0}),
         ("6808", {"bore_mm": 40.0, "outside_diameter_mm": 52.0}),
         ("6305 full ceramic", {"ring_material": "silicon nitride", "ball_material": "silicon nitride"}),

@@ -9,6 +9,7 @@ import pytest
 from bearing.geometry import BearingType
 from cases import run_case
 from cases.format.case import case_from_text
+from cases.runs.heating import at_its_temperature
 from postprocess import summary
 
 CASE = """
@@ -113,6 +114,15 @@ def test_a_case_can_be_computed_at_the_temperature_of_its_balance():
     assert result["torque_N_mm"]["total"] == pytest.approx(result["self_heating"]["torque_N_mm"], rel=1e-3)
 
 
+def test_without_a_balance_the_temperature_stays_and_one_message_says_so():
+    own = CASE.replace("temperature_C = 70.0", 'temperature_C = 70.0\ntemperature = "self-heated"')
+    hot = case((own + HEATED).replace("heat_transfer_W_K = 1.2", "heat_transfer_W_K = 0.001"))
+    once = at_its_temperature(hot)
+    assert at_its_temperature(once) is once
+    assert once.operation.temperature == pytest.approx(343.15)
+    assert sum("operation.temperature: not self-heated" in note for note in once.warnings) == 1
+
+
 def test_fits_take_the_temperature_of_the_balance_too():
     seats = "[fit]\ninner_ring_interference_um = 10.0\n"
     own = CASE.replace("temperature_C = 70.0", 'temperature = "self-heated"')
@@ -130,7 +140,19 @@ def test_a_set_of_two_warms_itself_by_the_loads_of_both_rows():
     own = pair.replace("temperature_C = 70.0", 'temperature = "self-heated"')
     result = found(own + HEATED.replace("ambient", 'heating_torque = "coulomb"\nambient') + rows)
     assert result["self_heating"]["torque_N_mm"] > 1.0
-    assert sum("rows.preload_class: medium is taken as" in message for message in result["messages"]) >= 1
+    assert sum("rows.preload_class: medium is taken as" in message for message in result["messages"]) == 1
+
+
+def test_the_total_says_what_would_give_the_integrated_torque():
+    assert any('film_maps = "all" gives the integrated model' in message for message in found(CASE)["messages"])
+
+
+def test_the_torque_of_seals_is_told_beside_the_integrated_one():
+    """2RS1 of the 6205: SKF's K_S1 d_s^2.25 + K_S2 = 0.023 25^2.25 + 2 = 34.1 N mm."""
+    sealed = CASE.replace('"6205"', '"6205-2RS1"').replace('film_maps = "none"', "points = 33")
+    result = found(sealed + "[friction]\ntraction = 'coulomb'\ncoefficient = 0.05\n")
+    assert result["torque_N_mm"]["model"] == "integrated"
+    assert any("without the contact seals, 34.1 N mm more" in message for message in result["messages"])
 
 
 def test_self_heating_is_needed_for_its_temperature():
