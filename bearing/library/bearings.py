@@ -96,10 +96,9 @@ def warn_of_estimates(name: str, values: Mapping[str, Any], assumed: Collection[
 
 def estimated_fields(name: str, values: Mapping[str, Any]) -> tuple[str, ...]:
     """Keys of a case's [bearing] table whose values are the catalogue's estimates."""
-    key = matching_name(name, list_bearings())
-    if key is None:
+    if catalogue_name(name) is None:
         return ()
-    entry = load_catalogue_entry(key)
+    entry = load_catalogue_entry(name)
     known = (field for field in entry["estimated"] if values.get(field) is not None)
     return tuple(field for field in known if isclose(values[field], entry[field]))
 

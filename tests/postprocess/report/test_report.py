@@ -128,7 +128,7 @@ def test_tiny_negative_parts_leave_the_others_their_colours():
 
 def test_headline_names_the_ball_and_stars_estimates(folder):
     document = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))
-    document["case"]["bearing"] = load_catalogue_entry("6205")
+    document["case"]["bearing"] = load_catalogue_entry("6205-2RS C3")  # a designation with suffixes
     document["life"] = {"basic_reference_rating_h": 12345.0}
     page = cards(document)
     thinnest = min((c for c in document["contacts"] if c["film_minimum_um"]), key=itemgetter("film_minimum_um"))
