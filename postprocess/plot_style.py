@@ -52,6 +52,9 @@ STRETCHED = 2.0  # ellipses longer than this are drawn with stretched axes
 QUIET_PRESSURE = 0.1
 # of the central film: with a minimum nearer to it the contact is hydrodynamic, without a horseshoe
 FLAT_FILM = 0.03
+# of the largest Hertz pressure, 1/20 of the load: the contacts above it rule colours and window,
+# not the balls that carry little more than their centrifugal force [-]
+RULING_PRESSURE = 0.05 ** (1.0 / 3.0)
 TICK_GAP = 0.05  # between ticks of a logarithmic colour bar, of its length [-]
 BEYOND_SCALE = "#e4e7eb"  # film thicker than the colour scale
 

@@ -66,3 +66,19 @@ def test_the_python_runs(code):
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=300)
     assert run.returncode == 0, run.stderr
     assert run.stdout
+
+
+def test_the_error_shown_is_the_one_printed(tmp_path, monkeypatch):
+    """The case of the tour with the mistake that it shows, validated."""
+    from typer.testing import CliRunner
+
+    from cases.cli.main import app
+
+    monkeypatch.chdir(tmp_path)
+    assert CliRunner().invoke(app, ["init", "motor6205", "--bearing", "6205"]).exit_code == 0
+    path = tmp_path / "motor6205.toml"
+    text = path.read_text(encoding="utf-8").replace("\nball_diameter_mm", "\nball_diameter")
+    path.write_text(text, encoding="utf-8")
+    answer = CliRunner().invoke(app, ["validate", "motor6205.toml"])
+    assert answer.exit_code == 2
+    assert answer.output == blocks("text")[0]

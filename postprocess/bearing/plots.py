@@ -25,6 +25,7 @@ from ..plot_style import (
     OUTER_COLOUR,
     PAGE_WIDTH,
     REFERENCE,
+    RULING_PRESSURE,
     SHOWN_INLET,
     SHOWN_OUTLET,
     SHOWN_SIDE,
@@ -54,9 +55,6 @@ FOOTNOTES = {
     "pressure; contour lines at 0.1, 0.3 ... 0.9 of it",
 }
 BOX_ENDS = "; hatched: outside the computed box"
-# of the largest Hertz pressure, 1/20 of the load: the contacts above it rule colours and window,
-# not the balls that carry little more than their centrifugal force [-]
-RULING_PRESSURE = 0.05 ** (1.0 / 3.0)
 MANY_TIMES = 5.0  # largest over smallest film from which on the film axis is logarithmic [-]
 COLOURS = {"inner": INNER_COLOUR, "outer": OUTER_COLOUR}  # by race
 FIELDS = {

@@ -148,14 +148,15 @@ def _balance_text(results: BearingResults, shear: SolvedShear) -> str:
 def torque_rows(results: BearingResults) -> dict[str, str]:
     """The torque for the terminal [N mm]: that of the total, and the other models beside it."""
     torque = results.torque
-    if torque is None or torque.total is None:
+    if torque is None or torque.total is None or torque.chosen is None:
         return {}
     others = [
-        f"{name.replace('_', ' ')} {TORQUE.value(model):.4g}"
+        f"{TORQUE_MODELS[name].title} {TORQUE.value(model):.4g}"
         for name, model in shown_torques(results).items()
         if name != torque.chosen
     ]
-    rows = {"friction torque": f"{TORQUE.value(torque):.4g} N mm ({torque.chosen})"}
+    chosen = TORQUE_MODELS[torque.chosen].title
+    rows = {"friction torque": f"{TORQUE.value(torque):.4g} N mm ({chosen})"}
     return rows | ({"other models": ", ".join(others)} if others else {})
 
 

@@ -14,6 +14,7 @@ ESTIMATED = (
     "estimated, the values with a star under Input; every result rests on it.</p>"
 )
 STAR = ' <span class="mark">*</span>'
+REVOLUTIONS = "basic_reference_rating_Mrev"
 LIVES = (  # blocks and titles of the lives that have a card, where there are any
     ("life", "basic_reference_rating_h", "rating life L10h"),
     ("life", "modified_reference_rating_h", "modified rating life L10mh"),
@@ -32,6 +33,9 @@ def cards(summary: dict[str, Any]) -> str:
         inner = sum(contact["race"] == "inner" for contact in contacts)
         entries.append(html.card("balls loaded", f"{inner} of {len(summary.get('balls') or ())}"))
     numbers = [(title, (summary.get(block) or {}).get(key), key) for block, key, title in LIVES]
+    life = summary.get("life") or {}
+    if life.get(LIVES[0][1]) is None:  # nothing turns, or an older version
+        numbers.append(("rating life L10", life.get(REVOLUTIONS), REVOLUTIONS))
     torque = summary.get("torque_N_mm") or {}
     numbers.insert(0, ("friction torque", torque.get("total"), "torque_N_mm"))
     for key in ("cage_speed_rpm", "load_N"):

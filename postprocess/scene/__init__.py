@@ -9,6 +9,7 @@ subsurface        - stress below the contacts as volumes
 scene             - what a scene shows; asks for picture, page, movie, window, GIF
 drawing           - the scene of results, drawn with pyvista
 parts             - bodies, labels, colour bar and camera of a scene
+arrows            - loads, rotation and axes of a scene as arrows
 patch             - the shown part of one contact, read from disk
 page              - what a browser's page needs beside the bodies
 controls          - slider, click and movie of one turn

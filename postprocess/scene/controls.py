@@ -1,5 +1,6 @@
 """What moves in a scene: slider over azimuth, click on a contact, movie of one turn."""
 
+import json
 from math import degrees, pi, radians
 from pathlib import Path
 from typing import Any
@@ -25,9 +26,9 @@ def patch_numbers(patch: Patch) -> str:
     azimuth = degrees(facts["azimuth"]) % 360.0
     pressure = float(facts["hertz_pressure"]) / GIGAPASCAL
     return (
-        f"ball {facts['ball']}, {facts['race']} race, azimuth {azimuth:.4g} deg\n"
+        f"ball {facts['ball']}, {facts['race']} race, azimuth {azimuth:.4g}°\n"
         f"{float(facts['load']):.5g} N, Hertz pressure {pressure:.4g} GPa\n"
-        f"central film {patch.central:.4g} um, minimum film {patch.minimum:.4g} um"
+        f"central film {patch.central:.4g} µm, minimum film {patch.minimum:.4g} µm"
     )
 
 
@@ -36,7 +37,7 @@ def add_controls(plotter: Any) -> None:
     if not shown_films(plotter):
         return
     place = {"pointa": (0.06, 0.16), "pointb": (0.32, 0.16), "title_height": 0.02}
-    style = {"title": "azimuth on top [deg]", "color": INK, "fmt": "%.0f", "style": "modern"}
+    style = {"title": "azimuth on top [°]", "color": INK, "fmt": "%.0f", "style": "modern"}
     plotter.add_slider_widget(
         lambda value: look_at(plotter, radians(value)), (0.0, 360.0), value=0.0, **place, **style
     )
@@ -63,7 +64,7 @@ def shown_films(plotter: Any) -> list[Any]:
 def numbers_of(mesh: Any) -> str:
     """The numbers that a film carries, empty for another body."""
     data = getattr(mesh, "field_data", None)
-    return str(data[NUMBERS][0]) if data is not None and NUMBERS in data else ""
+    return str(json.loads(data[NUMBERS][0])) if data is not None and NUMBERS in data else ""
 
 
 def write_movie(plotter: Any, file: Path) -> None:

@@ -1,8 +1,10 @@
 """The scene of a result directory, drawn with pyvista; as a module it draws what `scene` asks."""
 
 import asyncio
+import json
 import sys
 from dataclasses import dataclass
+from math import pi
 from pathlib import Path
 from typing import Any
 
@@ -15,11 +17,11 @@ from ehl.units import MILLIMETRE
 
 from ..contact.stored import film_maps
 from ..netcdf.reader import open_results
-from ..plot_style import INK, common_film_range, film_range
-from . import parts
+from ..plot_style import INK, RULING_PRESSURE, common_film_range
+from . import arrows, parts
 from .controls import NUMBERS, add_controls, patch_numbers, write_movie
 from .geometry import Placement
-from .page import add_flat_labels, add_overlay
+from .page import Spot, add_flat_labels, add_overlay
 from .parts import ColourScale, Label
 from .patch import Patch
 from .rendering import read_request, require_rendering
@@ -27,6 +29,8 @@ from .scene import LABELS, SceneOptions, check_scene
 
 NICE_FACTORS = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0)
 PATCH_SIZE = 1.8  # of the largest patch, in ball radii: along the ball to both sides together
+SHOWN_SIZE = 2.6  # of a contact as it is seen, in semi-axes
+QUIET = 0.05  # of a contact's largest pressure: below, the pressure is not drawn
 LINE_COLOURS = {"film": "white", "pressure": "black"}
 BACKGROUND = "white"
 
@@ -46,6 +50,7 @@ class Scene:
     colours: ColourScale | None = None  # none without a film
     mapper: Any = None  # of a coloured surface
     labels: tuple[Label, ...] = ()
+    spots: tuple[Spot, ...] = ()  # contacts that a page can tell about
     up: Array | None = None  # unit vector to the top of the picture [-]
 
     def add_texts(self) -> None:
@@ -63,7 +68,7 @@ class Scene:
         if self.up is not None:
             add_flat_labels(self.plotter, self.labels, self.up)
         asyncio.run(_export(self.plotter, str(file)))
-        add_overlay(file, self.title, self.note, self.colours)
+        add_overlay(file, self.title, self.note, self.colours, self.spots)
 
 
 def bearing_scene(
@@ -102,12 +107,25 @@ def _add_bearing(scene: Scene, directory: Path, tree: xarray.DataTree) -> None:
     diameter = float(ring.attrs["ball_diameter"])
     placement = _placement(patches, 0.5 * diameter, scene.options)
     scene.note = _note(placement) if patches else "no films in these results"
-    parts.add_bodies(scene.plotter, directory)
+    bodies = parts.read_bodies(directory)
+    parts.add_bodies(scene.plotter, bodies)
     _add_patches(scene, patches, 0.5 * diameter, placement)
+    scene.spots = tuple(
+        Spot(place=tuple(patch.attributes["origin"] / MILLIMETRE), text=patch_numbers(patch))
+        for patch in patches
+    )
     diameter /= MILLIMETRE
-    load = parts.add_load(scene.plotter, ring, diameter)
-    scene.labels = (*parts.ball_labels(balls, diameter), *load)
-    scene.up = parts.aim(scene.plotter, balls)
+    room = arrows.Room.of(bodies, diameter)
+    turn = parts.most_loaded(balls)
+    operation = json.loads(tree.attrs["case"]).get("operation", {})
+    speeds = {race: float(operation.get(f"{race}_speed_rpm", 0.0)) for race in room.faces}
+    scene.labels = (
+        *parts.ball_labels(balls, diameter, room.outside, room.front),
+        *arrows.add_loads(scene.plotter, ring["force"].values[:3], room),
+        *arrows.add_rotation(scene.plotter, speeds, room, turn + pi),
+        *arrows.add_axes(scene.plotter, room, turn),
+    )
+    scene.up = parts.aim(scene.plotter, turn)
 
 
 def _add_patches(scene: Scene, patches: list[Patch], radius: float, placement: Placement) -> None:
@@ -124,9 +142,11 @@ def _add_patches(scene: Scene, patches: list[Patch], radius: float, placement: P
         mesh = pv.wrap(patch.mesh(radius, placement))
         if quantity == "film":
             mesh = _below(mesh, limits[1])
+        else:
+            mesh = _above(mesh, QUIET * float(patch.pressure.max()))
         if not mesh.n_points:  # a failed solution may have no film within the scale
             continue
-        mesh.field_data[NUMBERS] = [patch_numbers(patch)]
+        mesh.field_data[NUMBERS] = [json.dumps(patch_numbers(patch))]  # VTK takes ASCII alone
         scene.mapper = parts.add_field(
             scene.plotter, mesh, colours, logarithm_as_field=scene.for_page
         )
@@ -141,6 +161,12 @@ def _add_patches(scene: Scene, patches: list[Patch], radius: float, placement: P
 def _below(mesh: Any, top: float) -> Any:
     """The part of a surface with films below `top` [um]: the inlet would hide the contact."""
     return mesh.clip_scalar(scalars="film", value=top, invert=True).extract_surface(algorithm=None)
+
+
+def _above(mesh: Any, least: float) -> Any:
+    """The part of a surface with pressures above `least` [GPa]: the rest would hide the ball."""
+    part = mesh.clip_scalar(scalars="pressure", value=least, invert=False)
+    return part.extract_surface(algorithm=None)
 
 
 def _note(placement: Placement) -> str:
@@ -159,9 +185,10 @@ def _placement(patches: list[Patch], ball_radius: float, options: SceneOptions) 
     if options.magnification is not None:
         rolling, transverse = options.magnification
     else:
-        room = PATCH_SIZE * ball_radius / MILLIMETRE
-        rolling = _nice(room / max((float(np.ptp(p.x)) for p in patches), default=room))
-        transverse = _nice(room / max((float(np.ptp(p.y)) for p in patches), default=room))
+        room = PATCH_SIZE * ball_radius / SHOWN_SIZE
+        loaded = _ruling(patches)
+        rolling = _nice(room / max((p.semi_axis("x") for p in loaded), default=room))
+        transverse = _nice(room / max((p.semi_axis("y") for p in loaded), default=room))
     return Placement(rolling=rolling, transverse=transverse, film=options.film_exaggeration)
 
 
@@ -172,11 +199,19 @@ def _nice(factor: float) -> float:
 
 def _limits(patches: list[Patch], quantity: str) -> tuple[float, float]:
     """Ends of the common colour scale, in the unit of the quantity."""
+    patches = _ruling(patches)
     if quantity == "pressure" or not patches:
         return 0.0, max((float(p.pressure.max()) for p in patches), default=1.0)
     if len(patches) == 1:
-        return film_range(patches[0].central, patches[0].minimum)
-    return common_film_range([p.central for p in patches], [p.minimum for p in patches])
+        return patches[0].film_range
+    return common_film_range([p.central for p in patches], [p.smallest for p in patches])
+
+
+def _ruling(patches: list[Patch]) -> list[Patch]:
+    """The contacts under load, as in the pictures of films."""
+    pressures = [float(patch.attributes["hertz_pressure"]) for patch in patches]
+    least = RULING_PRESSURE * max(pressures, default=0.0)
+    return [p for p, pressure in zip(patches, pressures, strict=True) if pressure >= least]
 
 
 def _add_contact(scene: Scene, data: xarray.Dataset) -> None:

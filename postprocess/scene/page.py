@@ -5,7 +5,9 @@ with a scale of its own beside the picture, and texts in space as flat letters.
 """
 
 import json
+import re
 from collections.abc import Sequence
+from dataclasses import asdict, dataclass
 from html import escape
 from pathlib import Path
 from typing import Any
@@ -24,24 +26,86 @@ OFFLINE = (
 )
 STOPS = 24  # of the gradient of a colour scale
 LETTER = 0.32  # height of letters in ball diameters
-# letters stand before the rings and off the films by so many ball diameters
-FORWARD = 0.8
-OUTWARD = 0.55
 FONT = f"font:{{}}px system-ui,sans-serif;color:{INK};pointer-events:none"
+NUMBERS_BOX = (
+    f'<div id="numbers" style="position:fixed;left:12px;bottom:12px;white-space:pre-line;'
+    f'background:rgba(255,255,255,0.85);padding:6px 10px;display:none;{FONT.format(14)}"></div>'
+)
+# The viewer of vtk.js leaves its window as `global.renderWindow`. A click shows the numbers of the
+# contact whose place on the screen is nearest, if it is near; a drag turns and picks nothing.
+PICK = """
+(() => {
+  const contacts = CONTACTS, reach = 40, steady = 4;
+  const scene = () => window.global && window.global.renderWindow;
+  const nearest = (x, y) => {
+    const view = scene().getViews()[0];
+    const renderer = scene().getRenderers().find((one) => one.getActors().length);
+    const [width, height] = view.getSize();
+    const frame = view.getCanvas().getBoundingClientRect();
+    let found = null, least = reach;
+    for (const contact of contacts) {
+      const [u, v] = view.worldToDisplay(...contact.place, renderer);
+      const distance = Math.hypot(
+        frame.left + (u * frame.width) / width - x,
+        frame.bottom - (v * frame.height) / height - y);
+      if (distance < least) { found = contact; least = distance; }
+    }
+    return found;
+  };
+  const show = (x, y) => {
+    const found = scene() && nearest(x, y);
+    const box = document.getElementById("numbers");
+    box.style.display = found ? "block" : "none";
+    box.textContent = found ? found.text : "";
+    return found;
+  };
+  let start = [0, 0];
+  window.addEventListener("pointerdown", (e) => { start = [e.clientX, e.clientY]; }, true);
+  window.addEventListener("pointerup", (e) => {
+    const moved = Math.hypot(e.clientX - start[0], e.clientY - start[1]);
+    if (moved < steady) show(e.clientX, e.clientY);
+  }, true);
+  window.oilfilm = { contacts, show };
+})();
+"""
 TICK = "position:absolute;left:20px;bottom:calc({:.2f}% - 8px);border-bottom:0;white-space:nowrap"
 
 
-def add_overlay(file: Path, title: str, note: str, colours: ColourScale | None) -> None:
-    """Lay title, note and colour scale over an exported page; it loads nothing from a network."""
-    text = f"<b>{escape(title)}</b><br>{escape(note)}; turn, zoom and shift with the mouse"
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Spot:
+    """A contact that can be clicked: its place in the scene [mm], and its numbers in words."""
+
+    place: tuple[float, float, float]
+    text: str
+
+
+def add_overlay(
+    file: Path, title: str, note: str, colours: ColourScale | None, spots: Sequence[Spot] = ()
+) -> None:
+    """Lay title, note, colour scale and the numbers of a clicked contact over an exported page.
+
+    It loads nothing from a network.
+    """
+    use = "turn, zoom and shift with the mouse" + ("; click a film for its numbers" * bool(spots))
+    text = f"<b>{escape(title)}</b><br>{escape(note)}; {use}"
     style = f"position:fixed;left:12px;top:10px;{FONT.format(15)}"
     over = f'<div style="{style}">{text}</div>' + ("" if colours is None else bar_html(colours))
+    over += NUMBERS_BOX
     # inserted after the body, which the page's own script empties
-    literal = json.dumps(over).replace("<", "\\u003c")
-    script = f"document.documentElement.insertAdjacentHTML('beforeend', {literal})"
+    literal = _literal(over)
+    script = f"document.documentElement.insertAdjacentHTML('beforeend', {literal});"
+    script += PICK.replace("CONTACTS", _literal([asdict(spot) for spot in spots]))
     page = file.read_text(encoding="utf-8")
+    page = re.sub(
+        r"<title>.*?</title>", lambda _: f"<title>{escape(title)}</title>", page, count=1
+    )
     page = page.replace("</body>", f"<script>{script}</script></body>")
     file.write_text(page.replace("<head>", f"<head>{OFFLINE}", 1), encoding="utf-8")
+
+
+def _literal(value: object) -> str:
+    """A value as JavaScript inside a page."""
+    return json.dumps(value).replace("<", "\\u003c")
 
 
 def bar_html(colours: ColourScale) -> str:
@@ -66,11 +130,7 @@ def bar_html(colours: ColourScale) -> str:
 def add_flat_labels(plotter: Any, labels: Sequence[Label], up: Array) -> None:
     """Labels as flat letters that look along +x, upright where the unit vector `up` [-] is up."""
     for label in labels:
-        before = np.array([FORWARD * label.ball_diameter, 0.0, 0.0])
-        if label.text.endswith("°"):
-            distance = np.linalg.norm(label.place)
-            before += OUTWARD * label.ball_diameter * label.place / distance
-        body = flat_text(label.text, label.place + before, up, LETTER * label.ball_diameter)
+        body = flat_text(label.text, label.place, up, LETTER * label.ball_diameter)
         plotter.add_mesh(body, color=INK, lighting=False)
 
 

@@ -13,14 +13,12 @@ import xarray
 from ehl.solution import Array
 from ehl.units import MILLIMETRE
 
-from ..plot_style import COLOUR_MAPS, INK
+from ..plot_style import BALL_COLOUR, CAGE_COLOUR, COLOUR_MAPS, INK
 from .vtk import COLLECTION_FILE
 
-ROUND_OFF = 1e-6  # a radial load below this share of the axial one is noise of the equilibrium
-BALL = "#aab4c0"
 RING = "#c9ced6"
 EDGE = "#5b6470"
-LOAD_COLOUR = "#b3202c"
+MOST_LABELS = 12  # azimuths that are named [-]
 MATT: Any = {"ambient": 0.6, "diffuse": 0.45, "specular": 0.0, "smooth_shading": True}
 
 
@@ -76,60 +74,67 @@ def add_field(
     return actor.mapper
 
 
-def add_bodies(plotter: Any, directory: Path) -> None:
-    """Balls like smoked glass, inner ring, and outer one cut open, with their edges."""
-    bodies = pv.get_reader(directory / COLLECTION_FILE).read()[0]["bodies"]
+def add_bodies(plotter: Any, bodies: Any) -> None:
+    """Balls like smoked glass, cage, inner ring, and outer one cut open, with their edges."""
     balls = bodies["balls"].clean().compute_normals(auto_orient_normals=True)
     glass = {"opacity": 0.2, "specular": 0.5, "specular_power": 30}
-    plotter.add_mesh(balls, color=BALL, smooth_shading=True, **glass)
+    plotter.add_mesh(balls, color=BALL_COLOUR, smooth_shading=True, name="balls", **glass)
     steel = {"specular": 0.2, "ambient": 0.35, "diffuse": 0.7}
     for name in ("inner ring", "outer ring"):
         ring = bodies[name].clean()
         solid = ring.compute_normals(
             consistent_normals=False, split_vertices=True, feature_angle=40.0
         )
-        plotter.add_mesh(solid, color=RING, smooth_shading=True, **steel)
+        plotter.add_mesh(solid, color=RING, smooth_shading=True, name=name, **steel)
         edges = ring.extract_feature_edges(feature_angle=50.0)
         plotter.add_mesh(edges, color=EDGE, line_width=1.0)
+    if "cage" in bodies.keys():  # noqa: SIM118 - blocks, not a dictionary
+        style: Any = {"opacity": 0.45, "ambient": 0.5, "name": "cage"}
+        plotter.add_mesh(bodies["cage"], color=CAGE_COLOUR, **style)
 
 
-def ball_labels(balls: xarray.Dataset, ball_diameter: float) -> tuple[Label, ...]:
-    """Azimuths beside the balls, from their diameter [mm]."""
-    turn = balls["azimuth"].values
-    radius = balls["ball_radial"].values / MILLIMETRE + 1.05 * ball_diameter
-    points = np.stack([np.zeros_like(turn), radius * np.cos(turn), radius * np.sin(turn)], axis=1)
+def read_bodies(directory: Path) -> Any:
+    """Balls, cage and rings of a result folder by their names [mm]."""
+    return pv.get_reader(directory / COLLECTION_FILE).read()[0]["bodies"]
+
+
+def ball_labels(
+    balls: xarray.Dataset, ball_diameter: float, outside: float, front: float
+) -> tuple[Label, ...]:
+    """Azimuths around the outer ring of a radius [mm], of the front row's balls; some of many.
+
+    Those above the axis, as the camera sees it, stand at the last row, the others before the
+    ring, at `front` on x [mm], where no body hides them.
+    """
+    axial = balls["ball_axial"].values / MILLIMETRE
+    row = np.flatnonzero(axial > axial.max() - 0.5 * ball_diameter)
+    shown = row[:: -(-len(row) // MOST_LABELS)]
+    turn = balls["azimuth"].values[shown]
+    place = np.where(np.cos(turn - most_loaded(balls)) < -0.1, front, axial.min())
+    radius = outside + 0.3 * ball_diameter
+    points = np.stack([place, radius * np.cos(turn), radius * np.sin(turn)], axis=1)
     return tuple(
         Label(place=point, text=f"{angle % 360.0:.4g}°", ball_diameter=ball_diameter)
         for point, angle in zip(points, np.degrees(turn), strict=True)
     )
 
 
-def add_load(plotter: Any, ring: xarray.Dataset, ball_diameter: float) -> tuple[Label, ...]:
-    """The radial load on the inner ring as an arrow in the bore; its size, to stand below [mm]."""
-    force = ring["force"].values[:3] * np.array([0.0, 1.0, 1.0])
-    size = float(np.linalg.norm(force))
-    if size <= ROUND_OFF * float(np.abs(ring["force"].values).max()):
-        return ()
-    direction = force / size
-    bore = 0.5 * float(ring.attrs["pitch_diameter"]) / MILLIMETRE - ball_diameter
-    form: Any = {"shaft_radius": 0.025, "tip_radius": 0.06, "tip_length": 0.18}
-    arrow = pv.Arrow(start=-0.65 * bore * direction, direction=direction, scale=1.3 * bore, **form)
-    plotter.add_mesh(arrow, color=LOAD_COLOUR, ambient=0.4)
-    place = -0.78 * bore * direction
-    return (Label(place=place, text=f"{size:.4g} N", ball_diameter=ball_diameter),)
-
-
 def add_labels(plotter: Any, labels: Sequence[Label], scale: float) -> None:
     """Texts in space that always face the camera; `scale` as in `add_colour_bar` [-]."""
     places = np.array([label.place for label in labels])
     style: Any = {"font_size": int(22 * scale), "text_color": INK, "always_visible": True}
-    style |= {"shape": None, "show_points": False}
+    style |= {"shape": "rounded_rect", "shape_color": "white", "shape_opacity": 0.65}
+    style |= {"margin": 2, "show_points": False}
     plotter.add_point_labels(places, [label.text for label in labels], **style)
 
 
-def aim(plotter: Any, balls: xarray.Dataset) -> Array:
-    """Look from the side of +x at the most loaded ball, which is up; the unit vector to it [-]."""
-    turn = float(balls["azimuth"].values[int(np.argmax(balls["outer_load"].values))])
+def most_loaded(balls: xarray.Dataset) -> float:
+    """Azimuth of the most loaded ball [rad]."""
+    return float(balls["azimuth"].values[int(np.argmax(balls["outer_load"].values))])
+
+
+def aim(plotter: Any, turn: float) -> Array:
+    """Look from the side of +x at an azimuth [rad], which is up; the unit vector to it [-]."""
     look_at(plotter, turn)
     return np.array([0.0, np.cos(turn), np.sin(turn)])
 

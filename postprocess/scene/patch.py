@@ -10,11 +10,13 @@ from ehl.solution import Array
 from ehl.units import MICROMETRE, MILLIMETRE
 
 from ..contact.fields import shown
-from ..contact.frame import ALL, principal_coordinates
+from ..contact.frame import ALL, principal_coordinates, refined
 from ..contact.stored import shown_nodes
 from ..plot_style import film_range
 from .geometry import Placement, contact_frame, crop_to_ball, place_patch
 from .vtk import structured_grid
+
+FINE = 81  # nodes of a patch each way at least, between those of the solution
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -37,13 +39,15 @@ class Patch:
         def values(name: str, quantity: str) -> Any:
             return shown(quantity, data[name].attrs["units"], data[name].values)[0]
 
-        x, y = values("x", "x")[part[0]], values("y", "x")[part[1]]
+        nodes = values("x", "x")[part[0]], values("y", "x")[part[1]]
+        x, y, film = refined(*nodes, values("h", "h")[part], FINE)
+        pressure = refined(*nodes, values("P", "P")[part], FINE)[2]
         along, across = principal_coordinates(x, y, float(data.attrs["frame_angle"]))
         return cls(
             x=along,
             y=across,
-            film=values("h", "h")[part],
-            pressure=values("P", "P")[part],
+            film=film,
+            pressure=pressure,
             central=float(values("film_central", "h")),
             minimum=float(values("film_minimum", "h")),
             attributes=dict(data.attrs),
@@ -52,7 +56,17 @@ class Patch:
     @property
     def film_range(self) -> tuple[float, float]:
         """Films at the ends of the colour scale [um]."""
-        return film_range(self.central, self.minimum)
+        return film_range(self.central, self.smallest)
+
+    @property
+    def smallest(self) -> float:
+        """Smallest film, of the mesh or extrapolated [um]."""
+        least = float(np.nanmin(self.film))
+        return min(least, self.minimum) if least > 0.0 else self.minimum
+
+    def semi_axis(self, name: str) -> float:
+        """Semi-axis of the Hertz ellipse along "x" or "y" [m]."""
+        return float(self.attributes[f"semi_axis_{name}"])
 
     def levels(self, quantity: str) -> list[float]:
         """Contour lines: shares of the central film [um], or of the largest pressure [GPa]."""

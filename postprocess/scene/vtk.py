@@ -31,8 +31,10 @@ from .geometry import (
     SET_BACK,
     Placement,
     Surface,
+    about_axis,
     ball_surface,
     bearing_lengths,
+    cage_surface,
     contact_frame,
     crop_to_ball,
     merge,
@@ -219,7 +221,22 @@ def bodies(results: BearingResults) -> dict[str, Surface]:
             for row in range(1, len(state.rows) + 1)
         ]
         surfaces[f"{race} ring"] = merge(rings)
-    return surfaces
+    return surfaces | {"cage": _cages(results)}
+
+
+def _cages(results: BearingResults) -> Surface:
+    """A simplified cage for each row, its bars between the balls [m]."""
+    state = results.quasistatic
+    bearing = state.bearing
+    cages = []
+    for number in range(len(state.rows)):
+        row = state.row(number)
+        pitch = 2.0 * float(np.mean(row.ball_radial))
+        cage = cage_surface(pitch, bearing.ball_diameter, bearing.balls)
+        place = float(np.mean(row.ball_axial)) * np.eye(3)[0]
+        points = place + cage.points @ about_axis(float(row.azimuth[0])).T
+        cages.append(Surface(points=points, quads=cage.quads))
+    return merge(cages)
 
 
 def _groove_axial(results: BearingResults, race: str, row: int) -> float:

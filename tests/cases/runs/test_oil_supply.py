@@ -154,7 +154,7 @@ def test_the_terminal_tells_the_supply():
     with console.capture() as capture:
         console.print(bearing_table(run_case(case_from_text(with_film(0.2), "case.toml"))))
     text = capture.get()
-    assert "N mm (starved)" in text
+    assert "N mm (by oil supply)" in text
     assert "inlet film: loaded films" in text
 
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import json
 import re
 import shutil
 import subprocess
 
 import pytest
 
+from postprocess import open_results
+from postprocess.contact.stored import film_maps
 from postprocess.scene.rendering import RenderingError, require_rendering
 from postprocess.scene.scene import export_html
 
@@ -51,6 +54,49 @@ def test_a_browser_draws_a_bearing(page, bearing_folder, tmp_path):
     bar = whole[180:440, 715:740]
     assert (bar.max(axis=2) - bar.min(axis=2) > 0.2).mean() > 0.3
     assert (whole[60:560, 60:640].max(axis=2) < 0.25).mean() > 0.001  # letters
+
+
+CLICK = """<script>setTimeout(() => {
+  const rw = window.global.renderWindow, view = rw.getViews()[0], contact = window.oilfilm.contacts[0];
+  const renderer = rw.getRenderers().find((one) => one.getActors().length);
+  const [u, v] = view.worldToDisplay(...contact.place, renderer), [w, h] = view.getSize();
+  const frame = view.getCanvas().getBoundingClientRect();
+  const at = { clientX: frame.left + u * frame.width / w + 3, clientY: frame.bottom - v * frame.height / h - 2 };
+  const far = { clientX: at.clientX + 50, clientY: at.clientY };
+  const inside = at.clientX > 0 && at.clientX < innerWidth && at.clientY > 0 && at.clientY < innerHeight;
+  const said = [inside];
+  for (const [from, to] of [[at, at], [far, at], [{ clientX: 2, clientY: 2 }, { clientX: 2, clientY: 2 }]]) {
+    window.dispatchEvent(new PointerEvent("pointerdown", from));
+    window.dispatchEvent(new PointerEvent("pointerup", to));
+    said.push(document.getElementById("numbers").textContent.split("\\n")[0]);
+  }
+  document.documentElement.insertAdjacentHTML("beforeend", `<div id="said">${said.join("|")}</div>`);
+}, 4000)</script></html>"""
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(CHROMIUM is None, reason="no Chromium")
+def test_a_click_tells_the_numbers_of_a_contact(page, bearing_folder, tmp_path):
+    """A click beside the middle of a film names it, a drag changes nothing, a click elsewhere clears it."""
+    file = export_html(bearing_folder, tmp_path / "scene.html")
+    file.write_text(file.read_text(encoding="utf-8").replace("</html>", CLICK), encoding="utf-8")
+    flags = "--headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --window-size=800,600".split()
+    flags += ["--virtual-time-budget=15000", f"--user-data-dir={tmp_path}/u", "--dump-dom"]
+    answer = subprocess.run([CHROMIUM, *flags, f"file://{file}"], capture_output=True, timeout=240, check=True)
+    said = re.search(r'<div id="said">([^<]*)<', answer.stdout.decode())
+    contact = "ball 1, inner race, azimuth 0°"
+    assert said and said.group(1) == f"true|{contact}|{contact}|"
+
+
+def test_the_page_of_a_bearing_knows_its_contacts(page, bearing_folder, tmp_path):
+    """Every film has a place and its numbers, with signs of units, in the page."""
+    text = export_html(bearing_folder, tmp_path / "scene.html").read_text(encoding="utf-8")
+    contacts = json.loads(re.search(r"const contacts = (\[.*?\]), reach", text).group(1))
+    with open_results(bearing_folder) as tree:
+        assert len(contacts) == len(film_maps(tree))
+    assert contacts[0]["text"].startswith("ball 1, inner race, azimuth 0°\n")
+    assert "µm" in contacts[0]["text"]
+    assert 10.0 < sum(x * x for x in contacts[0]["place"]) ** 0.5 < 40.0  # [mm]
 
 
 def browsed(page, tmp_path):
@@ -139,7 +185,7 @@ def test_a_click_shows_numbers_and_the_slider_turns(page, bearing_results, beari
     assert run.returncode == 0, run.stderr
     answer = json.loads(run.stdout.splitlines()[-1])
     load = bearing_results.contacts[0].load
-    assert answer["numbers"].startswith("ball 1, inner race, azimuth 0 deg")
+    assert answer["numbers"].startswith("ball 1, inner race, azimuth 0°")
     assert f"{load:.5g} N" in answer["numbers"]
     assert answer["up"] == pytest.approx([0.0, 0.0, 1.0], abs=1e-6)  # azimuth 90 deg is z
     assert answer["shown"]

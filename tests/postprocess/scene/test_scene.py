@@ -4,12 +4,10 @@ from __future__ import annotations
 
 import subprocess
 import sys
-from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from postprocess import write_results
 from postprocess.scene.rendering import (
     WINDOW_VARIABLE,
     RenderingError,
@@ -47,17 +45,77 @@ def test_single_contact_in_moes_units(moes_folder, tmp_path):
     assert screenshot(moes_folder, tmp_path / "scene.png", SceneOptions(size=(400, 300))).stat().st_size > 1000
 
 
-@pytest.mark.usefixtures("drawing")
-def test_round_off_of_a_radial_load_is_no_arrow(bearing_results, tmp_path):
-    """Axial load alone, no films: nothing in the scene is red."""
-    from matplotlib.image import imread
+@pytest.fixture(scope="module")
+def scene(drawing, bearing_folder):
+    """What stands in the scene of a bearing, for a page, drawn nowhere."""
+    from postprocess.scene.drawing import build_scene
 
-    state = replace(bearing_results.quasistatic, ring_force=np.array([3000.0, 1e-12, -2e-13]))
-    bare = replace(bearing_results, quasistatic=state, solutions=(None,) * len(bearing_results.solutions))
-    write_results(bare, tmp_path / "run")
-    picture = imread(screenshot(tmp_path / "run", tmp_path / "scene.png", SceneOptions(size=(400, 300))))
-    red = (picture[..., 0] > 0.5) & (picture[..., 1] < 0.25)
-    assert not red.any()
+    return build_scene(bearing_folder, SceneOptions(quantity="pressure"), off_screen=True, for_page=True)
+
+
+def test_cage_axes_loads_and_rotation_stand_in_the_scene(scene, bearing_results):
+    """Of a radial load: no axial arrow; a case without [operation] has no rotation."""
+    names = set(scene.plotter.actors)
+    assert {"cage", "balls", "inner ring", "outer ring"} <= names
+    assert {"axis x", "axis y", "axis z", "radial load"} <= names
+    assert not {"axial load", "rotation inner", "rotation outer"} & names
+    texts = [label.text for label in scene.labels]
+    assert {"x", "y", "z", "3000 N"} <= set(texts)
+    cage = scene.plotter.actors["cage"].mapper.dataset
+    pitch = 1e3 * bearing_results.quasistatic.bearing.pitch_diameter
+    radii = np.hypot(*np.asarray(cage.points)[:, 1:].T)
+    assert radii.max() == pytest.approx(0.5 * pitch, rel=0.01)
+
+
+def test_quiet_pressure_does_not_hide_the_balls(scene):
+    fields = [actor.mapper.dataset for actor in scene.plotter.actors.values() if hasattr(actor, "mapper")]
+    patches = [mesh["pressure"] for mesh in fields if "pressure" in getattr(mesh, "point_data", {})]
+    assert patches
+    assert all(pressure.min() >= 0.04 * pressure.max() for pressure in patches)
+
+
+def test_arrows_show_both_loads_and_both_senses(scene):
+    from postprocess.scene.arrows import Room, add_loads, add_rotation
+
+    bodies = {name: scene.plotter.actors[name].mapper.dataset for name in ("inner ring", "outer ring")}
+    room = Room.of(bodies, 12.0)
+    assert 0.0 < room.bore < room.faces["inner"] < room.faces["outer"] < room.outside
+    labels = add_loads(scene.plotter, np.array([-300.0, 400.0, 0.0]), room)
+    assert [label.text for label in labels] == ["400 N", "300 N"]
+    axial = scene.plotter.actors["axial load"].mapper.dataset
+    assert axial.bounds[0] == pytest.approx(room.front, abs=0.1)  # its tip touches the face, from outside
+    labels = add_rotation(scene.plotter, {"inner": 1000.0, "outer": -500.0}, room, 0.0)
+    assert [label.text for label in labels] == ["1000 r/min", "500 r/min"]
+    inner, outer = (scene.plotter.actors[f"rotation {race}"].mapper.dataset for race in ("inner", "outer"))
+    # about +x: from y to z, so that the tip of a positive rotation stands at positive z
+    assert inner.bounds[5] > -inner.bounds[4] and -outer.bounds[4] > outer.bounds[5]
+
+
+def test_round_off_of_a_radial_load_is_no_arrow(scene):
+    from postprocess.scene.arrows import Room, add_loads
+
+    bodies = {name: scene.plotter.actors[name].mapper.dataset for name in ("inner ring", "outer ring")}
+    labels = add_loads(scene.plotter, np.array([3000.0, 1e-12, -2e-13]), Room.of(bodies, 12.0))
+    assert [label.text for label in labels] == ["3000 N"]
+
+
+def test_labels_of_many_balls_do_not_crowd():
+    import xarray
+
+    from postprocess.scene.parts import MOST_LABELS, ball_labels
+
+    turn = np.tile(np.linspace(0.0, 2.0 * np.pi, 34, endpoint=False), 2)
+    balls = xarray.Dataset(
+        {
+            "azimuth": ("ball", turn),
+            "ball_axial": ("ball", np.repeat([-0.01, 0.01], 34)),
+            "outer_load": ("ball", np.cos(turn)),
+        }
+    )
+    labels = ball_labels(balls, 8.0, 40.0, 15.0)
+    assert len(labels) <= MOST_LABELS
+    assert labels[0].text == "0°" and labels[0].place[0] == pytest.approx(-10.0)
+    assert all(np.hypot(*label.place[1:]) > 40.0 for label in labels)
 
 
 def test_dying_process_becomes_an_error():

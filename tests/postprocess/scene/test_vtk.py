@@ -29,7 +29,7 @@ def collection(bearing_results, tmp_path_factory):
 def test_one_block_per_ball_and_race(collection, bearing_results):
     names = {(g, b) for g in collection.keys() for b in collection[g].keys()}  # noqa: SIM118
     solved = {(f"ball{c.ball:02d}", c.race.value) for c in bearing_results.contacts if c.conditions is not None}
-    assert names == solved | {("bodies", n) for n in ("balls", "inner ring", "outer ring")}
+    assert names == solved | {("bodies", n) for n in ("balls", "inner ring", "outer ring", "cage")}
 
 
 def test_steps_of_the_azimuth_hold_the_films_there(bearing_results, tmp_path):
