@@ -8,6 +8,7 @@
 | app | the application and options shared by commands |
 | streams | standard streams that may be closed or full |
 | terminal | results, messages, exit codes |
+| cost | what long work will cost |
 | progress | progress as a bar or as lines |
 | output | writing and printing of results, shared by commands |
 | compute | run, contact, slip, stiffness, table |

@@ -62,6 +62,8 @@ def batch(  # noqa: PLR0913
     plan = read_sweep(sweep)
     keep = output is not None or resume or not as_json
     with _folder(output or Path(f"{Path(sweep).stem}_results"), keep=keep) as directory:
+        if not quiet and len(plan.points) > 1:
+            say(f"oilfilm: {len(plan.points)} points; the time left is told from the first on")
         with _kept(directory if keep else None):
             with progress_bar(quiet=quiet) as progress:
                 pool = _pool(plan, workers, scheduler)

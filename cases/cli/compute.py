@@ -9,6 +9,7 @@ import typer
 from ..format.problems import CaseError
 from ..runs.interrupt import say
 from .app import CaseName, Json, Output, Quiet, app
+from .cost import film_seconds, run_cost, slip_cost, table_cost, tell_cost
 from .output import held_file, load_bearing, report, results_directory, save, save_with
 from .progress import progress_bar
 from .terminal import guarded
@@ -43,11 +44,13 @@ def run(
     with drawing_processes(ahead=output is not None or not as_json) as drawing:
         loaded = load_bearing(case, f"run it with 'oilfilm contact {case}'")
         directory = results_directory(case, output, as_json)
+        from ehl.multigrid.threads import cores
         from postprocess import summary
         from postprocess.bearing.table import bearing_table
 
         from ..runs.bearing import Interrupted, run_case
 
+        tell_cost(run_cost(loaded, workers or cores()), quiet=quiet)
         try:
             with progress_bar(quiet=quiet) as progress:
                 results = run_case(loaded, workers, progress)
@@ -88,6 +91,8 @@ def contact(
         from ..runs.contact import run_contact
 
         elements = method is Method.FINITE_ELEMENT
+        film = f"one film on at most {loaded.solver.most_points} nodes"
+        tell_cost((film, film_seconds(loaded.solver)), quiet=quiet)
         with progress_bar(quiet=quiet) as progress:
             progress(0, 1, "film")
             results = run_contact(loaded, finite_element=elements, workers=cores())
@@ -109,8 +114,11 @@ def slip(
     """Map gross slip of the balls after Hirano, and the minimum preload, from a [slip] table."""
     loaded = load_bearing(case, "slip maps need a bearing")
     directory = results_directory(case, output, as_json)
+    from ehl.multigrid.threads import cores
+
     from ..runs.slip import run_slip
 
+    tell_cost(slip_cost(loaded, workers or cores()), quiet=quiet)
     with progress_bar(quiet=quiet) as progress:
         results = run_slip(loaded, case, workers, progress)
     from postprocess.slip.summary import slip_summary
@@ -201,9 +209,13 @@ def table(  # noqa: PLR0913
         )
     if path is not None:
         held_file(path)
+    from ehl.multigrid.threads import cores
+
     from ..runs.traction_table import run_table, temperature_axis, with_full_solves
 
     over = None if temperatures is None else temperature_axis(case, temperatures)
+    count = 1 if over is None else len(over.temperatures)
+    tell_cost(table_cost(points, count, workers or cores()), quiet=quiet)
     with progress_bar(quiet=quiet) as progress:
         results = run_table(loaded, points, workers, progress, over)
     from postprocess.traction.summary import traction_summary

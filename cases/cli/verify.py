@@ -13,6 +13,7 @@ from verification.names import SectionName
 from ..format.problems import CaseError
 from ..runs.interrupt import finish_first, say
 from .app import Json, Output, Quiet, app
+from .cost import tell_cost
 from .output import held_directory, load_bearing
 from .progress import progress_bar
 from .terminal import NOT_CONVERGED, guarded, print_json, print_table
@@ -23,6 +24,8 @@ if TYPE_CHECKING:
     from postprocess.bearing.results import BearingResults
     from verification.page import Section
 
+# on two cores, the mean of the sections: of the page in docs/validation, and with --quick [s]
+SECTION_SECONDS = {False: 67.0, True: 6.0}
 DIRECTORY = Path("verify_results")
 
 Sections = Annotated[
@@ -88,6 +91,8 @@ def _page(
 
     if directory is not None:
         check_page(directory, PAGE)
+    seconds = SECTION_SECONDS[quick] * len(names)
+    tell_cost((f"{len(names)} sections of the verification", seconds), quiet=quiet)
     with progress_bar(quiet=quiet) as progress:
         sections = run_sections(names, progress, _run_bearing, quick=quick)
     if directory is not None:

@@ -10,7 +10,7 @@ import time
 
 import pytest
 
-from cases.cli import progress
+from cases.cli import cost, progress
 from cases.runs.interrupt import interruptible
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals and streams of POSIX")
@@ -133,3 +133,19 @@ def test_compiling_a_kernel_is_logged_and_calling_it_again_is_not(caplog):
     with caplog.at_level("INFO", logger="ehl.compiled"):
         assert (kernel(3.0), kernel(5.0)) == (1.5, 2.5)
     assert [record.getMessage()[:17] for record in caplog.records] == ["compiling kernels"]
+
+
+def test_the_cost_of_long_work_is_told_before_it_begins(capsys):
+    from cases import load_case
+
+    case = load_case("6208_full_ceramic")
+    cost.tell_cost(cost.run_cost(case, 2), quiet=True)
+    cost.tell_cost(cost.run_cost(load_case("209_radial_8900N"), 2), quiet=False)  # without films
+    assert capsys.readouterr().err == ""
+    cost.tell_cost(cost.run_cost(case, 1), quiet=False)
+    text = "oilfilm: at most 18 films on at most 257 nodes, 1 at a time: about 11 s\n"
+    assert capsys.readouterr().err == text
+    cost.tell_cost(cost.table_cost(513, 3, 2), quiet=False)
+    assert capsys.readouterr().err.endswith("360 films on 513 nodes or more, 2 at a time: about 7 min\n")
+    cost.tell_cost(cost.slip_cost(load_case("hirano_7000C"), 1), quiet=False)
+    assert "slip at 51 speeds and 51 loads" in capsys.readouterr().err

@@ -1,0 +1,62 @@
+"""What long work will cost, told before it begins; estimates within a factor of two or so."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..runs.interrupt import say
+
+if TYPE_CHECKING:
+    from ehl import SolverOptions
+
+    from ..format.case import Case
+
+LONG = 5.0  # work that takes less is not announced [s]
+# of processor time for a film on 257 nodes, which grows with their square; measured on one core of
+# 2.5 GHz, the ball on disc and the contacts of the 6208
+FILM_SECONDS = 0.6
+FILM_POINTS = 257
+EQUILIBRIUM_SECONDS = 0.01  # of a bearing in a slip map, measured likewise on 7000C
+TABLE_FILMS = 120  # of the tables of both races, without refinement
+
+
+def tell_cost(cost: tuple[str, float], *, quiet: bool) -> None:
+    """Say what is to be computed and about how long it takes [s], if that is long."""
+    what, seconds = cost
+    if not quiet and seconds > LONG:
+        say(f"oilfilm: {what}: about {_duration(seconds)}")
+
+
+def film_seconds(options: SolverOptions) -> float:
+    """Processor time of one film, at most [s]."""
+    return FILM_SECONDS * (options.most_points / FILM_POINTS) ** 2
+
+
+def run_cost(case: Case, workers: int) -> tuple[str, float]:
+    """What a run solves, and its time [s]; equal contacts are solved once."""
+    maps = case.film_maps
+    balls = case.bearing.balls * len(case.rows or (None,))
+    balls = balls if isinstance(maps, str) else min(balls, len(maps))
+    films = 0 if maps == "none" else 2 * balls
+    text = f"at most {films} films on at most {case.solver.most_points} nodes"
+    return f"{text}, {workers} at a time", films * film_seconds(case.solver) / workers
+
+
+def table_cost(points: int, temperatures: int, workers: int) -> tuple[str, float]:
+    """What tables of both races take [s], without refinement."""
+    films = TABLE_FILMS * temperatures
+    seconds = films * FILM_SECONDS * (points / FILM_POINTS) ** 2 / workers
+    return f"{films} films on {points} nodes or more, {workers} at a time", seconds
+
+
+def slip_cost(case: Case, workers: int) -> tuple[str, float]:
+    """What slip maps take [s]; nothing without [slip], which is an error later."""
+    points = 0 if case.file.slip is None else case.file.slip.points
+    text = f"slip at {points} speeds and {points} loads, {workers} processes"
+    return text, points**2 * EQUILIBRIUM_SECONDS / workers
+
+
+def _duration(seconds: float) -> str:
+    if seconds < 90.0:
+        return f"{seconds:.0f} s"
+    return f"{seconds / 60.0:.0f} min" if seconds < 5400.0 else f"{seconds / 3600.0:.1f} h"
