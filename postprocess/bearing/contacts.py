@@ -67,7 +67,7 @@ class ContactRecord(FilmRecord):
         share = 1.0 if self.starved is None else self.starved.share
         moved = share * max(0.0, film.film_minimum + end * error)
         ratio = lambda_ratio(self.contact, moved, self.surface)
-        exponent = None if self.surface is None else self.surface["kappa_exponent"]
+        exponent = (self.surface or {}).get("kappa_exponent")
         return None if ratio is None or exponent is None else float(ratio**exponent)
 
     @property
