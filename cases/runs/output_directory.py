@@ -113,7 +113,7 @@ def _earlier_files(directory: Path) -> list[str]:
     except (OSError, ValueError):
         return []
     root = directory.resolve()
-    texts = [name for name in names if isinstance(name, str)]
+    texts = [name for name in names if isinstance(name, str)] if isinstance(names, list) else []
     return [name for name in texts if root in (directory / name).resolve().parents]
 
 

@@ -165,3 +165,13 @@ def test_damaged_files_are_found(tmp_path):
     for text in ("", "[]", "1", "{", '{"a": 3, "b": null}'):
         (target / DIGESTS).write_text(text)
         assert damaged_files(target) == ([target / "a", target / "b"] if "b" in text else [])
+
+
+def test_a_damaged_manifest_makes_all_files_those_of_others(tmp_path):
+    target = tmp_path / "results"
+    save(writer(a="1"), target)
+    for text in ("3", "{}", "null", "[", ""):
+        (target / MANIFEST).write_text(text)
+        with pytest.raises(CaseError, match="not written by oilfilm"):
+            save(writer(a="2"), target)
+    assert contents(target) == {"a": "1"}
