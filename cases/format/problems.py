@@ -46,10 +46,14 @@ class CaseFault:
     allowed: str = ""
     nearest: str | None = None
     line: int | None = None  # None: the line of `path`
+    asked_by: Path = ()  # the key that needs this one; has the line where its table is missing
 
     def line_in(self, lines: Mapping[Path, int]) -> int:
         """Line of the file [-] that the error belongs to."""
-        return find_line(lines, self.path) if self.line is None else self.line
+        if self.line is not None:
+            return self.line
+        known = self.path[:1] in lines or not self.asked_by
+        return find_line(lines, self.path if known else self.asked_by)
 
     def text(self, file: str, lines: Mapping[Path, int]) -> str:
         """`file:line: table.key: found; allowed; did you mean nearest?`"""

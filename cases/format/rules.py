@@ -90,12 +90,12 @@ class Needs:
     unless: tuple[str, ...] = ()
 
     def faults(self, values: CaseValues) -> Iterator[CaseFault]:
-        """At the key, where it is left out."""
+        """At the key, where it is left out; at the one that needs it, where its table is."""
         path = _path(self.key)
         given = any(values.given(*_path(key)) for key in (self.key, *self.unless))
         if self.where.holds(values) and not given:
             allowed = self.allowed or f"needed with {self.where.text(path[0])}"
-            yield CaseFault(path, MISSING, allowed)
+            yield CaseFault(path, MISSING, allowed, asked_by=_path(self.where.key))
 
 
 @dataclass(frozen=True, slots=True)

@@ -77,7 +77,7 @@ WRONG = [
     ),
     (
         added("coefficient", "heat_transfer_W_K = 1.0", 'heating_torque = "starved"', "supply_mL_min = 1.0"),
-        "schema",
+        "heating_torque",
         'surface: missing; needed with heating_torque = "starved"',
     ),
 ]

@@ -73,6 +73,16 @@ def test_one_message_for_a_bad_combination(text, parts):
     assert any(all(part in message for part in parts) for message in found), found
 
 
+@pytest.mark.parametrize(
+    ("keys", "line"),
+    [('inner_seat = "elastic"', 13), ('inner_seat = "rigid"\nouter_seat = "elastic"', 14)],
+)
+def test_a_seat_without_its_body_has_the_line_of_the_seat(keys, line):
+    """The table [fit] that must be added has no line; the first line of the file would mislead."""
+    (message,) = messages(CASE + f"[rings]\n# seats\n{keys}\n")
+    assert message.startswith(f"case.toml:{line}: fit.")
+
+
 def test_angular_contact_bearings_need_shoulders():
     text = UNKNOWN.replace("balls = 9", "balls = 9\nbore_mm = 40.0\noutside_diameter_mm = 80.0\nwidth_mm = 18.0")
     (message,) = messages(text + '[rings]\ninner_seat = "rigid"\n')
