@@ -26,7 +26,7 @@ BALL_COLOUR = "#6b7785"
 REFERENCE = "#666666"
 INK = "#1b1f24"
 # perceptually uniform; zero pressure is paper white
-COLOUR_MAPS = {"film": "viridis", "pressure": "magma_r"}
+COLOUR_MAPS = {"film": "viridis", "pressure": "magma_r", "displacement": "plasma"}
 RC: Any = {
     "font.size": 8.0,
     "font.family": "DejaVu Sans",

@@ -6,6 +6,7 @@ contact_stiffness - Hertz stiffness of ball and race as a smooth function of the
 elastic_balls     - balls between elastic rings
 kinematics        - rolling of a ball between two races, and the body forces of its motion
 ring              - balance of the inner ring on its balls: Newton's method
+ring_displacement - displacement of whole elastic rings under all balls
 solution          - result of the quasi-static equilibrium of a bearing
 solver            - quasi-static equilibrium of a ball bearing in five degrees of freedom
 """

@@ -90,13 +90,13 @@ def _trial(
     V: Array, u: Array | None, rigid: Array, problem: BallProblem, compliance: RingCompliance
 ) -> _Trial:
     balls = solve_balls(V, u, problem)
-    shift = compliance.shift(balls.values[2:4], balls.values[5])
+    shift = compliance.shift(balls.values[2:4], balls.values[5], V)
     return _Trial(V, balls, V - rigid - shift)
 
 
 def _tangent(trial: _Trial, compliance: RingCompliance) -> Array:
     """d(miss)/dV, shape (2 N, 2 N) [-]."""
     size = trial.V.size
-    return np.asarray(
-        np.eye(size) - compliance.derivative(trial.balls.ring_dV).reshape(size, size)
-    )
+    balls = trial.balls
+    yielding = compliance.derivative(balls.values[2:4], balls.values[5], trial.V, balls.ring_dV)
+    return np.asarray(np.eye(size) - yielding.reshape(size, size))

@@ -248,7 +248,7 @@ def _solution(
         stiffness=point.stiffness * np.outer(scale, scale),
         azimuth=row_azimuths(bearing, rows),
         **_ball_arrays(state),
-        **_ring_arrays(ring, balls),
+        **_ring_arrays(ring, point),
         ball_axial=balls.u[0] + per_ball(bearing, [part.outer_plane for part in rows]),
         ball_radial=bearing.outer_centre_radius + balls.u[1],
         pivot_speed=none if prescribed is None else prescribed.pivot_speed,
@@ -264,11 +264,13 @@ def _solution(
     )
 
 
-def _ring_arrays(ring: Ring, balls: BallsEquilibrium) -> dict[str, Array]:
+def _ring_arrays(ring: Ring, point: RingPoint) -> dict[str, Array]:
     """Movement of the grooves' centres of elastic rings at the balls [m]."""
-    inner = outer = np.zeros_like(balls.u)
+    values = point.balls.values
+    inner = outer = np.zeros_like(point.balls.u)
     if ring.compliance is not None:
-        inner, outer = ring.compliance.deflections(balls.values[2:4], balls.values[5])
+        forces = (values[2:4], values[5])
+        inner, outer = ring.compliance.deflections(*forces, point.between.V)
     return {
         "inner_ring_axial": inner[0],
         "inner_ring_radial": inner[1],

@@ -6,11 +6,18 @@ is that of rigid rings and
 
 .. math:: e = C_i F_i - C_o F_o, \qquad F_o = -F_i + F_c e_r
 
-with the centrifugal force F_c that a ball adds on its way to the outer ring. C depends on the
-angle between two balls alone; a row of balls does not feel the others.
+with the centrifugal force F_c that a ball adds on its way to the outer ring. A groove also opens
+(`ehl.solid.bodies.compliance`), by the part q = F_x^2/(|F| sin^2(alpha)) of a force. The energy of
+a ring is then a quadratic form of (F_x, F_r, q), with the matrix G, and
+
+.. math:: e = \frac{\partial}{\partial F}\,\tfrac12 \hat F^T G \hat F, \qquad
+          \hat F = (F_x, F_r, q)
+
+G depends on the angle between two balls alone; a row of balls does not feel the others.
 """
 
 from functools import lru_cache
+from math import sin
 from typing import NamedTuple
 
 import numpy as np
@@ -21,37 +28,104 @@ from ..geometry import Array
 from .elastic_ring import ElasticRing, ElasticRings
 
 
+class OpeningForce(NamedTuple):
+    """The part of forces F (x, r) that opens a groove, and its derivatives."""
+
+    size: Array  # q, shape (N,) [N]
+    slope: Array  # dq/dF, shape (2, N) [-]
+    curvature: Array  # d2q/dF2, shape (2, 2, N) [1/N]
+
+
+class GrooveCompliance(NamedTuple):
+    """Compliance of a ring between all balls, of its movements and of its opening."""
+
+    entries: Array  # G_xx, G_rr, G_ro, G_oo, shape (4, N, N) [m/N]
+    angle: float  # alpha, at which the opening counts as one [rad]
+    outward: float  # sign of the radial force that balls press with: 1 outer, -1 inner ring [-]
+
+    def opening_force(self, force: Array, V: Array) -> OpeningForce:
+        """Of forces, shape (2, N) [N]; unloaded balls have the direction of V, shape (2, N)."""
+        size = np.hypot(*force)
+        loaded = size > 0.0
+        s, c = np.where(loaded, force, self.outward * V) / np.where(loaded, size, np.hypot(*V))
+        scale = sin(self.angle) ** 2
+        slope = np.stack([s * (2.0 - s * s), -s * s * c]) / scale
+        bend = np.where(loaded, 2.0 - 3.0 * s * s, 0.0) / np.where(loaded, size, 1.0) / scale
+        across = np.stack([c, -s])
+        return OpeningForce(size * s * s / scale, slope, bend * across[:, None] * across)
+
+    def deflection(self, force: Array, V: Array) -> Array:
+        """Movement of the groove's centre at the balls (x, r), shape (2, N) [m]."""
+        axial, radial, _, _ = self.entries
+        opened = self.outward * self.entries[2]
+        part = self.opening_force(force, V)
+        moved = part.slope * self._opened(force, part)
+        moved[0] += axial @ force[0]
+        moved[1] += radial @ force[1] + opened @ part.size
+        return np.asarray(moved)
+
+    def derivative(self, force: Array, V: Array) -> Array:
+        """d(deflection)/dF, shape (2, N, 2, N) [m/N]."""
+        axial, radial, opened, opening = self.entries
+        opened = self.outward * opened
+        part = self.opening_force(force, V)
+        whole = np.einsum("vj,jk,wk->vjwk", part.slope, opening, part.slope)
+        whole[0, :, 0] += axial
+        whole[1, :, 1] += radial
+        whole[1] += np.einsum("jk,wk->jwk", opened, part.slope)
+        whole[:, :, 1] += np.einsum("vj,jk->vjk", part.slope, opened)
+        balls = np.arange(force.shape[1])
+        bend = part.curvature * self._opened(force, part)
+        whole[:, balls, :, balls] += bend.transpose(2, 0, 1)
+        return np.asarray(whole)
+
+    def _opened(self, force: Array, part: OpeningForce) -> Array:
+        """Opening of the groove at the balls, shape (N,) [m]."""
+        _, _, opened, opening = self.entries
+        return np.asarray(self.outward * opened @ force[1] + opening @ part.size)
+
+
 class RingCompliance(NamedTuple):
-    """Compliance of the rings between all balls, shape (2, N, N), axial and radial [m/N]."""
+    """Compliance of the rings between all balls.
 
-    inner: Array
-    outer: Array
+    Forces of the balls on the inner ring (x, r), shape (2, N), and of their motion, shape (N,)
+    [N]; V, the distances of the grooves' centres, shape (2, N) [m], has the directions in which
+    unloaded balls would touch.
+    """
 
-    def shift(self, inner_force: Array, centrifugal: Array) -> Array:
-        """What the rings yield, from outer to inner groove centre, shape (2, N) [m]; forces of
-        the balls on the inner ring (x, r), shape (2, N), and of their motion, shape (N,) [N].
-        """
-        inner, outer = self.deflections(inner_force, centrifugal)
+    inner: GrooveCompliance
+    outer: GrooveCompliance
+
+    def shift(self, inner_force: Array, centrifugal: Array, V: Array) -> Array:
+        """What the rings yield, from outer to inner groove centre, shape (2, N) [m]."""
+        inner, outer = self.deflections(inner_force, centrifugal, V)
         return inner - outer
 
-    def deflections(self, inner_force: Array, centrifugal: Array) -> tuple[Array, Array]:
+    def deflections(self, inner_force: Array, centrifugal: Array, V: Array) -> tuple[Array, Array]:
         """Movement of the groove's centre of the inner and the outer ring, (x, r) each, shape (2,
         N) [m].
         """
-        outer_force = -inner_force
-        outer_force[1] += centrifugal
-        return (
-            np.einsum("vjk,vk->vj", self.inner, inner_force),
-            np.einsum("vjk,vk->vj", self.outer, outer_force),
-        )
+        outer_force = _on_outer_ring(inner_force, centrifugal)
+        return self.inner.deflection(inner_force, V), self.outer.deflection(outer_force, V)
 
-    def derivative(self, ring_dV: Array) -> Array:
+    def derivative(
+        self, inner_force: Array, centrifugal: Array, V: Array, ring_dV: Array
+    ) -> Array:
         """d(shift)/dV of the derivatives of the forces (x, r, couple, centrifugal) by V, shape (4,
         2, N) [N/m]; shape (2, N, 2, N) [-].
         """
-        both = np.einsum("vjk,vwk->vjwk", self.inner + self.outer, ring_dV[:2])
-        both[1] -= np.einsum("jk,wk->jwk", self.outer[1], ring_dV[3])
+        inner = self.inner.derivative(inner_force, V)
+        outer = self.outer.derivative(_on_outer_ring(inner_force, centrifugal), V)
+        both = np.einsum("vjuk,uwk->vjwk", inner + outer, ring_dV[:2])
+        both -= np.einsum("vjk,wk->vjwk", outer[:, :, 1], ring_dV[3])
         return both
+
+
+def _on_outer_ring(inner_force: Array, centrifugal: Array) -> Array:
+    """Forces of the balls on the outer ring (x, r), shape (2, N) [N]."""
+    outer_force = -inner_force
+    outer_force[1] += centrifugal
+    return outer_force
 
 
 @lru_cache(maxsize=16)
@@ -63,18 +137,20 @@ def response_of(ring: ElasticRing) -> bodies.RingResponse:
 
 
 def ring_compliance(rings: ElasticRings, azimuths: Array, balls: int) -> RingCompliance:
-    """Compliance of the rings between balls at azimuths [rad], rows of `balls` each [m/N]."""
+    """Compliance of the rings between balls at azimuths [rad], rows of `balls` each."""
     row = np.arange(azimuths.size) // balls
     together = row[:, None] == row[None, :]
     angles = azimuths[:, None] - azimuths[None, :]
     # balls are evenly spaced: differences by their number, equal to the last bit
     steps = np.rint(angles * balls / (2.0 * np.pi)).astype(np.int64) % balls
     steps = np.minimum(steps, balls - steps)
-    matrices = []
-    for ring in (rings.inner, rings.outer):
-        matrix = np.zeros((2, azimuths.size, azimuths.size))
+    grooves = []
+    for ring, outward in ((rings.inner, -1.0), (rings.outer, 1.0)):
+        entries = np.zeros((4, azimuths.size, azimuths.size))
+        angle = 0.5 * np.pi
         if ring is not None:
-            entries = response_of(ring).at(2.0 * np.pi * np.arange(balls // 2 + 1) / balls)
-            matrix = np.where(together, entries[:, steps], 0.0)
-        matrices.append(matrix)
-    return RingCompliance(*matrices)
+            between = response_of(ring).at(2.0 * np.pi * np.arange(balls // 2 + 1) / balls)
+            entries = np.where(together, between[:, steps], 0.0)
+            angle = ring.contact_angle
+        grooves.append(GrooveCompliance(entries, angle, outward))
+    return RingCompliance(*grooves)

@@ -21,6 +21,7 @@ class Quantity(StrEnum):
 
     FILM = "film"
     PRESSURE = "pressure"
+    DISPLACEMENT = "displacement"
 
 
 @app.command()
@@ -45,7 +46,7 @@ def view(
         typer.Option(min=1.0, max=1e3, help="Of the patches; default: so that they can be seen."),
     ] = None,
     exaggeration: Annotated[
-        float, typer.Option(min=0.0, max=1e6, help="Film drawn as height, times this.")
+        float, typer.Option(min=0.0, max=1e6, help="Of the film as height, or of a displacement.")
     ] = 0.0,
 ) -> int:
     """Look at results in three dimensions."""

@@ -2,18 +2,23 @@
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from math import pi
 from typing import Any
 
 import numpy as np
 
+from bearing.geometry import Race
+from bearing.quasistatic.ring_displacement import ball_forces
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rings.compliance import response_of
 from bearing.rings.elastic_ring import ElasticRing
-from ehl.solid.bodies import RingResponse
-from ehl.units import MICROMETRE
+from ehl.solid.bodies import RingResponse, Seat
+from ehl.units import MEGAPASCAL, MICROMETRE
 
 from ..quantities import values_of
 from .quantities import RING_BODY
+
+SMALL_TENSION = 1e3  # of a loose seat, not worth a message [Pa]
 
 
 @dataclass(frozen=True, slots=True)
@@ -87,6 +92,25 @@ def ring_messages(state: QuasistaticSolution) -> Iterator[str]:
             f"grooves move by up to {body.deflection / MICROMETRE:.3g} um at the balls, beyond "
             "Hertz' approach; films and pressures are those of half-spaces"
         )
+        tension = seat_tension(state, body)
+        if tension > SMALL_TENSION:
+            yield (
+                f"{body.race} ring: its seat does not open: opposite the load it pulls with up to "
+                f"{tension / MEGAPASCAL:.3g} MPa, where a loose ring would lift off and bend more"
+            )
+
+
+def seat_tension(state: QuasistaticSolution, body: RingBody) -> float:
+    """Largest pull of a loose seat, of the pressure that goes with the cosine from the load, F/(pi
+    R B) [Pa]; zero for other seats.
+    """
+    if body.ring.seat is not Seat.FREE:
+        return 0.0
+    radial = ball_forces(state, Race(body.race))[1].reshape(len(state.rows), -1)
+    turns = state.azimuth.reshape(radial.shape)
+    load = np.hypot((radial * np.cos(turns)).sum(axis=1), (radial * np.sin(turns)).sum(axis=1))
+    profile = body.ring.profile
+    return float(load.max() / (pi * profile.seat_radius * profile.width))
 
 
 def ring_lines(state: QuasistaticSolution) -> dict[str, str]:

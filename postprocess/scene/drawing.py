@@ -20,11 +20,13 @@ from ..netcdf.reader import open_results
 from ..plot_style import INK, RULING_PRESSURE, common_film_range
 from . import arrows, parts
 from .controls import NUMBERS, add_controls, patch_numbers, write_movie
+from .deformed import deformed_rings, deformed_surface, shown_factor
 from .geometry import Placement
 from .page import Spot, add_flat_labels, add_overlay
 from .parts import ColourScale, Label
 from .patch import Patch
 from .rendering import read_request, require_rendering
+from .ring_deformed import DISTANCE
 from .scene import LABELS, SceneOptions, check_scene
 
 NICE_FACTORS = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0)
@@ -77,7 +79,7 @@ def bearing_scene(
     """Plotter with the scene of a result directory, to be shown or added to: a bearing with its
     patches, or the surface of one contact. Errors as `screenshot`.
     """
-    check_scene(directory)
+    check_scene(directory, options)
     require_rendering()
     scene = build_scene(Path(directory), options or SceneOptions(), off_screen=off_screen)
     scene.add_texts()
@@ -106,14 +108,17 @@ def _add_bearing(scene: Scene, directory: Path, tree: xarray.DataTree) -> None:
     balls, ring = tree["balls"].to_dataset(), tree["ring"].to_dataset()
     diameter = float(ring.attrs["ball_diameter"])
     placement = _placement(patches, 0.5 * diameter, scene.options)
-    scene.note = _note(placement) if patches else "no films in these results"
     bodies = parts.read_bodies(directory)
-    parts.add_bodies(scene.plotter, bodies)
-    _add_patches(scene, patches, 0.5 * diameter, placement)
-    scene.spots = tuple(
-        Spot(place=tuple(patch.attributes["origin"] / MILLIMETRE), text=patch_numbers(patch))
-        for patch in patches
-    )
+    if scene.options.quantity == "displacement":
+        _add_deformed_rings(scene, directory, bodies, (balls, diameter / MILLIMETRE))
+    else:
+        scene.note = _note(placement) if patches else "no films in these results"
+        parts.add_bodies(scene.plotter, bodies)
+        _add_patches(scene, patches, 0.5 * diameter, placement)
+        scene.spots = tuple(
+            Spot(place=tuple(patch.attributes["origin"] / MILLIMETRE), text=patch_numbers(patch))
+            for patch in patches
+        )
     diameter /= MILLIMETRE
     room = arrows.Room.of(bodies, diameter)
     turn = parts.most_loaded(balls)
@@ -126,6 +131,30 @@ def _add_bearing(scene: Scene, directory: Path, tree: xarray.DataTree) -> None:
         *arrows.add_axes(scene.plotter, room, turn),
     )
     scene.up = parts.aim(scene.plotter, turn)
+
+
+def _add_deformed_rings(
+    scene: Scene, directory: Path, bodies: Any, places: tuple[xarray.Dataset, float]
+) -> None:
+    """Elastic rings in the colours of their displacement, between the others; diameter [mm]."""
+    balls, diameter = places
+    turn = parts.most_loaded(balls)
+    up = np.array([0.0, np.cos(turn), np.sin(turn)])
+    rings = deformed_rings(directory)
+    largest = max(float(ring[DISTANCE].max()) for ring in rings.values())
+    factor = scene.options.film_exaggeration or shown_factor(largest, diameter)
+    scene.note = (
+        f"rings deformed {factor:g}x, by their displacement from the seat; outlines undeformed"
+    )
+    scene.colours = ColourScale(
+        quantity="displacement", label=LABELS["displacement"], limits=(0.0, largest)
+    )
+    parts.add_bodies(scene.plotter, bodies, outlined=tuple(rings))
+    for race, ring in rings.items():
+        surface = deformed_surface(ring, factor, up if race == "outer" else None)
+        moved = float(ring[DISTANCE].max())
+        surface.field_data[NUMBERS] = [f"{race} ring, largest displacement {moved:.4g} um"]
+        scene.mapper = parts.add_field(scene.plotter, surface, scene.colours)
 
 
 def _add_patches(scene: Scene, patches: list[Patch], radius: float, placement: Placement) -> None:

@@ -1,9 +1,12 @@
-"""Meshes for other programs, written by meshio: films on their patches, elements of a coating."""
+"""Meshes for other programs, written by meshio: films on their patches, elements of a coating,
+elastic rings with their displacement.
+"""
 
 import os
 import tempfile
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import meshio
@@ -22,6 +25,7 @@ from ..contact.stored import film_maps, require_contacts
 from ..files import write_csv
 from ..netcdf.reader import open_results
 from .geometry import Placement, contact_frame, crop_to_ball, grid_quads, place_patch
+from .ring_deformed import ring_files
 
 TITLES = {"P": "pressure", "h": "film thickness", "T": "film temperature"}
 RACES = ("inner", "outer")
@@ -46,43 +50,53 @@ class PatchMesh:
 def export_results(
     directory: str | Path, file: str | Path, coating: Coating | None = None
 ) -> tuple[Path, ...]:
-    """Write the fields of a result directory as a mesh, and beside it the elements of a coating.
+    """Write the fields of a result directory as a mesh, and beside it the elements of a coating
+    and, in formats with fields on solids, the elastic rings with their displacement.
 
     The suffix of the file names the format, one of `WRITERS`. Returns the meshes, then the files
     of values that belong to them; files of these names are replaced when all are complete.
-    ValueError without results that hold films, or for another format.
+    ValueError without results that hold films or such rings, or for another format.
     """
     path = Path(file)
     extension = path.suffix.lower().removeprefix(".")
     if extension not in WRITERS:
         allowed = ", ".join(WRITERS)
         raise ValueError(f"{path.name}: unknown mesh format {extension!r}; allowed: {allowed}")
-    meshes = {path.name: contact_meshes(directory)}
+    write = WRITERS[extension]
+    rings = ring_files(Path(directory)) if write is _write_fields else ()
+    meshes: dict[str, Callable[[Path], None]] = {}
+    films = contact_meshes(directory, needed=not rings)
+    if films is not None:
+        meshes[path.name] = partial(write, films)
     if coating is not None:
-        meshes[f"{path.stem}_coating{path.suffix}"] = coating_mesh(coating)
+        meshes[f"{path.stem}_coating{path.suffix}"] = partial(write, coating_mesh(coating))
+    for ring in rings:
+        meshes[f"{path.stem}_{ring.stem}{path.suffix}"] = meshio.read(ring).write
     path.parent.mkdir(parents=True, exist_ok=True)
     # files of one mesh name each other: they are written under their names elsewhere, and moved
     with tempfile.TemporaryDirectory(".partial", f".{path.name}-", path.parent) as folder:
-        for name, mesh in meshes.items():
-            WRITERS[extension](mesh, Path(folder) / name)
+        for name, write_mesh in meshes.items():
+            write_mesh(Path(folder) / name)
         others = sorted({part.name for part in Path(folder).iterdir()} - meshes.keys())
         for name in (*others, *reversed(meshes)):
             os.replace(Path(folder) / name, path.with_name(name))
     return tuple(path.with_name(name) for name in (*meshes, *others))
 
 
-def contact_meshes(directory: str | Path) -> PatchMesh:
+def contact_meshes(directory: str | Path, *, needed: bool = True) -> PatchMesh | None:
     """All contacts with a film as one mesh: on their balls in the bearing's frame [mm], a single
-    contact in its plane [mm], or in semi-axes a where no length is known.
+    contact in its plane [mm], or in semi-axes a where no length is known. None without films,
+    ValueError where they are needed.
     """
     with open_results(directory) as tree:
         require_contacts(directory, tree, "films to export")
         leaves = film_maps(tree)
         films = {name: leaf.to_dataset(inherit=False).load() for name, leaf in leaves.items()}
-        if not films:
+        if not films and needed:
             raise ValueError(f"{directory} holds no film maps")
         diameter = tree["ring"].attrs["ball_diameter"] if "ring" in tree.children else 0.0
-    return merged([patch_mesh(name, data, 0.5 * diameter) for name, data in films.items()])
+    meshes = [patch_mesh(name, data, 0.5 * diameter) for name, data in films.items()]
+    return merged(meshes) if meshes else None
 
 
 def patch_mesh(contact: str, data: xarray.Dataset, ball_radius: float) -> PatchMesh:

@@ -24,7 +24,7 @@ MATT: Any = {"ambient": 0.6, "diffuse": 0.45, "specular": 0.0, "smooth_shading":
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ColourScale:
-    """Colours of a quantity, "film" or "pressure"."""
+    """Colours of a quantity: "film", "pressure" or "displacement"."""
 
     quantity: str
     label: str  # with the unit
@@ -74,18 +74,21 @@ def add_field(
     return actor.mapper
 
 
-def add_bodies(plotter: Any, bodies: Any) -> None:
-    """Balls like smoked glass, cage, inner ring, and outer one cut open, with their edges."""
+def add_bodies(plotter: Any, bodies: Any, outlined: Sequence[str] = ()) -> None:
+    """Balls like smoked glass, cage, inner ring, and outer one cut open, with their edges; the
+    edges alone of the rings of `outlined` races.
+    """
     balls = bodies["balls"].clean().compute_normals(auto_orient_normals=True)
     glass = {"opacity": 0.2, "specular": 0.5, "specular_power": 30}
     plotter.add_mesh(balls, color=BALL_COLOUR, smooth_shading=True, name="balls", **glass)
     steel = {"specular": 0.2, "ambient": 0.35, "diffuse": 0.7}
-    for name in ("inner ring", "outer ring"):
-        ring = bodies[name].clean()
-        solid = ring.compute_normals(
-            consistent_normals=False, split_vertices=True, feature_angle=40.0
-        )
-        plotter.add_mesh(solid, color=RING, smooth_shading=True, name=name, **steel)
+    for race in ("inner", "outer"):
+        ring = bodies[f"{race} ring"].clean()
+        if race not in outlined:
+            solid = ring.compute_normals(
+                consistent_normals=False, split_vertices=True, feature_angle=40.0
+            )
+            plotter.add_mesh(solid, color=RING, smooth_shading=True, name=f"{race} ring", **steel)
         edges = ring.extract_feature_edges(feature_angle=50.0)
         plotter.add_mesh(edges, color=EDGE, line_width=1.0)
     if "cage" in bodies.keys():  # noqa: SIM118 - blocks, not a dictionary

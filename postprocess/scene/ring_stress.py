@@ -4,13 +4,13 @@ from pathlib import Path
 
 import meshio
 import numpy as np
-from numpy.typing import NDArray
 
 from bearing.geometry import Race
 from ehl.solid.bodies.ring_stress import RingStress
 from ehl.units import GIGAPASCAL, MILLIMETRE
 
 from ..bearing.results import BearingResults
+from .hexahedra import hexahedra
 
 COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
 
@@ -42,14 +42,5 @@ def stress_mesh(stress: RingStress) -> meshio.Mesh:
         for component, values in zip(COMPONENTS, body.stress, strict=True):
             fields[f"stress {component}{name} [GPa]"] = values
     data = {name: values.ravel() / GIGAPASCAL for name, values in fields.items()}
-    return meshio.Mesh(points, [("hexahedron", _hexahedra(ring.von_mises.shape))], data)
-
-
-def _hexahedra(shape: tuple[int, ...]) -> NDArray[np.int64]:
-    """Corners of the cells between nodes of a grid, lower face first, shape (cells, 8)."""
-    number = np.arange(np.prod(shape)).reshape(shape)
-    low = slice(None, -1)
-    high = slice(1, None)
-    around = ((low, low), (high, low), (high, high), (low, high))
-    corners = [number[(*place, depth)].ravel() for depth in (low, high) for place in around]
-    return np.stack(corners, axis=1)
+    number = np.arange(ring.von_mises.size).reshape(ring.von_mises.shape)
+    return meshio.Mesh(points, [("hexahedron", hexahedra(number))], data)

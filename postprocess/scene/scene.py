@@ -11,23 +11,30 @@ from ..contact.stored import require_contacts
 from ..dynamics.history import open_history
 from ..netcdf.reader import open_results
 from .rendering import PATIENCE, RenderingError, draw, require_display, run_module, with_suffix
+from .ring_deformed import ring_files
 from .vtk import COLLECTION_FILE
 from .vtk_history import FRAMES, TURNS
 
 StrPath = str | Path
 PAGES = (".html", ".htm")
 MOVIE_SIZE = (800, 600)  # [pixels]
-LABELS = {"film": "film thickness [µm]", "pressure": "pressure [GPa]"}
+LABELS = {
+    "film": "film thickness [µm]",
+    "pressure": "pressure [GPa]",
+    "displacement": "displacement [µm]",
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SceneOptions:
     """What a scene shows."""
 
-    quantity: str = "film"  # or "pressure"
+    # "film", "pressure", or "displacement" of rings that are elastic bodies
+    quantity: str = "film"
     # of the patches, along and across the rolling direction [-]; None: so that they can be seen
     magnification: tuple[float, float] | None = None
-    film_exaggeration: float = 0.0  # film drawn as height, times this [-]
+    # film drawn as height, times this; displacement times this, 0: so that it can be seen [-]
+    film_exaggeration: float = 0.0
     size: tuple[int, int] = (1600, 1200)  # width and height of the picture [pixels]
 
     @property
@@ -95,19 +102,23 @@ def animate(directory: StrPath, file: StrPath, options: AnimationOptions | None 
 def show(directory: StrPath, options: SceneOptions | None = None) -> None:
     """Open a window with the scene of a result directory, to be turned with the mouse."""
     require_display()
-    check_scene(directory)
+    check_scene(directory, options)
     run_module("drawing", directory, None, asdict(options or SceneOptions()), None)
 
 
 def _draw(directory: StrPath, file: Path, options: SceneOptions) -> Path:
-    check_scene(directory)
+    check_scene(directory, options)
     return draw("drawing", directory, file, asdict(options), PATIENCE)
 
 
-def check_scene(directory: StrPath) -> None:
+def check_scene(directory: StrPath, options: SceneOptions | None = None) -> None:
     """ValueError if there is nothing to draw."""
     with open_results(directory) as tree:
         require_contacts(directory, tree, "scene")
         kind = tree.attrs["kind"]
     if kind == "bearing" and not (Path(directory) / COLLECTION_FILE).is_file():
         raise ValueError(f"{directory} holds no VTK files: {COLLECTION_FILE} is missing")
+    if options and options.quantity == "displacement" and not ring_files(Path(directory)):
+        raise ValueError(
+            f"{directory} holds no ring with a displacement: a case with [rings] has elastic rings"
+        )

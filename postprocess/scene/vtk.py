@@ -217,7 +217,7 @@ def bodies(results: BearingResults) -> dict[str, Surface]:
     for race, opening in (("inner", 0.0), ("outer", OPENING)):
         shape = ring_shape(lengths, inner=race == "inner")
         rings = [
-            ring_surface(shape, _groove_axial(results, race, row), (most_loaded, opening))
+            ring_surface(shape, groove_axial(results, race, row), (most_loaded, opening))
             for row in range(1, len(state.rows) + 1)
         ]
         surfaces[f"{race} ring"] = merge(rings)
@@ -239,7 +239,7 @@ def _cages(results: BearingResults) -> Surface:
     return merge(cages)
 
 
-def _groove_axial(results: BearingResults, race: str, row: int) -> float:
+def groove_axial(results: BearingResults, race: str, row: int) -> float:
     """Axial position of a race's groove centre [m]: behind the contact, along the normal."""
     state = results.quasistatic
     bearing = state.bearing

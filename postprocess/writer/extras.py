@@ -7,6 +7,7 @@ from ..bearing.results import BearingResults
 from ..contact.plots import write_contact_plots
 from ..contact.results import ContactResults
 from ..files import attempt
+from ..scene.ring_deformed import write_ring_deformed
 from ..scene.ring_stress import write_ring_stress
 from ..scene.vtk import write_collection, write_subsurface
 
@@ -40,3 +41,4 @@ def _write_vtk(results: BearingResults | ContactResults, folder: Path) -> None:
     if isinstance(results, BearingResults):
         write_subsurface(results, folder)
         write_ring_stress(results, folder)
+        write_ring_deformed(results, folder)

@@ -6,6 +6,7 @@ elasticity           - linear elasticity on meshes of quadratic hexahedra
 flat_block           - a flat block under the same nodal forces, half-space around it
 hexahedra            - meshes of quadratic hexahedra and integrals of their shape functions
 ring_difference      - surface of a ring under a contact, less that of a half-space
+ring_field           - displacement of a whole ring under all its balls, by superposition
 ring_mesh            - mesh of a grooved ring, alone or with its shaft or housing
 ring_profile         - section of a grooved ring, and what it sits on
 ring_stress          - stress in a ring below a contact: half-space and difference

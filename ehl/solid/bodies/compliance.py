@@ -7,13 +7,22 @@ azimuth is measured with the same weights, d = sum w_a u_a n_a/(n_a n_0), so tha
 itself. At the load itself the displacement of a flat block under the same forces is taken off,
 which Hertz' theory has already.
 
-Far from the load only the resultant counts, and that passes through the centre of the groove:
-d = n_0^T G n_0 for a force at the same angle, with the radial and the axial entry of G, which is
-diagonal for a ring alike on both sides. Loads at two angles, 0 and alpha, give both::
+A groove moves along the axis and the radius, and it opens, both flanks alike, by g(beta) =
+sin^2(beta)/sin^2(alpha) along its normal at beta. A force at beta is (sin(beta), cos(beta),
+g(beta)) in these three, and d between two forces the sum over the entries of a matrix G, in which
+the axial one stands alone, as rings are alike on both sides. A load at the bottom of the groove
+and one at alpha, measured at both and at -alpha, yield it::
 
-    G_rr = d(0),   G_xx = (d(alpha) - cos^2(alpha) d(0)) / sin^2(alpha)
+    G_xx = [d(alpha, alpha) - d(alpha, -alpha)] / (2 sin^2(alpha))
+    G_rr = d(0, 0)
+    G_ro = d(0, alpha) - cos(alpha) G_rr
+    G_oo = [d(alpha, alpha) + d(alpha, -alpha)] / 2 - cos^2(alpha) G_rr - 2 cos(alpha) G_ro
+
+Without the opening G_xx would have to hold it, and be wrong where it is small, such as in a loose
+outer ring, and G_rr could not tell one flank from the bottom.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,7 +30,7 @@ import numpy as np
 from ...arrays import Array
 from .elasticity import elastic_body, solve_elasticity
 from .flat_block import flat_block, indentation
-from .hexahedra import surface_weights, volume_weights
+from .hexahedra import quadratic_line, surface_weights, volume_weights
 from .ring_mesh import RingMesh, ring_mesh
 from .ring_profile import Elasticity, RingCells, RingProfile, Seat, track_angle
 
@@ -32,6 +41,8 @@ PATCH = 0.25
 # half length of the flat block in patches, beside half the wall [-]
 BLOCK_PATCHES = 2.0
 
+Patch = tuple[Array, Array, float]  # lines across the track [m], weights [-], angle [rad]
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RingResponse:
@@ -39,11 +50,12 @@ class RingResponse:
 
     mesh: RingMesh
     seat: Seat
-    angles: Array  # contact angles of the two loads, shape (2,) [rad]
+    angles: Array  # contact angles of the two loads, 0 and alpha, shape (2,) [rad]
     theta: Array  # nodes around half the ring, shape (n,) [rad]
-    # along the normal, per force, of the whole body, shape (2, n) [m/N]
+    # along the normal, per force, of the whole body: d(0, 0), d(0, alpha), d(alpha, alpha),
+    # d(alpha, -alpha), shape (4, n) [m/N]
     displacement: Array
-    half_space: Array  # part of it at theta = 0 that a half-space has, shape (2,) [m/N]
+    half_space: Array  # part of it at theta = 0 that a half-space has, shape (4,) [m/N]
     field: Array  # of all nodes (x, y, z), shape (nodes, 3, 2) [m/N]
     unknowns: int
     iterations: int
@@ -51,15 +63,19 @@ class RingResponse:
     method: str
 
     def at(self, theta: Array) -> Array:
-        """Structural compliance (axial, radial) between places an angle apart [rad], shape (2, n)
-        [m/N]: G_xx and G_rr.
+        """Structural compliance between places an angle apart [rad], shape (4, n) [m/N]: G_xx,
+        G_rr, G_ro, G_oo.
         """
         distance = np.abs((np.asarray(theta) + np.pi) % (2.0 * np.pi) - np.pi)
-        values = np.stack([_quadratic(self.theta, row, distance) for row in self.displacement])
+        numbers, parts = quadratic_line(self.theta, distance)
+        values = (self.displacement[:, numbers] * parts).sum(axis=-1)
         values = values - np.where(distance < 1e-9, self.half_space[:, None], 0.0)
-        cosine = float(np.cos(self.angles[1]))
-        axial = (values[1] - cosine**2 * values[0]) / (1.0 - cosine**2)
-        return np.stack([axial, values[0]])
+        bottom, across, here, image = values
+        alpha = self.angles[1]
+        opened = across - np.cos(alpha) * bottom
+        even = 0.5 * (here + image) - np.cos(alpha) ** 2 * bottom
+        axial = 0.5 * (here - image) / np.sin(alpha) ** 2
+        return np.stack([axial, bottom, opened, even - 2.0 * np.cos(alpha) * opened])
 
 
 def ring_response(
@@ -91,16 +107,20 @@ def ring_response(
     else:
         solution = solve_elasticity(body, _balanced(mesh, forces, support), held)
         field = _in_place(mesh, solution.values, support)
-    flat = [_half_space(mesh, *part, elasticity) for part in patches]
+    bottom, here = patches
+    image = (-here[0], here[1], -here[2])
+    pairs = ((bottom, (bottom, here)), (here, (here, image)))
+    flat = [_half_space(mesh, load, places, elasticity) for load, places in pairs]
     theta = np.unique(mesh.body.parameters[0].round(12))
-    moved = np.stack([_moved(mesh, field[..., k], *patches[k]) for k in range(2)])
+    measured = ((0, bottom), (0, here), (1, here), (1, image))
+    moved = np.stack([_moved(mesh, field[..., load], *place) for load, place in measured])
     return RingResponse(
         mesh=mesh,
         seat=seat,
         angles=angles,
         theta=theta,
         displacement=moved,
-        half_space=np.array(flat),
+        half_space=np.concatenate(flat),
         field=field,
         unknowns=body.unknowns,
         iterations=solution.iterations,
@@ -109,7 +129,7 @@ def ring_response(
     )
 
 
-def _patch(mesh: RingMesh, angle: float, half_width: float) -> tuple[Array, Array, float]:
+def _patch(mesh: RingMesh, angle: float, half_width: float) -> Patch:
     """Lines across the track that carry the load [m], their weights [-], and its angle [rad].
 
     Half an ellipse over |s - r angle| <= half width, integrated with the quadratic shape
@@ -172,19 +192,21 @@ def _moved(mesh: RingMesh, field: Array, lines: Array, weights: Array, angle: fl
 
 
 def _half_space(
-    mesh: RingMesh, lines: Array, weights: Array, angle: float, elasticity: Elasticity
-) -> float:
-    """Displacement of a flat block with the grid lines around the load [m/N]."""
+    mesh: RingMesh, load: Patch, places: Sequence[Patch], elasticity: Elasticity
+) -> Array:
+    """Displacement of a flat block with the grid lines around the load at places, shape (places,)
+    [m/N].
+    """
     profile = mesh.profile
-    local = profile.centre_radius - profile.side * profile.groove_radius * np.cos(angle)
+    local = profile.centre_radius - profile.side * profile.groove_radius * np.cos(load[2])
     corners = mesh.body.parameters[:, np.unique(mesh.body.mesh.t[:8])]
     theta, s, t = (np.unique(row.round(12)) for row in corners)
     along = local * theta
-    reach = 0.5 * profile.wall + BLOCK_PATCHES * float(np.ptp(lines))
+    reach = 0.5 * profile.wall + BLOCK_PATCHES * float(np.ptp(load[0]))
     along = along[: 1 + max(4, int(np.searchsorted(along, reach)))]
     block = flat_block(along, s, profile.wall * t[t <= 1.0])
     young, poisson = elasticity.young, elasticity.poisson
-    return indentation(block, lines, weights, young, poisson)
+    return indentation(block, load[:2], [place[:2] for place in places], young, poisson)
 
 
 def _support(mesh: RingMesh, seat: Seat) -> Array | None:
@@ -230,14 +252,3 @@ def _in_place(mesh: RingMesh, field: Array, support: Array) -> Array:
     flat = field.reshape(-1, field.shape[-1])
     rigid = modes @ np.linalg.solve(support.T @ modes, support.T @ flat)
     return np.asarray((flat - rigid).reshape(field.shape))
-
-
-def _quadratic(nodes: Array, values: Array, x: Array) -> Array:
-    """Piecewise quadratic interpolation of nodal values, ends and middles of cells in turn."""
-    cell = 2 * np.clip(np.searchsorted(nodes[2::2], x), 0, (nodes.size - 3) // 2)
-    a, b, c = (nodes[cell + k] for k in range(3))
-    return np.asarray(
-        values[cell] * (x - b) * (x - c) / ((a - b) * (a - c))
-        + values[cell + 1] * (x - a) * (x - c) / ((b - a) * (b - c))
-        + values[cell + 2] * (x - a) * (x - b) / ((c - a) * (c - b))
-    )

@@ -5,6 +5,8 @@ move as those of a half-space, by the sum of Boussinesq's (1885) point loads. Bo
 then smooth, and the error of the mesh under the load cancels.
 """
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from ...arrays import Array
@@ -30,13 +32,18 @@ def flat_block(along: Array, across: Array, depth: Array) -> HexMesh:
 
 
 def indentation(
-    block: HexMesh, across: Array, weights: Array, young: float, poisson: float
-) -> float:
-    """Mean depth of the surface under a unit force, per force [m/N], weighted as the force is.
+    block: HexMesh,
+    load: tuple[Array, Array],
+    places: Sequence[tuple[Array, Array]],
+    young: float,
+    poisson: float,
+) -> Array:
+    """Mean depths of the surface at places under a unit force, per force [m/N], shape (places,).
 
-    `across`, `weights`: nodes that carry the force on the line along = 0 and their parts of it,
+    Load and places: nodes on the line along = 0 and their parts of the force or of the mean,
     shapes (k,) [m], [-].
     """
+    across, weights = load
     points = block.points
     far = far_faces(block)
     prescribed = np.zeros((points.shape[1], 3, 1))
@@ -47,11 +54,11 @@ def indentation(
     held[block.on(0, 0.0), 0] = True
     held[far] = True
     forces = np.zeros_like(prescribed)
-    loaded = _line_nodes(block, across)
-    forces[loaded, 2, 0] = 0.5 * weights  # half of it stands beyond the plane of symmetry
+    # half of the force stands beyond the plane of symmetry
+    forces[_line_nodes(block, across), 2, 0] = 0.5 * weights
     elastic = elastic_body(block, young, poisson)
-    solution = solve_elasticity(elastic, forces, held, prescribed)
-    return float(weights @ solution.values[loaded, 2, 0])
+    depth = solve_elasticity(elastic, forces, held, prescribed).values[:, 2, 0]
+    return np.array([part @ depth[_line_nodes(block, nodes)] for nodes, part in places])
 
 
 def far_faces(block: HexMesh) -> Array:

@@ -115,3 +115,17 @@ def gradient_products(body: HexMesh) -> Array:
     columns = gradients.transpose(2, 0, 1, 3).reshape(basis.nelems, 81, -1)
     products = (columns * basis.dx[:, None, :]) @ columns.transpose(0, 2, 1)
     return np.asarray(products.reshape(basis.nelems, 27, 3, 27, 3))
+
+
+def quadratic_line(nodes: Array, x: Array) -> tuple[NDArray[np.int64], Array]:
+    """Numbers and values of the quadratic shape functions of a line of nodes, ends and middles of
+    cells in turn, at places x, shape (..., 3) each.
+    """
+    cell = 2 * np.clip(np.searchsorted(nodes[2::2], x), 0, (nodes.size - 3) // 2)
+    a, b, c = (nodes[cell + corner] for corner in range(3))
+    values = [
+        (x - b) * (x - c) / ((a - b) * (a - c)),
+        (x - a) * (x - c) / ((b - a) * (b - c)),
+        (x - a) * (x - b) / ((c - a) * (c - b)),
+    ]
+    return cell[..., None] + np.arange(3), np.stack(values, axis=-1)

@@ -20,7 +20,7 @@ from scipy.sparse import csr_matrix
 from ...arrays import Array
 from .elasticity import elastic_body, solve_elasticity
 from .flat_block import boussinesq, far_faces, flat_block
-from .hexahedra import HexMesh
+from .hexahedra import HexMesh, quadratic_line
 from .ring_mesh import RingMesh, ring_mesh
 from .ring_profile import RingCells, RingProfile, track_angle
 from .ring_stress import StressDifference, grid_stress, stress_difference
@@ -137,27 +137,13 @@ def _track(
         np.abs(row[:, None] - line).argmin(axis=1) for row, line in zip(place, lines, strict=True)
     ]
     numbers[where[0], where[1]] = np.arange(nodes.size)
-    first, along = _quadratic(lines[0], theta)
-    second, across = _quadratic(lines[1], s)
+    first, along = quadratic_line(lines[0], theta)
+    second, across = quadratic_line(lines[1], s)
     columns = numbers[first[:, :, None], second[:, None, :]].reshape(theta.size, 9)
     values = (along[:, :, None] * across[:, None, :]).reshape(theta.size, 9)
     rows = np.repeat(np.arange(theta.size), 9)
     matrix = csr_matrix((values.ravel(), (rows, columns.ravel())), (theta.size, nodes.size))
     return nodes, place[0], place[1], matrix
-
-
-def _quadratic(nodes: Array, x: Array) -> tuple[NDArray[np.int64], Array]:
-    """Numbers and values of the quadratic shape functions of a line of nodes, ends and middles of
-    cells in turn, at places x, shape (n, 3) each.
-    """
-    cell = 2 * np.clip(np.searchsorted(nodes[2::2], x), 0, (nodes.size - 3) // 2)
-    a, b, c = (nodes[cell + corner] for corner in range(3))
-    values = [
-        (x - b) * (x - c) / ((a - b) * (a - c)),
-        (x - a) * (x - c) / ((b - a) * (b - c)),
-        (x - a) * (x - b) / ((c - a) * (c - b)),
-    ]
-    return cell[:, None] + np.arange(3), np.stack(values, axis=1)
 
 
 def _directions(profile: RingProfile, theta: Array, s: Array, contact_angle: float) -> Array:

@@ -22,10 +22,12 @@ from bearing import (
     preload_offset,
     solve_quasistatic,
 )
+from bearing.quasistatic.ring_displacement import ball_forces, ring_displacements
 from bearing.rings.compliance import response_of, ring_compliance
 from bearing.rings.elastic_ring import ElasticRings, elastic_ring
 from bearing.shoulder_diameter import shoulder_diameter
 from ehl.solid.bodies import RingCells, Seat
+from ehl.solid.bodies.compliance import _directions, _patch
 
 STEEL = load_material("bearing steel")
 MATERIALS = dict.fromkeys(("ball_material", "inner_ring_material", "outer_ring_material"), STEEL)
@@ -82,6 +84,12 @@ CASES = [
 ]
 
 
+def groove_distances(bearing, found):
+    """V (2, N) from the ball's centre to both grooves [m]; directions alone matter here."""
+    angle = found.inner_contact_angle
+    return bearing.curvature_centre_distance * np.stack([np.sin(angle), np.cos(angle)])
+
+
 @pytest.mark.parametrize(("bearing", "model", "at"), CASES)
 def test_forces_balance_and_rings_yield_as_their_compliance_says(bearing, model, at):
     found = solve_quasistatic(bearing, at, model)
@@ -97,7 +105,9 @@ def test_forces_balance_and_rings_yield_as_their_compliance_says(bearing, model,
     scale = found.inner_load.max()
     assert_allclose(load, [axis if axis is not None else 0.0 for axis in at.force], atol=1e-8 * scale)
     compliance = ring_compliance(model.rings, found.azimuth, bearing.balls)
-    inner, outer = compliance.deflections(-np.stack([axial, radial]), found.centrifugal_force)
+    inner, outer = compliance.deflections(
+        -np.stack([axial, radial]), found.centrifugal_force, groove_distances(bearing, found)
+    )
     assert_allclose(np.stack([found.inner_ring_axial, found.inner_ring_radial]), inner, atol=1e-14)
     assert_allclose(np.stack([found.outer_ring_axial, found.outer_ring_radial]), outer, atol=1e-14)
 
@@ -120,6 +130,26 @@ def test_stiffness_is_the_derivative_of_the_load(bearing, model, at):
         assert_allclose(measured, found.stiffness[:3, k], atol=2e-5 * np.abs(found.stiffness[:3, :3]).max())
 
 
+def test_derivative_of_the_movements_by_the_forces():
+    """By central differences; symmetric, as the movements have an energy; an unloaded ball has the direction of V."""
+    groove = ring_compliance(rings(B6208, "free", "free").rings, B6208.azimuths, B6208.balls).outer
+    draw = np.random.default_rng(61803)
+    angle = np.radians(draw.uniform(-40.0, 40.0, 9))
+    direction = np.stack([np.sin(angle), np.cos(angle)])
+    force = draw.uniform(1.0, 1e3, 9) * direction
+    force[:, 3] = 0.0
+    found = groove.derivative(force, direction)
+    assert_allclose(found, found.transpose(2, 3, 0, 1), atol=1e-9 * np.abs(found).max())
+    for w, k in ((0, 2), (1, 5)):
+        step = np.zeros_like(force)
+        step[w, k] = 1e-2
+        low, high = (groove.deflection(force + sign * step, direction) for sign in (-1.0, 1.0))
+        assert_allclose(found[:, :, w, k], (high - low) / 2e-2, atol=1e-6 * np.abs(found).max())
+    barely = force.copy()
+    barely[:, 3] = 1e-9 * direction[:, 3]
+    assert_allclose(groove.deflection(barely, direction), groove.deflection(force, direction), atol=1e-15)
+
+
 def test_stiffness_of_rings_at_rest_is_symmetric():
     """Contacts of constant curvature keep their energy; a reciprocal compliance leaves the matrix symmetric."""
     model = replace(rings(B61808, "free", "free"), curvature=Curvature.FREE)
@@ -133,9 +163,14 @@ def test_equal_loads_take_the_compliance_of_equal_loads():
     found = solve_quasistatic(B6208, operation(2000.0, 0.0, 0.0), model)
     assert_allclose(found.outer_load, found.outer_load.mean(), rtol=1e-9)
     angles = 2.0 * np.pi * np.arange(9) / 9
-    together = response_of(model.rings.outer).at(angles).sum(axis=1)
-    force = found.outer_load[0] * np.array([np.sin(found.outer_contact_angle[0]), np.cos(found.outer_contact_angle[0])])
-    assert_allclose([found.outer_ring_axial[0], found.outer_ring_radial[0]], together * force, rtol=1e-9)
+    axial, radial, opened, opening = response_of(model.rings.outer).at(angles).sum(axis=1)
+    alpha = found.outer_contact_angle[0]
+    normal = np.array([np.sin(alpha), np.cos(alpha)])
+    moved = normal @ (found.outer_ring_axial[0], found.outer_ring_radial[0])
+    share = (np.sin(alpha) / np.sin(model.rings.outer.contact_angle)) ** 2
+    force = np.array([*normal, share])
+    matrix = np.array([[axial, 0.0, 0.0], [0.0, radial, opened], [0.0, opened, opening]])
+    assert_allclose(moved, found.outer_load[0] * force @ matrix @ force, rtol=1e-9)
 
 
 def test_a_free_thin_ring_spreads_the_load():
@@ -170,11 +205,44 @@ def test_preload_of_thin_rings_needs_a_longer_way():
     assert free > rigid + 1e-6
 
 
+@pytest.mark.parametrize(
+    ("at", "seat"),
+    [(operation(0.0, 300.0), "free"), (operation(200.0, 100.0), "free"), (operation(30.0, 300.0), "rigid")],
+)
+def test_the_field_of_a_ring_moves_its_groove_as_the_compliance_says(at, seat):
+    """Outer ring: at the bottom of the groove, the half-space's part of the ball's own load taken off; 1 %, as loads at
+    the contact angle and at the bottom are reciprocal to that on this mesh."""
+    model = rings(B61808, None, seat)
+    found = solve_quasistatic(B61808, at, model)
+    response = response_of(model.rings.outer)
+    (field,) = ring_displacements(found, Race.OUTER)
+    mesh = response.mesh
+    assert field.points.shape[0] == 120
+    turns = np.arctan2(field.points[:, 0, 0, 2], field.points[:, 0, 0, 1])
+    lines = np.unique(mesh.body.parameters[1][mesh.track].round(12))
+    force = ball_forces(found, Race.OUTER)
+    bottom, across, _, _ = response.half_space
+    alpha = response.angles[1]
+    share = force[0] ** 2 / np.maximum(np.hypot(*force), 1e-300) / np.sin(alpha) ** 2
+    for k in (0, 5, 10):
+        places, weights, _ = _patch(mesh, 0.0, 0.25 * mesh.profile.groove_radius)
+        x, r = _directions(mesh, places, 0.0)
+        columns = [int(np.abs(lines - place).argmin()) for place in places]
+        azimuth = found.azimuth[k]
+        row = np.cos(turns - azimuth).argmax()
+        moved = field.displacement[row, columns, 0]
+        radial = moved[:, 1] * np.cos(azimuth) + moved[:, 2] * np.sin(azimuth)
+        measured = (weights * (x * moved[:, 0] + r * radial)).sum()
+        measured -= (force[1, k] - share[k] * np.cos(alpha)) * bottom + share[k] * across
+        entries = response.at(azimuth - found.azimuth)
+        assert_allclose(measured, entries[1] @ force[1] + entries[2] @ share, rtol=0.01)
+
+
 def test_rows_do_not_feel_each_other():
     model = rings(B61808, "rigid", "free")
     azimuths = np.concatenate([B61808.azimuths, B61808.azimuths])
     compliance = ring_compliance(model.rings, azimuths, B61808.balls)
-    assert not compliance.outer[:, :20, 20:].any()
+    assert not compliance.outer.entries[:, :20, 20:].any()
     pair = (Row(axial_position=-10e-3, offset=60e-6), Row(axial_position=10e-3, offset=-60e-6))
     found = solve_quasistatic(B61808, operation(0.0, 300.0, 0.0), model, rows=pair)
     assert found.converged

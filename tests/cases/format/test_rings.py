@@ -74,8 +74,7 @@ def test_one_message_for_a_bad_combination(text, parts):
 
 
 @pytest.mark.parametrize(
-    ("keys", "line"),
-    [('inner_seat = "elastic"', 13), ('inner_seat = "rigid"\nouter_seat = "elastic"', 14)],
+    ("keys", "line"), [('inner_seat = "elastic"', 13), ('inner_seat = "rigid"\nouter_seat = "elastic"', 14)]
 )
 def test_a_seat_without_its_body_has_the_line_of_the_seat(keys, line):
     """The table [fit] that must be added has no line; the first line of the file would mislead."""
