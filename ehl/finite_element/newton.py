@@ -17,13 +17,12 @@ from ..multigrid.bordered import Border, LinearSolverError, factor_bordered, sol
 from ..multigrid.far_field import FarField, exterior_load
 from ..scaling import ScaledContact
 from ..solid.compliance import Compliance
-from .mesh import FilmSpace
-from .oil_laws import oil_laws
 from .reynolds import (
+    Coefficients,
+    Flow,
     coefficients,
-    couette_flow,
-    film_derivative,
-    pressure_derivative,
+    poiseuille_by_film,
+    poiseuille_by_pressure,
     reynolds_residual,
 )
 
@@ -52,7 +51,7 @@ class Level:
     contact: ScaledContact
     X: Array
     Y: Array
-    space: FilmSpace
+    flow: Flow
     compliance: Compliance
     near: sparse.csr_matrix  # of the compliance, for the preconditioner
     elimination: NDArray[np.intp]  # order of the nodes in it
@@ -145,17 +144,15 @@ def _advance(level: Level, change: Array, rise: float, miss: Array, progress: Pr
 
 def _step(level: Level, miss: Array, progress: Progress, rate: float) -> tuple[Array, float]:
     """Newton change of pressure and of H0 [-]; `miss` is what the film of the pressure exceeds the
-    film by, `rate` the reciprocal of the time step. The stabilisation time is taken as fixed.
+    film by, `rate` the reciprocal of the time step.
     """
     # 1. Reynolds' equation and its derivatives
-    k = coefficients(level.space, level.contact, level.P, level.H)
-    residual = reynolds_residual(level.space, k)
-    by_pressure = pressure_derivative(level.space, k)
-    by_film = film_derivative(level.space, k)
-    if rate > 0.0:
-        rho = oil_laws(level.contact)(np.maximum(level.P, 0.0))[0]
-        by_pressure = by_pressure - sparse.diags(rate * level.areas * rho[1] * level.H)
-        by_film = by_film - sparse.diags(rate * level.areas * rho[0])
+    k = coefficients(level.contact, level.P, level.H)
+    residual = reynolds_residual(level.flow, k)
+    squeeze = sparse.diags(rate * level.areas)
+    wedge = level.flow.wedge - squeeze
+    by_pressure = poiseuille_by_pressure(level.flow, k) + wedge @ sparse.diags(k.q_P)
+    by_film = poiseuille_by_film(level.flow, k) + wedge @ sparse.diags(k.q_H)
     # 2. nodes that keep or take a given pressure: edge and cavitation
     by_deflection = by_film.diagonal() * level.compliance.own
     scale = np.abs(by_pressure.diagonal()) + np.abs(by_deflection)
@@ -179,7 +176,7 @@ def _step(level: Level, miss: Array, progress: Progress, rate: float) -> tuple[A
         spread[free] = p
         return (by_pressure @ spread + by_film @ (level.compliance @ spread))[free]
 
-    near = (by_pressure[free] + by_film[free] @ level.near)[:, free]
+    near = _near(level, k, by_pressure, by_film)[free][:, free]
     border = Border(column=np.asarray(by_film.sum(axis=1)).ravel()[free], row=level.weights[free])
     factors = factor_bordered(near, border, _elimination(level, free))
     right = (-(residual + moved)[free], error - float(level.weights @ given))
@@ -187,6 +184,15 @@ def _step(level: Level, miss: Array, progress: Progress, rate: float) -> tuple[A
     progress.iterations.append(calls)
     progress.deflected_nodes += (calls + OTHER_DEFLECTIONS) * len(level.P)
     return given, rise
+
+
+def _near(
+    level: Level, k: Coefficients, by_pressure: sparse.csr_matrix, by_film: sparse.csr_matrix
+) -> sparse.csr_matrix:
+    """Newton's matrix with the near fields of deflection and wedge, for the preconditioner [-]."""
+    nearer = level.flow.near_wedge - level.flow.wedge
+    near_film = by_film + nearer @ sparse.diags(k.q_H)
+    return by_pressure + nearer @ sparse.diags(k.q_P) + near_film @ level.near
 
 
 def _elimination(level: Level, free: NDArray[np.bool_]) -> NDArray[np.intp]:
@@ -200,10 +206,10 @@ def balance(level: Level) -> tuple[float, float]:
     sum of |integral of rho H U grad phi| there: how far the discrete equations are from holding,
     and the oil lost or gained [-].
     """
-    k = coefficients(level.space, level.contact, level.P, level.film)
+    k = coefficients(level.contact, level.P, level.film)
     fluid = ~level.edge & (level.P > 0.0)
-    residual = reynolds_residual(level.space, k)[fluid]
-    flow = float(np.abs(couette_flow(level.space, k)[fluid]).sum())
+    residual = reynolds_residual(level.flow, k)[fluid]
+    flow = float(np.abs((level.flow.wedge @ k.q)[fluid]).sum())
     return float(np.abs(residual).sum()) / flow, float(residual.sum()) / flow
 
 

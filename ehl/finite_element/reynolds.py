@@ -1,13 +1,18 @@
-r"""Reynolds' equation in weak form on bilinear quadrilaterals, stabilised along the stream.
+r"""Reynolds' equation in weak form, its Poiseuille flow by the reduced pressure.
 
-.. math:: R(\varphi) = \int F \cdot \nabla\varphi, \quad F = -\varepsilon \nabla P + \rho H\,U
-          - \tau\,[U \cdot \nabla(\rho H) - \nabla\varepsilon \cdot \nabla P]\,U
+.. math:: R(\varphi) = \int F \cdot \nabla\varphi, \quad F = -\frac{H^3}{\lambda} \nabla Q + q\,U
+          - \tau\,(1 - \Pi)[U \cdot \nabla q]\,U, \quad q = \rho H, \quad
+          Q = \int_0^P \frac{\rho}{\eta}\,dP
 
 for every hat function, U = (u, v) the entrainment, which turns about the normal: u = u_0 - Omega
-Y, v = v_0 + Omega X. The strong form is tested with phi + tau U grad phi (Brooks and Hughes,
-1982). Under pressure epsilon vanishes and leaves div(rho H U) = 0, whose Galerkin form does not
-see a saw-tooth along the stream; tau |U|, half a cell there and nothing where epsilon is large,
-makes it see one, and its bracket vanishes with the residual, so that the order stays.
+Y, v = v_0 + Omega X. Q, the reduced pressure of Grubin (1949) with any law of viscosity and
+density, is linear along an edge: where eta rises by orders of magnitude from node to node, Q is
+smooth. So is q, which makes the wedge term a constant matrix. Its Galerkin form does not see a
+saw-tooth along the stream; the last term does, tau |U| half an edge and Pi the projection on the
+nodes: orthogonal subscales, Codina (2000). A smooth q passes it but for the third order, so that
+tau needs to follow neither pressure nor film, and Newton's matrix is exact. Integrals are exact
+along the edges and by the trapezoidal rule across, so that the cavitation boundary of a line does
+not enter the equations of the next.
 """
 
 from dataclasses import dataclass
@@ -17,172 +22,100 @@ from scipy import sparse
 
 from ..arrays import Array
 from ..scaling import ScaledContact
-from .mesh import FilmSpace, interpolate, scatter
-from .oil_laws import oil_laws
+from .edges import Edges, at_ends, edges
+from .oil_laws import oil_laws, reduced_pressure
 
-SMALL_PECLET = 1e-3  # cell Peclet number below which its series is used
-SMALLEST_SPEED = 1e-9  # of the entrainment, over u_m, where it turns about a point [-]
+# of the diffusion of the first order that stands for that of the third in the preconditioner
+NEAR_DIFFUSION = 0.75
 
-Vector = tuple[Array, Array]
+
+@dataclass(frozen=True, slots=True)
+class Flow:
+    """What of the equation depends on mesh and entrainment alone."""
+
+    edges: tuple[Edges, Edges]
+    wedge: sparse.csr_matrix  # of q, shape (nodes, nodes)
+    near_wedge: sparse.csr_matrix  # the same with neighbours only, for the preconditioner
 
 
 @dataclass(frozen=True, slots=True)
 class Coefficients:
-    """Values at the quadrature points, (cells, points), vectors as pairs of them [-]."""
+    """Reduced pressure, q = rho H and their derivatives at the nodes, shape (nodes,) [-]."""
 
-    P_grad: Vector
     H: Array
-    H_grad: Vector
-    U: Vector
-    rho: tuple[Array, Array, Array]  # rho and its derivatives by P
-    eps: Array
-    eps_P: Array
-    eps_H: Array
-    eps_PP: Array
-    eps_PH: Array
-    eps_HH: Array
-    tau: Array
+    Q: Array
+    Q_P: Array
+    q: Array
+    q_P: Array
+    q_H: Array
+    speed: float  # lambda
 
 
-@dataclass(frozen=True, slots=True)
-class Linear:
-    """A flux that is linear in a function f and its gradient: value f + gradient grad f [-]."""
+def flow_on(x: Array, y: Array, contact: ScaledContact) -> Flow:
+    """Edges and wedge of the mesh with the lines `x` and `y` [-]."""
+    both = edges(x, y)
+    X, Y = (values.ravel() for values in np.meshgrid(x, y, indexing="ij"))
+    speeds = (
+        contact.velocity_x - contact.rotation * Y[both[0].tail],
+        contact.velocity_y + contact.rotation * X[both[1].tail],
+    )
+    wedge, near = _wedge(both[0], speeds[0])
+    if contact.lateral:
+        across, near_across = _wedge(both[1], speeds[1])
+        wedge, near = wedge + across, near + near_across
+    return Flow(edges=both, wedge=wedge.tocsr(), near_wedge=near.tocsr())
 
-    value: Vector
-    gradient: tuple[Vector, Vector]  # rows: components of the flux
+
+def _wedge(k: Edges, speed: Array) -> tuple[sparse.csr_matrix, sparse.csr_matrix]:
+    """Wedge term along one direction and its near form, for a speed along each edge [-]."""
+    galerkin = k.balance @ sparse.diags(speed) @ k.mean
+    diffusion = k.balance @ sparse.diags(0.5 * np.abs(speed) * k.length)
+    subscales = k.slope - k.mean @ k.projection @ k.slope
+    return galerkin - diffusion @ subscales, galerkin - NEAR_DIFFUSION * diffusion @ k.slope
 
 
-def coefficients(space: FilmSpace, contact: ScaledContact, P: Array, H: Array) -> Coefficients:
-    """Density, flow coefficient, their derivatives and the stabilisation time.
-
-    tau |U| = l/2 (coth Pe - 1/Pe), Pe = beta l/(2 eps), l = |U|/(|u|/hx + |v|/hy) the cell along
-    the stream, where beta = |U| (H rho' + 2 c l rho) is the speed at which the wedge term moves
-    the shortest wave: the deflection answers a wave of number k with 2 pi c/k (k = pi/l).
-    Pressure P >= 0 and film H > 0 have the shape (nodes,) [-].
-    """
-    (p, p_grad), (h, h_grad) = interpolate(space, P), interpolate(space, H)
-    rho, log_eta = oil_laws(contact)(np.maximum(p, 0.0))
-    eps = rho[0] * h**3 * np.exp(-log_eta[0]) / contact.speed
-    a = rho[1] / rho[0] - log_eta[1]  # d(ln eps)/dP
-    a_P = rho[2] / rho[0] - (rho[1] / rho[0]) ** 2 - log_eta[2]
-    x, y = space.position
-    U = (contact.velocity_x - contact.rotation * y, contact.velocity_y + contact.rotation * x)
-    speed = np.maximum(np.hypot(*U), SMALLEST_SPEED)
-    hx, hy = space.length
-    length = speed / np.maximum(np.abs(U[0]) / hx + np.abs(U[1]) / hy, SMALLEST_SPEED / hx)
-    wave = speed * (2.0 * contact.deformation * length * rho[0] + h * rho[1])
+def coefficients(contact: ScaledContact, P: Array, H: Array) -> Coefficients:
+    """At the nodes, of pressure P >= 0 and film H > 0, shape (nodes,) [-]."""
+    P = np.maximum(P, 0.0)
+    rho, rho_P, log_eta = oil_laws(contact)(P)
     return Coefficients(
-        P_grad=p_grad,
-        H=h,
-        H_grad=h_grad,
-        U=U,
-        rho=rho,
-        eps=eps,
-        eps_P=a * eps,
-        eps_H=3.0 * eps / h,
-        eps_PP=eps * (a * a + a_P),
-        eps_PH=3.0 * a * eps / h,
-        eps_HH=6.0 * eps / h**2,
-        tau=0.5 * length / speed * _upwind(0.5 * wave * length / eps),
+        H=H,
+        Q=reduced_pressure(contact)(P),
+        Q_P=rho * np.exp(-log_eta),
+        q=rho * H,
+        q_P=rho_P * H,
+        q_H=rho,
+        speed=contact.speed,
     )
 
 
-def _upwind(peclet: Array) -> Array:
-    """coth Pe - 1/Pe [-]."""
-    large = np.maximum(peclet, SMALL_PECLET)
-    return np.where(peclet > SMALL_PECLET, 1.0 / np.tanh(large) - 1.0 / large, peclet / 3.0)
-
-
-def reynolds_residual(space: FilmSpace, k: Coefficients) -> Array:
+def reynolds_residual(flow: Flow, k: Coefficients) -> Array:
     """R of every hat function, shape (nodes,) [-]."""
-    couette = k.rho[0] * k.H - k.tau * _strong(k)
-    x, y = (couette * u - k.eps * p for u, p in zip(k.U, k.P_grad, strict=True))
-    return _tested(space, (x, y))
+    poiseuille = sum(e.balance @ (_conductance(e, k) * (e.slope @ k.Q)) for e in flow.edges)
+    return np.asarray(flow.wedge @ k.q - poiseuille)
 
 
-def _strong(k: Coefficients) -> Array:
-    """U grad(rho H) - grad(eps) grad(P) at the quadrature points [-]."""
-    return (
-        k.rho[1] * k.H * _dot(k.U, k.P_grad)
-        + k.rho[0] * _dot(k.U, k.H_grad)
-        - k.eps_P * _dot(k.P_grad, k.P_grad)
-        - k.eps_H * _dot(k.H_grad, k.P_grad)
-    )
+def poiseuille_by_pressure(flow: Flow, k: Coefficients) -> sparse.csr_matrix:
+    """Derivative of the Poiseuille term by the pressure, shape (nodes, nodes) [-]."""
+    term = sum(e.balance @ sparse.diags(_conductance(e, k)) @ e.slope for e in flow.edges)
+    return (-term @ sparse.diags(k.Q_P)).tocsr()
 
 
-def couette_flow(space: FilmSpace, k: Coefficients) -> Array:
-    """Integral of rho H U grad phi for every hat function, shape (nodes,) [-]."""
-    return _tested(space, (k.rho[0] * k.H * k.U[0], k.rho[0] * k.H * k.U[1]))
+def poiseuille_by_film(flow: Flow, k: Coefficients) -> sparse.csr_matrix:
+    """Derivative of the Poiseuille term by the film, shape (nodes, nodes) [-]."""
+    return -sum(e.balance @ _conductance_by_film(e, k) for e in flow.edges).tocsr()
 
 
-def pressure_derivative(space: FilmSpace, k: Coefficients) -> sparse.csr_matrix:
-    """dR/dP at a fixed film and a fixed tau, shape (nodes, nodes) [-]."""
-    rho_P, rho_PP = k.rho[1:]
-    strong = (
-        rho_PP * k.H * _dot(k.U, k.P_grad)
-        + rho_P * _dot(k.U, k.H_grad)
-        - k.eps_PP * _dot(k.P_grad, k.P_grad)
-        - k.eps_PH * _dot(k.H_grad, k.P_grad)
-    )
-    strong_grad = tuple(
-        rho_P * k.H * u - 2.0 * k.eps_P * p - k.eps_H * h
-        for u, p, h in zip(k.U, k.P_grad, k.H_grad, strict=True)
-    )
-    couette = rho_P * k.H - k.tau * strong
-    value = tuple(couette * u - k.eps_P * p for u, p in zip(k.U, k.P_grad, strict=True))
-    gradient = [[-k.tau * u * s for s in strong_grad] for u in k.U]
-    gradient[0][0] = gradient[0][0] - k.eps
-    gradient[1][1] = gradient[1][1] - k.eps
-    return _assemble(space, value, gradient)
+def _conductance(e: Edges, k: Coefficients) -> Array:
+    """Mean of H^3/lambda along each edge, H linear [-]."""
+    head, tail = k.H[e.head], k.H[e.tail]
+    return (head + tail) * (head**2 + tail**2) / (4.0 * k.speed)
 
 
-def film_derivative(space: FilmSpace, k: Coefficients) -> sparse.csr_matrix:
-    """dR/dH at a fixed pressure and a fixed tau, shape (nodes, nodes) [-]."""
-    rho, rho_P = k.rho[:2]
-    strong = (
-        rho_P * _dot(k.U, k.P_grad)
-        - k.eps_PH * _dot(k.P_grad, k.P_grad)
-        - k.eps_HH * _dot(k.H_grad, k.P_grad)
-    )
-    strong_grad = tuple(rho * u - k.eps_H * p for u, p in zip(k.U, k.P_grad, strict=True))
-    couette = rho - k.tau * strong
-    value = tuple(couette * u - k.eps_H * p for u, p in zip(k.U, k.P_grad, strict=True))
-    gradient = [[-k.tau * u * s for s in strong_grad] for u in k.U]
-    return _assemble(space, value, gradient)
-
-
-def _dot(a: Vector, b: Vector) -> Array:
-    return a[0] * b[0] + a[1] * b[1]
-
-
-def _tested(space: FilmSpace, flux: Vector) -> Array:
-    """Integral of flux times grad phi for every hat function, shape (nodes,)."""
-    hx, hy = space.length
-    dx, dy = space.slope
-    along = (flux[0] * space.weight) @ dx * hy
-    return scatter(space, along + (flux[1] * space.weight) @ dy * hx)
-
-
-def _assemble(
-    space: FilmSpace, value: tuple[Array, ...], gradient: list[list[Array]]
-) -> sparse.csr_matrix:
-    """Matrix of the flux value f + gradient grad f, tested with grad phi: row phi, column f."""
-    sides = space.length
-    area = sides[0] * sides[1]
-    entries = np.zeros((len(space.corners), 16))
-    for test in (0, 1):
-        tested = space.slope[test]
-        scale = space.weight * area / sides[test]
-        entries += (scale * value[test]) @ _pairs(tested, space.value)
-        for trial in (0, 1):
-            moment = scale / sides[trial] * gradient[test][trial]
-            entries += moment @ _pairs(tested, space.slope[trial])
-    row = np.repeat(space.corners, 4, axis=1).ravel()
-    column = np.tile(space.corners, (1, 4)).ravel()
-    size = space.shape[0] * space.shape[1]
-    return sparse.csr_matrix((entries.ravel(), (row, column)), shape=(size, size))
-
-
-def _pairs(tests: Array, trials: Array) -> Array:
-    """Products of four tests and four trial functions, shape (points, 16)."""
-    return (tests[:, :, None] * trials[:, None, :]).reshape(len(tests), 16)
+def _conductance_by_film(e: Edges, k: Coefficients) -> sparse.csr_matrix:
+    """Its derivative by the film times the slope of Q, shape (edges, nodes) [-]."""
+    head, tail = k.H[e.head], k.H[e.tail]
+    slope = (e.slope @ k.Q) / (4.0 * k.speed)
+    by_head = 3.0 * head**2 + 2.0 * head * tail + tail**2
+    by_tail = 3.0 * tail**2 + 2.0 * head * tail + head**2
+    return at_ends((e.head, e.tail), (slope * by_head, slope * by_tail), len(k.H))

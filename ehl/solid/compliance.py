@@ -116,7 +116,7 @@ def compliance(lattice: Lattice, factor: float, coating: ScaledCoating | None) -
     kernel = factor * _kernel(x, y, hx, hy, coating)
     spectrum = fft.rfft2(kernel[np.ix_(rows, columns)])
     to_lines = (_prolongation(lattice.i), _prolongation(lattice.j))
-    own = near_field(lattice, 0, factor, coating).diagonal()
+    own = near_field(lattice, (0, 0), factor, coating).diagonal()
     return Compliance(lattice, spectrum, size, *to_lines, own)
 
 
@@ -163,21 +163,22 @@ def _prolongation(lines: NDArray[np.int_]) -> sparse.csr_matrix:
 
 
 def near_field(
-    lattice: Lattice, reach: int, factor: float, coating: ScaledCoating | None
+    lattice: Lattice, reach: tuple[int, int], factor: float, coating: ScaledCoating | None
 ) -> sparse.csr_matrix:
     """Compliance between nodes at most `reach` lines apart, the mirrored ones included, less its
     smallest value there for each node: P/r less a constant, which the constant of the film takes
     up.
     """
     nx, ny = len(lattice.x), len(lattice.y)
-    x = _continued(lattice.x, reach, False)
-    y = _continued(lattice.y, reach, lattice.symmetric)
+    rx, ry = reach
+    x = _continued(lattice.x, rx, False)
+    y = _continued(lattice.y, ry, lattice.symmetric)
     i = np.arange(nx)[:, None]
     j = np.arange(ny)[None, :]
     blocks = []
-    for a, b in product(range(-reach, reach + 1), repeat=2):
-        west, X, east = (x[i + a + reach + k] - x[i + reach + 1] for k in (0, 1, 2))
-        south, Y, north = (y[j + b + reach + k] - y[j + reach + 1] for k in (0, 1, 2))
+    for a, b in product(range(-rx, rx + 1), range(-ry, ry + 1)):
+        west, X, east = (x[i + a + rx + k] - x[i + rx + 1] for k in (0, 1, 2))
+        south, Y, north = (y[j + b + ry + k] - y[j + ry + 1] for k in (0, 1, 2))
         values = hat_compliance(west, X, east, south, Y, north)
         if coating is not None:
             sides = (0.5 * (east - west), 0.5 * (north - south))
@@ -189,7 +190,7 @@ def near_field(
         row = (i * ny + j)[inside]
         blocks.append((factor * values[inside], row, ((i + a) * ny + column)[inside]))
     values, row, column = (np.concatenate(part) for part in zip(*blocks, strict=True))
-    if reach == 0:
+    if reach == (0, 0):
         return sparse.csr_matrix((values, (row, column)), shape=(nx * ny, nx * ny))
     rim = np.full(nx * ny, np.inf)
     areas = _areas(lattice)[column]

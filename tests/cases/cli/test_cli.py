@@ -135,7 +135,7 @@ def test_contact_by_finite_elements(tmp_path):
     assert answer.exit_code == 0
     document = json.loads(answer.stdout)
     lines_x, lines_y = document["points"]
-    assert 57 <= lines_x <= 73
+    assert 49 <= lines_x <= 81  # asked for 65; halving makes it differ by up to a quarter
     assert 49 <= lines_y <= 65
     assert document["residual"] < 1e-6
     assert abs(document["mass_imbalance"]) < 1e-6

@@ -99,8 +99,6 @@ def test_groups_are_the_contacts(bearing_folder, bearing_results, tmp_path):
 @pytest.mark.parametrize("suffix", FORMATS)
 def test_a_single_contact_is_the_mesh_of_its_nodes(contact_results, tmp_path, suffix):
     """With finite elements these are graded; cells and corners are those of the solver's mesh."""
-    from ehl.finite_element.mesh import film_space
-
     solution = contact_results.solution
     graded = np.sinh(1.5 * np.linspace(-1.0, 1.0, len(solution.X)))
     results = replace(contact_results, solution=replace(solution, X=graded))
@@ -110,7 +108,9 @@ def test_a_single_contact_is_the_mesh_of_its_nodes(contact_results, tmp_path, su
     mesh = meshio.read(path)
     a = solution.semi_axis_x * 1e3
     nodes = np.stack(np.meshgrid(graded * a, solution.Y * a, indexing="ij"), axis=-1).reshape(-1, 2)
-    elements = nodes[film_space(graded * a, solution.Y * a).corners]
+    number = np.arange(len(nodes)).reshape(solution.P.shape)
+    blocks = (number[:-1, :-1], number[:-1, 1:], number[1:, :-1], number[1:, 1:])
+    elements = nodes[np.stack([block.ravel() for block in blocks], axis=1)]
     assert_allclose(np.ptp(mesh.points[:, 2]), 0.0)
     assert corners(mesh.points[mesh.cells[0].data][..., :2]) == corners(elements)
     fields = values_at_nodes(mesh, path)
