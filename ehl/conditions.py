@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from math import atan2, cos, hypot, sin
 from typing import NamedTuple
 
+from .oil.inlet_layer import InletLayer
 from .oil.lubricant import Lubricant
 from .ranges import require_finite, require_not_negative, require_positive
 from .solid.coating import Coating
@@ -34,6 +35,7 @@ class ContactConditions:
     coating: Coating | None = None
     # of body 1, a ball, for the gap far from the contact [m]; None: body 2 counts as a plane
     ball_radius: float | None = None
+    inlet_layer: InletLayer | None = None  # lengths in [m]; None: flooded
 
     def __post_init__(self) -> None:
         if self.ball_radius is not None:
@@ -126,6 +128,8 @@ class MoesConditions:
     lubricant: Lubricant
     radius_ratio: float = 1.0  # Rx/Ry [-]
     entrainment_angle: float = 0.0  # direction of the entrainment, from x towards y [rad]
+    # thickness in units of a^2/Rx, places of a, the Hertz semi-axis along x [-]; None: flooded
+    inlet_layer: InletLayer | None = None
 
     def __post_init__(self) -> None:
         require_positive(self, "load_parameter", "radius_ratio")

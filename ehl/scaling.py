@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from .closed_form.film import moes_film_nijenbanning
 from .closed_form.hertz import ellipse_ratio, hertz_coefficients
 from .conditions import ContactConditions, MoesConditions, moes_groups, speed_load_material
+from .oil.inlet_layer import InletLayer
 from .oil.lubricant import (
     DOWSON_HIGGINSON_DENOMINATOR,
     DOWSON_HIGGINSON_NUMERATOR,
@@ -75,6 +76,8 @@ class ScaledContact:
     coating: ScaledCoating | None = None
     # of a law that is none of the closed forms above, which are then not used
     oil: Lubricant | None = None
+    # thickness in units of a^2/Rx over places along the grid's Y in units of a; None: flooded
+    inlet_layer: InletLayer | None = None
 
     def gap(self, X: Array, Y: Array) -> Array:
         """S X^2/2 + T Y^2/2 + C X Y [-]."""
@@ -124,7 +127,8 @@ def scale_contact(
         groups = (conditions.load_parameter, conditions.lubricant_parameter, d)
         pressure = _pressure_scale(conditions, hertz_coefficients(d)[1])
         frame = _frame(d, conditions.entrainment_angle, 0.0, along_entrainment)
-        return _scaled(groups, pressure, conditions.lubricant, frame, None)
+        scaled = _scaled(groups, pressure, conditions.lubricant, frame, None)
+        return with_layer(scaled, conditions.inlet_layer)
     d = conditions.radius_x / conditions.radius_y
     f, g, _ = hertz_coefficients(d)
     _, load, _ = speed_load_material(conditions)
@@ -134,11 +138,32 @@ def scale_contact(
     frame = _frame(d, conditions.entrainment_angle, rotation, along_entrainment)
     groups = (*moes_groups(conditions), d)
     scaled = _scaled(groups, pressure, conditions.lubricant, frame, length)
+    if conditions.inlet_layer is not None:
+        layer = conditions.inlet_layer.scaled(length[0], length[0] ** 2 / length[1])
+        scaled = with_layer(scaled, layer)
     if conditions.coating is None:
         return scaled
     return replace(
         scaled, coating=scaled_coating(conditions.coating, conditions.reduced_modulus, length[0])
     )
+
+
+def with_layer(contact: ScaledContact, layer: InletLayer | None) -> ScaledContact:
+    """A contact with a layer at its inlet, in the solver's units [-].
+
+    Raises
+    ------
+    ValueError
+        If the layer is not the same everywhere and the entrainment is at an angle to the ellipse,
+        so that places across the track are not places along the grid's Y.
+    """
+    if layer is None:
+        return contact
+    if not (layer.uniform or contact.symmetric):
+        raise ValueError(
+            "inlet_layer: a profile needs entrainment along a principal direction, without spin"
+        )
+    return replace(contact, inlet_layer=layer)
 
 
 def _frame(d: float, angle: float, rotation: float, along_entrainment: bool) -> _Frame:

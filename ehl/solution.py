@@ -64,6 +64,29 @@ class ConvergenceRecord:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class OilSupply:
+    """What a layer at the inlet does to a contact, by solutions of the same box; all [-]."""
+
+    # films without limit of the supply, as those of the solution
+    flooded_central: FilmValue
+    flooded_minimum: FilmValue
+    # layer at the middle of the track over the oil that the flooded film takes along,
+    # rho(P(0, 0)) H_c
+    inlet_ratio: float
+    # X at which the gap fills on the line Y = 0; None: ahead of the box, which the layer floods
+    meniscus: float | None
+    rolling_moment_ratio: float  # of the box, over that of the flooded film there
+    outlet_layer: Array  # shape (ny,): oil that leaves the box over its velocity
+    filled: Array  # shape (nx, ny): share of the gap that oil fills
+
+    def thinned(self, step: int) -> "OilSupply":
+        """The same on every `step`-th node."""
+        return replace(
+            self, outlet_layer=self.outlet_layer[::step], filled=self.filled[::step, ::step]
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ContactSolution:
     """Pressure and film of one lubricated contact.
 
@@ -95,6 +118,7 @@ class ContactSolution:
     message: str
     record: ConvergenceRecord
     state: FilmState | None = None  # of the oil, where shear or heat were solved with the film
+    supply: OilSupply | None = None  # where the conditions give a layer at the inlet
 
     @property
     def widest_bar(self) -> float:
@@ -119,6 +143,7 @@ class ContactSolution:
             P=self.P[::step, ::step],
             H=self.H[::step, ::step],
             state=None if self.state is None else self.state.thinned(step),
+            supply=None if self.supply is None else self.supply.thinned(step),
         )
 
     def _dimensional(self, value: float) -> float | None:

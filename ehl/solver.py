@@ -1,7 +1,7 @@
 """Solve one lubricated contact: its mesh, its fields, its film values with error bars."""
 
 import time
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from math import log2, sqrt
 
 import numpy as np
@@ -27,6 +27,7 @@ from .multigrid.settling import Progress
 from .options import SolverOptions
 from .scaling import ScaledContact, scale_contact
 from .solution import ContactSolution, ConvergenceRecord, FilmValue
+from .starvation import inlet_ratio, oil_supply, require_one_direction, starved_film_guess
 
 Array = NDArray[np.float64]
 
@@ -47,7 +48,8 @@ def solve_contact(
     """Pressure and film of a steady, flooded elliptical contact by full multigrid.
 
     Venner and Lubrecht (2000) with the changes described in `multigrid/cycle.py` and
-    `multigrid/far_field.py`; without a flow model the oil is Newtonian and of uniform temperature.
+    `multigrid/far_field.py`; without a flow model the oil is Newtonian and of uniform
+    temperature. Behind a layer at the inlet the flooded film is solved first, see `solve_starved`.
 
     Returns
     -------
@@ -59,7 +61,10 @@ def solve_contact(
     ValueError
         If the conditions leave the problem undetermined; the message names the field.
     """
-    return solve_attempts(conditions, options or SolverOptions(), flow_model)[0]
+    options = options or SolverOptions()
+    if conditions.inlet_layer is not None:
+        return solve_starved(conditions, options, flow_model)
+    return solve_attempts(conditions, options, flow_model)[0]
 
 
 def solve_attempts(
@@ -67,24 +72,28 @@ def solve_attempts(
     options: SolverOptions,
     flow_model: FlowModel | None = None,
     attempts: tuple[Attempt, ...] = ATTEMPTS,
+    film_guess: float | None = None,
 ) -> tuple[ContactSolution, Multigrid]:
-    """As `solve_contact`, with attempts of choice; the levels of the solution, too."""
+    """As `solve_contact`, with attempts of choice; the levels of the solution, too. `film_guess`:
+    central film to start from in the units of the solver; None: that of the formula.
+    """
     tolerance = options.wanted_tolerance
     progress = Progress()
     start = time.perf_counter()
     contact = scale_contact(conditions)
     domain = options.domain or choose_domain(contact)
+    problem = _Problem(conditions, domain, flow_model, film_guess)
     points = options.most_points
     if tolerance is not None:
-        points = _first_points(contact, domain, tolerance, points)
+        points = _first_points(problem.scaled()[0], domain, tolerance, points)
     stopped = ""
     given = replace(options, points=points)
-    solution, result = _solve(conditions, domain, given, flow_model, attempts, progress)
+    solution, result = _solve(problem, given, attempts, progress)
     while tolerance is not None and points < options.most_points:
         if _reached(solution, tolerance) or _film_over_radius(solution) > MAX_FILM_OVER_RADIUS:
             break
         given = replace(given, points=2 * points - 1)
-        finer, finer_result = _solve_finer(conditions, domain, given, result, attempts, progress)
+        finer, finer_result = _solve_finer(problem, given, result, attempts, progress)
         if solution.converged and solution.resolved and not finer.converged:
             stopped = "; a finer mesh did not converge"  # these films stand, with their wider bars
             break
@@ -97,6 +106,39 @@ def solve_attempts(
         solution = _tolerance_judged(solution, tolerance, f"{points} points{stopped}")
     record = replace(solution.record, wall_time=time.perf_counter() - start)
     return replace(solution, options=options, record=record), result.state
+
+
+def solve_starved(
+    conditions: ContactConditions | MoesConditions,
+    options: SolverOptions,
+    flow_model: FlowModel | None = None,
+) -> ContactSolution:
+    """A contact behind a layer of oil: its flooded film, then the film with mass conserved, see
+    `multigrid/starved.py`, and what the layer changes.
+
+    Raises
+    ------
+    ValueError
+        If the oil runs against the entrainment somewhere in the box, as beside a pole of spin, or
+        a flow model or a certificate is asked for: none of these is there behind a layer.
+    """
+    layer = scale_contact(conditions).inlet_layer
+    assert layer is not None
+    if flow_model is not None:
+        raise ValueError("inlet_layer: films with shear or heat are solved flooded only")
+    if options.certify:
+        raise ValueError("certify: Newton's method has no equations of a layer at the inlet")
+    flooded, levels = solve_attempts(replace(conditions, inlet_layer=None), options)
+    if not flooded.converged:
+        return replace(flooded, conditions=conditions, message=f"flooded film: {flooded.message}")
+    require_one_direction(levels)
+    ratio = inlet_ratio(layer.central, flooded, levels.contact)
+    guess = starved_film_guess(flooded.film_central_dimensionless.value, ratio)
+    starved, levels = solve_attempts(conditions, options, film_guess=guess)
+    time_of_both = starved.record.wall_time + flooded.record.wall_time
+    record = replace(starved.record, wall_time=time_of_both)
+    supply = oil_supply(flooded, starved, levels, ratio)
+    return replace(starved, record=record, supply=supply)
 
 
 def _certify(result: AttemptResult, progress: Progress) -> None:
@@ -139,29 +181,42 @@ def _tolerance_judged(solution: ContactSolution, tolerance: float, mesh: str) ->
     return replace(solution, message=message)
 
 
+@dataclass(frozen=True, slots=True)
+class _Problem:
+    """A contact in its box; `film_guess`: central film to start from [-], None: of the formula."""
+
+    conditions: ContactConditions | MoesConditions
+    domain: tuple[float, float, float]
+    flow_model: FlowModel | None
+    film_guess: float | None
+
+    def scaled(self) -> tuple[ScaledContact, ScaledContact]:
+        """On a grid along a principal direction and on one along the entrainment."""
+        straight = scale_contact(self.conditions)
+        turned = scale_contact(self.conditions, along_entrainment=True)
+        if self.film_guess is None:
+            return straight, turned
+        guess = self.film_guess
+        return replace(straight, film_guess=guess), replace(turned, film_guess=guess)
+
+
 def _solve(
-    conditions: ContactConditions | MoesConditions,
-    domain: tuple[float, float, float],
-    options: SolverOptions,
-    flow_model: FlowModel | None,
-    attempts: tuple[Attempt, ...],
-    progress: Progress,
+    problem: _Problem, options: SolverOptions, attempts: tuple[Attempt, ...], progress: Progress
 ) -> tuple[ContactSolution, AttemptResult]:
     """One contact on the number of points of the options; its record counts the work of `progress`
     before, too.
     """
-    contacts = (scale_contact(conditions), scale_contact(conditions, along_entrainment=True))
+    conditions = problem.conditions
     lighter = tuple(scale_contact(at_load(conditions, share)) for share in LOAD_STEPS)
     progress.fallbacks.clear()
     result = solve_with_fallbacks(
-        contacts, domain, options, progress, flow_model, lighter, attempts
+        problem.scaled(), problem.domain, options, progress, problem.flow_model, lighter, attempts
     )
     return _assembled(conditions, options, result, progress), result
 
 
 def _solve_finer(
-    conditions: ContactConditions | MoesConditions,
-    domain: tuple[float, float, float],
+    problem: _Problem,
     options: SolverOptions,
     coarse: AttemptResult,
     attempts: tuple[Attempt, ...],
@@ -171,11 +226,11 @@ def _solve_finer(
     lead to one, by what converged before first.
     """
     if coarse.converged and not coarse.attempt.newton:
-        result = add_level(coarse, domain, options, progress)
+        result = add_level(coarse, problem.domain, options, progress)
         if result.converged and result.error < ACCEPTED_ERROR:
-            return _assembled(conditions, options, result, progress), result
+            return _assembled(problem.conditions, options, result, progress), result
     attempts = (coarse.attempt, *(a for a in attempts if a is not coarse.attempt))
-    return _solve(conditions, domain, options, coarse.state.flow_model, attempts, progress)
+    return _solve(problem, options, attempts, progress)
 
 
 def _assembled(

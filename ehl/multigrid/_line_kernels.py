@@ -26,7 +26,11 @@ GAUSS = (WIDTH + 5) * LANES  # one where the node is Gauss-Seidel, else zero
 SPREAD = (WIDTH + 6) * LANES  # one where it is Jacobi, else zero
 # minus the derivative of d_Y(flow H) by the film of this line and the two upstream, and by P
 LATERAL = (WIDTH + 7) * LANES
-COLUMNS = WIDTH + 11
+# behind a node that its oil does not fill: one, and the share of that oil that leaves along the
+# line
+FRONT = (WIDTH + 11) * LANES
+SHARE = (WIDTH + 12) * LANES
+COLUMNS = WIDTH + 13
 ROW = COLUMNS * LANES
 # the row of the node in a window, and the numbers of a window
 HERE = LOWER * ROW
@@ -197,6 +201,39 @@ def _add_pressure(w, mesh, weights, behind, ahead):
 
 
 @compiled
+def _add_front(w, gauss, jacobi, mesh, weights):
+    """Take back what does not hold behind a node that its oil does not fill: what flows back over
+    the front comes again with the flux, and the flux that enters does not change with the film.
+    """
+    cx, _, scale = mesh
+    wx, _ = weights
+    for lane in range(LANES):
+        free = _free(w, lane)
+        front = free * w[HERE + FRONT + lane]
+        flow = _around(w, FLOW, lane)
+        second = 0.5 * front * scale * flow[0]
+        first = -1.5 * front * scale * flow[1]
+        for d in range(WIDTH):
+            near = abs(LOWER - d - 1)
+            far = abs(LOWER - d - 2)
+            by_gauss = first * gauss[near] + second * gauss[far]
+            by_jacobi = first * jacobi[near] + second * jacobi[far]
+            at = d * ROW + lane
+            w[HERE + d * LANES + lane] += w[at + GAUSS] * by_gauss + w[at + SPREAD] * by_jacobi
+        eps = _around(w, EPS, lane)
+        west = free * w[HERE + SHARE + lane] * cx * (eps[2] + eps[1])
+        back = _around(w, GAUSS, lane)
+        spread = _around(w, SPREAD, lane)
+        density = _around(w, DENSITY, lane)
+        row = HERE + lane
+        w[row + 2 * LANES] += wx * west * spread[0]
+        w[row + 2 * LANES] += 0.5 * front * scale * density[0] * (back[0] + spread[0])
+        w[row + 3 * LANES] -= west * (back[1] + spread[1]) + wx * west * spread[1]
+        w[row + 4 * LANES] += west + spread[2] * wx * west
+        w[row + 5 * LANES] -= wx * west * spread[3]
+
+
+@compiled
 def _eliminate(w):
     """Gaussian elimination of a node's row by the LOWER rows before it, without pivoting; the
     reciprocal of the pivot stays on the diagonal.
@@ -243,7 +280,7 @@ def _substitute(w, lanes):
 
 
 @compiled
-def solve_lines(work, lanes, lines, mesh, weights, backward, lateral):
+def solve_lines(work, lanes, lines, mesh, weights, backward, lateral, starved):
     """Changes of LANES lines from their fields: their linear systems, elimination from the first
     node to the last, and the way back. `lanes` is LANES, in a form that the compiler cannot see
     through: it would write out the short loop of the way back number by number.
@@ -259,6 +296,8 @@ def solve_lines(work, lanes, lines, mesh, weights, backward, lateral):
         _add_pressure(window, mesh, weights, behind, ahead)
         if lateral:
             _add_lateral(window, lines)
+        if starved and i > 1:
+            _add_front(window, lines[0][0], lines[0][1], mesh, weights)
         _eliminate(window)
     for i in range(last, 0, -1):
         _substitute(work[(LOWER + i) * ROW : (LOWER + i) * ROW + WINDOW], lanes)

@@ -10,12 +10,14 @@ from ._line_kernels import (
     DENSITY,
     EPS,
     FLOW,
+    FRONT,
     GAUSS,
     LANES,
     LATERAL,
     LOWER,
     RIGHT,
     ROW,
+    SHARE,
     SIDES,
     SPREAD,
     line_influences,
@@ -88,9 +90,21 @@ def _interleave(eps, flow, slope, H, residual, kinds, start, stop, work):
 
 
 @compiled
-def _interleave_lateral(flow, slope, H, hy, kinds, start, stop, work):
+def _interleave_fill(empty, share, start, stop, work):
+    """As `_interleave`, of the nodes whose oil does not fill the gap, at the nodes behind them."""
+    for j in range(start, stop, 2):
+        lane = (j - start) // 2
+        for i in range(1, empty.shape[1]):
+            at = (LOWER + i) * ROW + lane
+            front = 1.0 if empty[j, i - 1] else 0.0
+            work[at + FRONT] = front
+            work[at + SHARE] = front * share[j, i - 1] if share.size > 0 else front
+
+
+@compiled
+def _interleave_lateral(flow, slope, H, hy, kinds, empty, starved, start, stop, work):
     """As `_interleave`, of the flow across the lines: zero where the stencil leaves the grid, and
-    at fixed nodes.
+    at fixed nodes; without what enters from a node whose oil does not fill the gap.
     """
     for i in range(1, H.shape[1] - 1):
         row = work[(LOWER + i) * ROW + LATERAL : (LOWER + i + 1) * ROW]
@@ -103,6 +117,9 @@ def _interleave_lateral(flow, slope, H, hy, kinds, start, stop, work):
                 row[LANES + lane] = -up * 2.0 * flow[j + up, i] / hy
                 row[2 * LANES + lane] = up * 0.5 * flow[j + 2 * up, i] / hy
                 row[3 * LANES + lane] = up * 1.5 * slope[j, i] * H[j, i] / hy
+                if starved and empty[j + up, i]:
+                    row[LANES + lane] = -up * 0.5 * flow[j + up, i] / hy
+                    row[2 * LANES + lane] = 0.0
             else:
                 row[lane : 4 * LANES : LANES] = 0.0
 
@@ -126,8 +143,8 @@ def _apply_line(P, eps, kind, delta, wx, relief, spread):
 
 @compiled
 def relax_lines(
-    P, H, eps, flow_x, slope_x, flow_y, slope_y, lateral, f, near, hx, hy, symmetric, relief,
-    switch, kinds, spread, first, stop,
+    P, H, eps, flow_x, slope_x, flow_y, slope_y, lateral, f, near, hx, hy, symmetric, starved,
+    rest, empty, share, relief, switch, kinds, spread, first, stop,
 ):  # fmt: skip
     """First part of a hybrid line sweep, Venner and Lubrecht (2000), sec. 5.5: every second line
     from `first` to before `stop`; the film stays as it is.
@@ -138,8 +155,10 @@ def relax_lines(
 
     near[r, m]: deflection at distance m hx in the r-th next line from a unit pressure. flow_x,
     flow_y: density times the velocity of the Couette flow, slope_x, slope_y: their derivatives by
-    P; those of y are used if `lateral`. kinds, spread: kind of each node, and the changes left to
-    `spread_changes`. Lines of one colour, even or odd, are independent of each other.
+    P; those of y are used if `lateral`. rest, empty, share: residual, nodes whose oil does not
+    fill the gap, and share of it that leaves them along the line, used if `starved`. kinds,
+    spread: kind of each node, and the changes left to `spread_changes`. Lines of one colour, even
+    or odd, are independent of each other.
     """
     nx = P.shape[1]
     mesh = (0.5 / (hx * hx), 0.5 / (hy * hy), 1.0 / hx)
@@ -153,14 +172,19 @@ def relax_lines(
         # 1. residuals and kinds of the nodes
         for j in range(start, end, 2):
             own = residual[(j - start) // 2]
-            _line_residual(j, P, H, eps, flow_x, flow_y, lateral, f, hx, hy, own)
+            if starved:
+                own[:] = rest[j]
+            else:
+                _line_residual(j, P, H, eps, flow_x, flow_y, lateral, f, hx, hy, own)
             _line_kinds(j, P, own, eps, mesh, threshold, kinds)
         # 2. linear systems of the changes
         backward = _interleave(eps, flow_x, slope_x, H, residual, kinds, start, end, work)
         if lateral:
-            _interleave_lateral(flow_y, slope_y, H, hy, kinds, start, end, work)
+            _interleave_lateral(flow_y, slope_y, H, hy, kinds, empty, starved, start, end, work)
+        if starved:
+            _interleave_fill(empty, share, start, end, work)
         # 3. solution and changes
-        solve_lines(work, len(residual), lines, mesh, weights, backward, lateral)
+        solve_lines(work, len(residual), lines, mesh, weights, backward, lateral, starved)
         for j in range(start, end, 2):
             delta = work[LOWER * ROW + RIGHT + (j - start) // 2 :: ROW]
             _apply_line(P[j], eps[j], kinds[j], delta, weights[0], relief, spread[j])
@@ -179,14 +203,18 @@ def _neighbour_weights(hx, hy):
 
 
 @compiled
-def spread_changes(P, kinds, spread, hx, hy, damping, first, stop):
+def spread_changes(P, kinds, spread, hx, hy, damping, starved, first, stop):
     """Second part of a sweep: P += damping (d - wx d of either side - wy d of the next lines), P
-    >= 0; Gauss-Seidel nodes already have the changes of their own line.
+    >= 0; Gauss-Seidel nodes already have the changes of their own line. Where mass is conserved
+    nodes whose oil does not fill the gap stay without pressure: a trace of it would make them full
+    in the next sweep, and their lines would drag the neighbours down.
     """
     wx, wy = _neighbour_weights(hx, hy)
     for j in range(first, stop):
         s = j - 1 if j > 0 else 1
         for i in range(1, P.shape[1] - 1):
+            if starved and kinds[j, i] == FIXED:
+                continue
             change = -wy * (spread[s, i] + spread[j + 1, i])
             if kinds[j, i] != GAUSS_SEIDEL:
                 change += spread[j, i] - wx * (spread[j, i - 1] + spread[j, i + 1])

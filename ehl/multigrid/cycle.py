@@ -29,6 +29,16 @@ from ..solid.deformation import DeflectionKernel, deflect, deflection_kernel
 from . import _kernels, _relaxation_kernels
 from .far_field import FarField, edge_pressure, exterior_load
 from .flow_model import FlowFactors, FlowModel, entrainment_factors
+from .starved import (
+    Fields,
+    Fill,
+    flux_operator,
+    make_fill,
+    march,
+    march_all,
+    oil_lost,
+    restrict_flux,
+)
 from .threads import Threads
 from .transfer import full_weighting, inject, interpolate_cubic, interpolate_linear
 
@@ -83,6 +93,7 @@ class Level:
     scratch: Array  # always zero on the edge
     kinds: NDArray[np.int8]  # of the nodes in the last sweep
     factors: FlowFactors
+    fill: Fill | None = None  # where the inlet carries a layer; None: flooded
     # pressure that s already holds the deflection of; below the level being solved
     start: Array | None = None
     load: float = 0.0
@@ -133,6 +144,9 @@ def make_multigrid(
                 scratch=np.zeros(shape),
                 kinds=np.zeros(shape, dtype=np.int8),
                 factors=entrainment_factors(contact, grid),
+                fill=None
+                if contact.inlet_layer is None
+                else make_fill(contact.inlet_layer, grid, contact.lateral),
             )
         )
     return Multigrid(contact=contact, far_field=far_field, levels=tuple(levels), damping=damping)
@@ -164,7 +178,8 @@ def update_film(state: Multigrid, index: int) -> None:
     level.H += state.approach
     state.deflections[index] = state.deflections.get(index, 0) + 1
     if state.far_field is not None and level.s is level.gap:
-        edge_pressure(state.far_field, level.grid, level.H, level.P)
+        layer = None if level.fill is None else level.fill.layer
+        edge_pressure(state.far_field, level.grid, level.H, level.P, layer)
 
 
 def refresh_factors(state: Multigrid, index: int) -> None:
@@ -239,12 +254,28 @@ def relax(state: Multigrid, index: int) -> None:
         level.factors.couette_y is not None,
     )
     mesh = (level.kernel.near, grid.hx, grid.hy, grid.symmetric)
+    fill = level.fill
+    starved = fill is not None
+    oil = (level.scratch, level.kinds, level.scratch)
+    if fill is not None:
+        oil = (fill.residual, fill.empty, fill.share)
     numbers = (damping.gauss_seidel, switch, level.kinds, level.scratch)
     lines = partial(
-        _relaxation_kernels.relax_lines, P, level.H, level.eps, *couette, level.f, *mesh, *numbers
+        _relaxation_kernels.relax_lines,
+        P,
+        level.H,
+        level.eps,
+        *couette,
+        level.f,
+        *mesh,
+        starved,
+        *oil,
+        *numbers,
     )
     first = 0 if grid.symmetric else 1
     for colour in (first, first + 1):
+        if fill is not None:
+            march(fill, _fields(level), grid, state.threads, colour)
         state.threads.run(lines, range(colour, grid.ny - 1, 2), P.size)
     changes = partial(
         _relaxation_kernels.spread_changes,
@@ -254,6 +285,7 @@ def relax(state: Multigrid, index: int) -> None:
         grid.hx,
         grid.hy,
         damping.jacobi,
+        starved,
     )
     state.threads.run(changes, range(first, grid.ny - 1), P.size)
     update_film(state, index)
@@ -271,9 +303,16 @@ def reynolds_operator(level: Level) -> Array:
 
 
 def reynolds_residual(state: Multigrid, index: int) -> Array:
-    """f - L(P), shape (ny, nx); zero on the edge and at cavitated nodes that obey L(P) <= f."""
+    """f - L(P), shape (ny, nx); zero on the edge and at cavitated nodes that obey L(P) <= f, or
+    whose oil does not fill the gap.
+    """
     level = state.levels[index]
     flow(state, level)
+    if level.fill is not None:
+        march_all(level.fill, _fields(level), level.grid, state.threads)
+        residual = np.where(level.fill.empty, 0.0, level.fill.residual)
+        _zero_edge(residual, level.grid)
+        return residual
     residual = level.f - reynolds_operator(level)
     _zero_edge(residual, level.grid)
     residual[(level.P <= 0.0) & (residual >= 0.0)] = 0.0
@@ -282,7 +321,8 @@ def reynolds_residual(state: Multigrid, index: int) -> Array:
 
 def relative_residual(state: Multigrid, index: int) -> tuple[float, float]:
     """Sums of |f - L(P)| and of f - L(P) over the fluid nodes, both over the sum of |div(rho u H)|
-    there: how far the equations are from holding, and the oil that appears or is lost [-].
+    there: how far the equations are from holding, and the oil that appears or is lost; of a layer
+    at the inlet that over what enters [-].
     """
     level = state.levels[index]
     residual = reynolds_residual(state, index)
@@ -292,6 +332,8 @@ def relative_residual(state: Multigrid, index: int) -> tuple[float, float]:
     )
     if not divergence > 0.0:
         return inf, inf
+    if level.fill is not None:
+        return size / divergence, oil_lost(level.fill, residual, level.grid)
     return size / divergence, balance / divergence
 
 
@@ -352,7 +394,12 @@ def _restrict(state: Multigrid, index: int) -> Array:
     coarse.s = coarse.H - state.approach
     coarse.load = coarse.grid.integral(start) + fine.load - fine.grid.integral(fine.P)
     flow(state, coarse)
-    coarse.f = reynolds_operator(coarse) + full_weighting(residual, coarse.grid.symmetric)
+    if fine.fill is not None and coarse.fill is not None:
+        restrict_flux(fine.fill, coarse.fill, _fields(coarse), coarse.grid)
+        operator = flux_operator(coarse.fill, _fields(coarse), coarse.grid, coarse.scratch)
+    else:
+        operator = reynolds_operator(coarse)
+    coarse.f = operator + full_weighting(residual, coarse.grid.symmetric)
     return start
 
 
@@ -375,8 +422,18 @@ def update_exterior(state: Multigrid, index: int) -> None:
     if state.far_field is None:
         return
     level = state.levels[index]
-    state.exterior = exterior_load(state.far_field, level.grid, level.H)
+    layer = state.contact.inlet_layer
+    central = inf if layer is None else layer.central
+    state.exterior = exterior_load(state.far_field, level.grid, level.H, central)
     level.load = state.contact.load - state.exterior
+
+
+def _fields(level: Level) -> Fields:
+    """What the flux of a level follows from."""
+    flow_y = level.flow_y if level.factors.couette_y is not None else level.flow_x
+    return Fields(
+        P=level.P, H=level.H, eps=level.eps, flow_x=level.flow_x, flow_y=flow_y, f=level.f
+    )
 
 
 def _zero_edge(values: Array, grid: Grid) -> None:

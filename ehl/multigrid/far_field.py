@@ -9,7 +9,7 @@ from the load balance; the part of the rotation, odd in both directions, is left
 """
 
 from dataclasses import dataclass
-from math import cos, sin
+from math import cos, inf, isfinite, sin
 
 import numpy as np
 from numpy.typing import NDArray
@@ -67,25 +67,38 @@ def far_field(contact: ScaledContact) -> FarField:
     )
 
 
-def edge_pressure(field: FarField, grid: Grid, H: Array, P: Array) -> None:
-    """Set P = max(-(k_x X + k_y Y + k_xy X Y)/H^2, 0) on the edge of the box, in place."""
+def edge_pressure(
+    field: FarField, grid: Grid, H: Array, P: Array, layer: Array | None = None
+) -> None:
+    """Set P = max(-(k_x X + k_y Y + k_xy X Y)/H^2, 0) on the edge of the box, in place; zero where
+    the gap is wider than a layer, shape (ny,).
+    """
     X, Y = grid.X, grid.Y
     for row in (-1,) if grid.symmetric else (0, -1):
         P[row] = field.strength(X, Y[row]) / H[row] ** 2
+        if layer is not None:
+            P[row, H[row] > layer[row]] = 0.0
     for column in (0, -1):
         P[:, column] = field.strength(X[column], Y) / H[:, column] ** 2
+        if layer is not None:
+            P[H[:, column] > layer, column] = 0.0
 
 
-def exterior_load(field: FarField, grid: Grid, H: Array) -> float:
-    """Integral of the far field outside the box of a grid, from the film on its inlet edge [-]."""
+def exterior_load(field: FarField, grid: Grid, H: Array, layer: float = inf) -> float:
+    """Integral of the far field outside the box of a grid, from the film on its inlet edge, up to
+    where the gap is as wide as a layer [-].
+    """
     origin = 0 if grid.symmetric else grid.ny // 2
     x_in = float(grid.X[0])
     level = float(H[origin, 0]) - 0.5 * field.curvature_x * x_in**2
-    return load_outside(field, (x_in, float(grid.X[-1]), float(grid.Y[-1])), level)
+    return load_outside(field, (x_in, float(grid.X[-1]), float(grid.Y[-1])), level, layer)
 
 
-def load_outside(field: FarField, box: tuple[float, float, float], level: float) -> float:
-    """Integral of the far field outside a box (x_in, x_out, y_half) [-].
+def load_outside(
+    field: FarField, box: tuple[float, float, float], level: float, layer: float = inf
+) -> float:
+    """Integral of the far field outside a box (x_in, x_out, y_half), up to where the gap is as
+    wide as a layer [-].
 
     In polar coordinates the gap is h + q r^2/2 with the level h seen on the inlet edge (negative
     where the Hertz approach outweighs the deflection), and with c = 2h/q each ray carries integral
@@ -105,9 +118,17 @@ def load_outside(field: FarField, box: tuple[float, float, float], level: float)
     # far inside the Hertz gap: the edge of the ray stays outside the contact
     c = np.maximum(c, -0.9 * radius**2)
     # 3. integral along each ray, and over the angle
+    rays = _outside(radius, c)
+    if isfinite(layer):
+        end = np.sqrt(np.maximum(2.0 * (layer - level) / q, 0.0))
+        rays = np.where(end > radius, rays - _outside(np.maximum(end, radius), c), 0.0)
+    return float(np.sum(strength * 4.0 / q**2 * rays)) * 2.0 * np.pi / DIRECTIONS
+
+
+def _outside(radius: Array, c: Array) -> Array:
+    """Integral from a radius on of r^2/(r^2 + c)^2 dr [-]."""
     root = np.sqrt(np.maximum(np.abs(c), 1e-12))
     tail = np.where(
         c > 0.0, np.arctan(root / radius), np.arctanh(np.minimum(root / radius, 0.99))
     ) / (2.0 * root)
-    rays = 4.0 / q**2 * (0.5 * radius / (radius**2 + c) + tail)
-    return float(np.sum(strength * rays)) * 2.0 * np.pi / DIRECTIONS
+    return np.asarray(0.5 * radius / (radius**2 + c) + tail)

@@ -19,7 +19,7 @@ from .history import FILMS, LevelHistory, central_film, start_history
 from .newton import MOST_NODES, certify
 from .settling import DIVERGED, Progress, guarded_cycles, settle
 from .threads import Threads
-from .transfer import interpolate_cubic
+from .transfer import interpolate_cubic, interpolate_linear
 
 Array = NDArray[np.float64]
 
@@ -48,7 +48,8 @@ class Attempt:
     cycles_factor: int = 1  # on the largest number of cycles
     # reach the load in steps on the level the full multigrid starts from
     from_lighter: bool = False
-    newton: bool = False  # Newton's method in place of cycles, without a flow model
+    # Newton's method in place of cycles, without a flow model or a layer at the inlet
+    newton: bool = False
 
     def applies(self, contact: ScaledContact, turned: ScaledContact) -> bool:
         """Whether the attempt differs for this contact from those before it."""
@@ -129,8 +130,8 @@ def solve_with_fallbacks(
     best = None
     for attempt in attempts:
         contact = contacts[attempt.along_entrainment]
-        newtonian = flow_model is None
-        if not attempt.applies(*contacts) or (attempt.newton and not newtonian):
+        plain = flow_model is None and contact.inlet_layer is None
+        if not attempt.applies(*contacts) or (attempt.newton and not plain):
             continue
         state = contact_multigrid(contact, domain, options, attempt, flow_model)
         if attempt.newton and state.levels[-1].P.size > MOST_NODES:
@@ -243,9 +244,14 @@ def add_level(
 
 
 def _start_from_below(state: Multigrid, index: int) -> None:
-    """Start a level from the pressure of the one below it."""
+    """Start a level from the pressure of the one below it; behind a layer without what cubics add
+    where there is none, which would make oil.
+    """
     below = state.levels[index - 1]
-    start_level(state, index, interpolate_cubic(below.P, below.grid.symmetric))
+    pressure = interpolate_cubic(below.P, below.grid.symmetric)
+    if below.fill is not None:
+        pressure[interpolate_linear(below.P) <= 0.0] = 0.0
+    start_level(state, index, pressure)
 
 
 def newton_multigrid(result: AttemptResult) -> None:

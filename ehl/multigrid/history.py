@@ -23,6 +23,8 @@ CONTRACTION = (0.4, 0.9)  # bounds of the contraction of a cycle in the estimate
 # which the cycles may stop, and above which a film at rest is no solution
 FINISHED = (2e-4, 1e-4)
 CONVERGED = (5e-3, 1e-3)
+# oil made or lost over the oil supplied, of a contact behind a layer: likewise
+OIL_LOST = (1e-4, 1e-2)
 LARGEST_REMAINING = 0.03  # relative film change still to come, above which nothing has converged
 # the film is at rest where the cycles leave this share of the step between the levels, and no
 # less than the first nor more than the second of the film
@@ -43,6 +45,7 @@ class LevelHistory:
     film: list[tuple[float, float]]
     mesh: float  # S hx^2, twice the gap's rise in a mesh along the entrainment
     strictness: float = 1.0  # factor on what the cycles may leave, see `SolverOptions`
+    starved: bool = False  # behind a layer: the oil lost counts, too
     residual: list[float] = field(default_factory=list)
     imbalance: list[float] = field(default_factory=list)  # oil lost or gained
     load: list[float] = field(default_factory=list)
@@ -99,12 +102,16 @@ class LevelHistory:
         """Whether equations and load hold and the films are at rest, in proportion to their step
         from the level below.
         """
+        if self.starved and not abs(self.imbalance[-1]) < self.strictness * OIL_LOST[0]:
+            return False
         return self._holds((self.strictness * FINISHED[0], FINISHED[1])) and all(
             self.remaining(kind) < self._tolerance(below, kind) for kind in FILMS
         )
 
     def converged(self) -> bool:
         """Whether films and load have come to rest where the equations hold."""
+        if self.starved and not (self.imbalance and abs(self.imbalance[-1]) < OIL_LOST[1]):
+            return False
         return self._holds(CONVERGED) and all(
             self.remaining(kind) < LARGEST_REMAINING for kind in FILMS
         )
@@ -133,7 +140,8 @@ def start_history(state: Multigrid, index: int, strictness: float = 1.0) -> Leve
     grid = state.levels[index].grid
     mesh = state.contact.curvature_x * grid.hx**2
     film = [film_values(grid, state.levels[index].H)]
-    return LevelHistory(film=film, mesh=mesh, strictness=strictness)
+    starved = state.levels[index].fill is not None
+    return LevelHistory(film=film, mesh=mesh, strictness=strictness, starved=starved)
 
 
 def _change(before: tuple[float, float], after: tuple[float, float], kind: int) -> float:

@@ -58,7 +58,8 @@ def settle(
         ):
             break
         if PLAIN_CYCLES < cycles < most:
-            level.P, state.approach = acceleration.next(before, (level.P, state.approach))
+            mixed, state.approach = acceleration.next(before, (level.P, state.approach))
+            level.P = mixed if level.fill is None else np.where(level.P > 0.0, mixed, 0.0)
             update_film(state, index)
         before = (level.P.copy(), state.approach)
     return history

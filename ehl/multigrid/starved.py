@@ -1,0 +1,172 @@
+"""Conservation of mass where the oil does not fill the gap.
+
+With q = rho u H, the flow of the full gap, every node passes on F through its outgoing face, at
+i + 1/2 for u > 0:
+
+    full        F_i = G_i = (3 q_i - q_{i-1})/2
+    not full    F_i = F_{i-1} + h_x (Pois_i - f_i),   P_i = 0,   F_i <= G_i
+    balance     Pois_i - (F_i - F_{i-1})/h_x = f_i                  at every node
+    inlet       F_0 = min(u H_oil(Y), (q_0 + q_1)/2)
+
+P >= 0, F <= G, P (G - F) = 0: the complementarity of Jakobsson, Floberg and Olsson with Elrod's
+(1981) filled share theta = F/G, which belongs to the face and is never stored. Where the gap is
+full F_i - F_{i-1} is the difference (3, -4, 1)/2 of `_kernels`; where a node fills or ruptures
+both branches have the same F, so that the flux is a continuous function of the pressure. Along a
+line all F follow from P, H and f in one pass downstream. With flow across the lines a node that is
+not full has two outgoing faces: its oil leaves in the ratio of the velocities, that of a nearly
+full one in the ratio of the full gaps.
+"""
+
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..grid import Grid
+from ..oil.inlet_layer import InletLayer
+from . import _starved_kernels
+from .threads import Threads
+from .transfer import inject
+
+Array = NDArray[np.float64]
+
+
+@dataclass(slots=True, kw_only=True)
+class Fill:
+    """Oil that the nodes of one grid pass on; arrays of shape (ny, nx) unless said, all [-]."""
+
+    layer: Array  # (ny,) H_oil
+    along: Array  # F through the outgoing faces along the lines
+    across: Array  # and across them; empty if nothing flows there
+    share: Array  # of what leaves a node that is not full along its line; empty likewise
+    residual: Array  # f - L(P) as of full nodes
+    empty: NDArray[np.int8]  # one where the gap is not full
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Fields:
+    """What the flux of a grid follows from, arrays of shape (ny, nx) [-]."""
+
+    P: Array
+    H: Array
+    eps: Array
+    flow_x: Array  # rho u
+    flow_y: Array  # rho v; empty if nothing flows across the lines
+    f: Array
+
+
+def make_fill(layer: InletLayer, grid: Grid, lateral: bool) -> Fill:
+    """An empty grid behind a layer [-]."""
+    shape = (grid.ny, grid.nx)
+    crossing = shape if lateral else (0, 0)
+    return Fill(
+        layer=layer.at(grid.Y),
+        along=np.zeros(shape),
+        across=np.zeros(crossing),
+        share=np.zeros(crossing),
+        residual=np.zeros(shape),
+        empty=np.zeros(shape, dtype=np.int8),
+    )
+
+
+def march(fill: Fill, fields: Fields, grid: Grid, threads: Threads, first: int) -> None:
+    """Flux, residual and empty nodes of every second line from `first`; of all lines where the oil
+    flows across them [-].
+    """
+    common = (fields.P, fields.H, fields.eps)
+    mesh = (fill.layer, grid.hx, grid.hy)
+    if fill.across.size:
+        _starved_kernels.march_columns(
+            *common,
+            fields.flow_x,
+            fields.flow_y,
+            fields.f,
+            *mesh,
+            fill.along,
+            fill.across,
+            fill.share,
+            fill.residual,
+            fill.empty,
+        )
+        return
+    lines = partial(
+        _starved_kernels.march_lines,
+        *common,
+        fields.flow_x,
+        fields.f,
+        *mesh,
+        fill.along,
+        fill.residual,
+        fill.empty,
+    )
+    threads.run(lines, range(first, grid.ny - 1, 2), fields.P.size)
+
+
+def march_all(fill: Fill, fields: Fields, grid: Grid, threads: Threads) -> None:
+    """As `march`, of all lines [-]."""
+    first = 0 if grid.symmetric else 1
+    march(fill, fields, grid, threads, first)
+    if not fill.across.size:
+        march(fill, fields, grid, threads, first + 1)
+
+
+def restrict_flux(fine: Fill, coarse: Fill, fields: Fields, grid: Grid) -> None:
+    """Flux of the coarser grid: injected, that of a full gap where there is pressure, and no more
+    than it elsewhere [-].
+    """
+    coarse.along = inject(fine.along)
+    lateral = bool(fine.across.size)
+    if lateral:
+        coarse.across = inject(fine.across)
+    _starved_kernels.set_flux(
+        fields.P,
+        fields.H,
+        fields.flow_x,
+        fields.flow_y,
+        lateral,
+        grid.hx,
+        grid.hy,
+        coarse.layer,
+        coarse.along,
+        coarse.across,
+    )
+
+
+def flux_operator(fill: Fill, fields: Fields, grid: Grid, out: Array) -> Array:
+    """L(P) of the flux that a grid holds, shape (ny, nx); `out` [-]."""
+    _starved_kernels.flux_operator(
+        fields.P,
+        fields.eps,
+        fields.flow_y,
+        bool(fill.across.size),
+        grid.hx,
+        grid.hy,
+        grid.symmetric,
+        fill.along,
+        fill.across,
+        out,
+    )
+    return out
+
+
+def supplied(fill: Fill, grid: Grid) -> float:
+    """Oil that enters the box with its layers in a unit of time [-]."""
+    weights = np.ones(grid.ny)
+    weights[-1] = 0.0
+    weights[0] = 0.5 if grid.symmetric else 0.0
+    inflow = float(weights @ fill.along[:, 0]) * grid.hy
+    if fill.across.size:
+        edges = np.where(fill.across[0] > 0.0, fill.across[0], 0.0)
+        edges = edges + np.where(fill.across[-1] > 0.0, fill.across[-1], 0.0)
+        inflow += float(edges.sum()) * grid.hx
+    return (2.0 if grid.symmetric else 1.0) * inflow
+
+
+def oil_lost(fill: Fill, residual: Array, grid: Grid) -> float:
+    """Oil that the nodes of a grid make or lose, shape (ny, nx) of `residual`, over what enters
+    the box [-].
+    """
+    entering = supplied(fill, grid)
+    lost = grid.integral(residual)
+    return lost / entering if entering > 0.0 else np.inf

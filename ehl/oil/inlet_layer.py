@@ -1,0 +1,55 @@
+"""Layer of oil that both surfaces together carry into a contact."""
+
+from dataclasses import dataclass
+from itertools import pairwise
+from math import isfinite
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class InletLayer:
+    """Thickness of the layer at ambient density over the places across the track, both in the
+    same units: [m], or those of the solver [-]; beyond its ends that of the ends.
+
+    Raises
+    ------
+    ValueError
+        If places do not rise, a thickness is not positive, or their numbers differ. A dry track
+        has no film.
+    """
+
+    thickness: tuple[float, ...]  # one for all places, or one for each
+    y: tuple[float, ...] = (0.0,)  # rising
+
+    def __post_init__(self) -> None:
+        if len(self.y) != len(self.thickness) or not self.y:
+            raise ValueError("inlet layer: as many places y as thicknesses, one at least")
+        if not all(a < b for a, b in pairwise(self.y)):
+            raise ValueError("inlet layer: places y must rise")
+        if not all(isfinite(h) and h > 0.0 for h in self.thickness):
+            raise ValueError("inlet layer: every thickness must be positive and finite")
+
+    @property
+    def uniform(self) -> bool:
+        """Whether it is the same everywhere."""
+        return min(self.thickness) == max(self.thickness)
+
+    @property
+    def central(self) -> float:
+        """Thickness at y = 0."""
+        return float(np.interp(0.0, self.y, self.thickness))
+
+    def at(self, y: Array) -> Array:
+        """Thickness at places, shape of `y`, in its own units."""
+        return np.interp(y, self.y, self.thickness)
+
+    def scaled(self, length: float, height: float) -> "InletLayer":
+        """In units of a length along y and of a height [m]."""
+        return InletLayer(
+            thickness=tuple(h / height for h in self.thickness),
+            y=tuple(place / length for place in self.y),
+        )
