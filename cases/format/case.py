@@ -260,12 +260,17 @@ def _contact_case(file: ContactFile) -> ContactCase:
     library = materials(file.materials, [name for name in names if name is not None])
     document = _document(file)
     document["contact"] = {**contacts.contact_defaults(table), **document["contact"]}
+    if (starvation := contacts.starvation(file.ehl, file.lubricant)) is not None:
+        document["ehl"]["starvation"] = starvation.value
     document["lubricant"] = _lubricant_document(document, lubricant_keys(fluid, moes=moes))
     bodies = [library[name] for name in names[:2] if name is not None]
     return ContactCase(
         **_common(file, case_films(file.ehl, shear, bodies)),
         document=document,
-        conditions=contacts.contact(table, library, fluid),
+        conditions=replace(
+            contacts.contact(table, library, fluid),
+            inlet_layer=contacts.inlet_layer(file.ehl, file.lubricant),
+        ),
         temperature=temperature,
     )
 
@@ -291,5 +296,6 @@ def _lubricant_document(document: dict[str, Any], computed: dict[str, Any]) -> d
     given = oil_of(document["lubricant"], document.get("lubricants")).keys
     if "kinematic_viscosity_mm2_s" in given:
         computed.pop("viscosity_mPa_s", None)
-    starved = "inlet_film_um" in given or "supply_mL_min" in document.get("friction", ())
+    layers = {"inlet_film_um", "inlet_film_dimensionless"} & set(given)
+    starved = layers or "supply_mL_min" in document.get("friction", ())
     return {**computed, "supply": "starved" if starved else "flooded", **given}

@@ -9,6 +9,7 @@ from pydantic import model_validator
 from bearing.material import Material, reduced_modulus
 from ehl import ContactConditions, Lubricant, MoesConditions
 from ehl.conditions import surface_motion
+from ehl.oil.inlet_layer import InletLayer
 from ehl.options import GENERALIZED_POINTS, TOLERANCE
 from ehl.solid.coating import Coating
 
@@ -27,6 +28,7 @@ from .fields import (
     described,
     within,
 )
+from .lubricant import LubricantTable
 from .problems import CaseFault, shown
 from .rules import CaseValues, Excludes, Needs, Relation, Where
 
@@ -39,8 +41,15 @@ class FilmModel(Enum):
     THERMAL = "thermal"
 
 
-class ContactEhlTable(Table):
-    """Grid of a single contact."""
+class Starvation(Enum):
+    """What a layer at the inlet does to the film."""
+
+    SOLVED = "solved"
+    NONE = "none"
+
+
+class GridTable(Table):
+    """Grid of the contacts."""
 
     points: Points = described(
         "nodes along the entrainment on the finest level, 2^k + 1; with a tolerance the most", 1025
@@ -71,7 +80,15 @@ class ContactEhlTable(Table):
         return {**table, "tolerance": TOLERANCE}
 
 
-class EhlTable(ContactEhlTable):
+class ContactEhlTable(GridTable):
+    """Grid of a single contact, and its film behind a layer."""
+
+    starvation: Annotated[str, OneOf(Starvation)] | None = described(
+        "with an inlet film: solved (left out), or none: flooded, a share by formula beside it"
+    )
+
+
+class EhlTable(GridTable):
     """Grid of the contacts, and which of them are solved."""
 
     film_maps: FilmMaps = described("balls whose films are solved", "all")
@@ -181,10 +198,31 @@ RELATIONS: tuple[Relation, ...] = (
 )
 
 
+def starvation(table: ContactEhlTable, lubricant: LubricantTable) -> Starvation | None:
+    """What the layer at the inlet does to the film of a single contact; None without a layer."""
+    if lubricant.inlet_film_um is None and lubricant.inlet_film_dimensionless is None:
+        return None
+    if table.starvation is not None:
+        return Starvation(table.starvation)
+    newtonian = table.film_model == FilmModel.NEWTONIAN.value
+    return Starvation.SOLVED if newtonian else Starvation.NONE
+
+
+def inlet_layer(table: ContactEhlTable, lubricant: LubricantTable) -> InletLayer | None:
+    """Layer that the film is solved behind [m], in Moes' groups [a^2/Rx]; None: flooded."""
+    if starvation(table, lubricant) is not Starvation.SOLVED:
+        return None
+    thickness = lubricant.inlet_film_dimensionless
+    if thickness is None:
+        thickness = lubricant.si()["inlet_film"]
+    return InletLayer(thickness=(thickness,))
+
+
 def faults(values: CaseValues) -> Iterator[CaseFault]:
     """A film of a thinning oil or with heat has lengths, one with heat bodies by material; two
     velocities entrain oil.
     """
+    yield from _layer_faults(values)
     velocities = [values.get("contact", name) for name in VELOCITIES]
     if all(velocity is not None for velocity in velocities):
         try:
@@ -198,6 +236,24 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     if film_model == "thermal" and values.given("contact", MODULUS):
         finding = f"found {MODULUS} with film_model thermal"
         yield CaseFault(("contact", MODULUS), finding, "allowed: material_1 and material_2")
+
+
+def _layer_faults(values: CaseValues) -> Iterator[CaseFault]:
+    """A film behind a layer needs a layer, and is Newtonian, without a certificate."""
+    chosen = values.get("ehl", "starvation")
+    newtonian = values.get("ehl", "film_model") in (None, FilmModel.NEWTONIAN.value)
+    if chosen == "solved" and not newtonian:
+        found = f"found {shown(chosen)} with film_model {shown(values.get('ehl', 'film_model'))}"
+        yield CaseFault(("ehl", "starvation"), found, 'allowed: "none", or film_model "newtonian"')
+    if not values.given("contact") or chosen == "none" or not newtonian:
+        return
+    for key in ("inlet_film_um", "inlet_film_dimensionless"):
+        if values.get("lubricant", key) == 0.0:
+            allowed = 'allowed: above 0, a dry inlet has no film; or starvation = "none"'
+            yield CaseFault(("lubricant", key), "found 0", allowed)
+        if values.given("lubricant", key) and values.get("ehl", "certify"):
+            found = f"found true with lubricant.{key}"
+            yield CaseFault(("ehl", "certify"), found, 'allowed: false, or starvation = "none"')
 
 
 def contact(

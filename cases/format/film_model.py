@@ -9,7 +9,7 @@ from ehl.generalized.solver import solve_generalized
 from ehl.oil.rheology import Rheology
 from ehl.solid.heat import SolidThermal
 
-from .contact import ContactEhlTable, FilmModel
+from .contact import FilmModel, GridTable
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,9 +63,7 @@ class CaseFilms:
         return [None if one is None else solve(one, self.options) for one in conditions]
 
 
-def case_films(
-    table: ContactEhlTable, shear: Rheology | None, bodies: Sequence[Material]
-) -> CaseFilms:
+def case_films(table: GridTable, shear: Rheology | None, bodies: Sequence[Material]) -> CaseFilms:
     """Grid [-] and physics of the films, SI; `ValueError` if they have heat and a body, ball or
     race, no thermal properties.
     """

@@ -97,6 +97,9 @@ class LubricantTable(OilTable):
     inlet_film_um: float | None = between(
         0, 1e4, "layer at every inlet, both surfaces together; or supply_mL_min"
     )
+    inlet_film_dimensionless: float | None = between(
+        0, 1e4, "the same with Moes' groups, at ambient density, in units of a^2/Rx"
+    )
     flooded_layer_um: float | None = above(
         0,
         1e4,
@@ -137,6 +140,11 @@ RELATIONS: tuple[Relation, ...] = (
     Excludes("lubricant.kinematic_viscosity_mm2_s", "lubricant.viscosity_mPa_s"),
     Excludes("lubricant.inlet_film_um", "friction.supply_mL_min"),
     Excludes("lubricant.inlet_film_um", "contact.moes_M", "with dimensions"),
+    OnlyWith("lubricant.inlet_film_dimensionless", (Where("contact.moes_M"),)),
+    OnlyWith(
+        "ehl.starvation",
+        (Where("lubricant.inlet_film_um"), Where("lubricant.inlet_film_dimensionless")),
+    ),
     Excludes("lubricant.flooded_layer_um", "contact.moes_M", "with dimensions"),
     OnlyWith("lubricant.supply", SUPPLIED, default="flooded"),
 )

@@ -26,6 +26,7 @@ START_NOTE = (
 NO_START_NOTE = "the multigrid gave no start: reached through lighter loads"
 START_POINTS = 257  # of the multigrid at most
 NO_CERTIFICATE = "ehl.certify: not used by finite elements, which are solved by Newton's method"
+NO_LAYER = "ehl.starvation: not used by finite elements, the film is flooded"
 NO_TOLERANCE = "ehl.tolerance: not used by finite elements, the film is solved on ehl.points"
 
 
@@ -40,7 +41,10 @@ def run_contact(
     start = perf_counter()
     options = shared_options(case.solver, workers)
     if finite_element:
-        solution, notes = _by_elements(case.conditions, options)
+        flooded = replace(case.conditions, inlet_layer=None)
+        solution, notes = _by_elements(flooded, options)
+        if case.conditions.inlet_layer is not None:
+            notes = (*notes, NO_LAYER)
         unused = () if case.solver.tolerance is None else (NO_TOLERANCE,)
         unused = (*unused, NO_CERTIFICATE) if case.solver.certify else unused
         messages = (*messages, *notes, *unused)

@@ -63,8 +63,15 @@ def solve_contact_finite_element(
     discrete equations. `points` of the options asks for about (points + 1)/2 nodes along x, at
     most 513 (257 over both halves): the mesh is graded. Without `domain` the open box is that of
     `choose_domain`; `tolerance` and `max_cycles` are not used.
+
+    Raises
+    ------
+    ValueError
+        If conditions give an inlet layer: mass is not conserved behind one here.
     """
     options = options or SolverOptions()
+    if conditions.inlet_layer is not None:
+        raise ValueError("inlet_layer: the finite elements solve flooded films only")
     began = time.perf_counter()
     contact = scale_contact(conditions, along_entrainment=True)
     domain = options.domain or choose_domain(contact)

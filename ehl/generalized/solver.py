@@ -66,7 +66,7 @@ def solve_generalized(
 
     solids: body 1 and body 2, None: uniform temperature; oil_temperature: of the oil that flows in
     [K], None: the lubricant's temperature of operation. ValueError where the lubricant has no
-    temperature or thermal properties that heat needs.
+    temperature or thermal properties that heat needs, or where conditions give an inlet layer.
 
     Shear and heat are one multigrid cycle behind pressure and film. The time of the record covers
     all methods that were tried; its FFTs are those of the last one, with those of the Newtonian
@@ -77,6 +77,8 @@ def solve_generalized(
         contact = solve_contact(conditions, options)
         nodes = film_section().nodes
         return GeneralizedSolution(contact=contact, rheology=rheology, nodes=nodes)
+    if conditions.inlet_layer is not None:
+        raise ValueError("inlet_layer: films with shear or heat are solved flooded only")
     if options.points is None and options.tolerance is None:
         options = replace(options, points=GENERALIZED_POINTS)
     heat = None

@@ -87,6 +87,8 @@ def rolling_moment(solution: ContactSolution, layer: float | None = None) -> Rol
     )
     box = float(moments.sum())
     contact = scaled_as_solved(solution)
+    if solution.supply is not None:
+        return _behind_layer(solution, conditions, contact, box)
     if solution.options.domain is not None:
         return RollingMoment(
             value=box,
@@ -107,6 +109,23 @@ def rolling_moment(solution: ContactSolution, layer: float | None = None) -> Rol
         layer=layer,
         extent=a * extent,
         note=_starved_note(solution, contact, extent),
+    )
+
+
+def _behind_layer(
+    solution: ContactSolution, conditions: ContactConditions, contact: ScaledContact, box: float
+) -> RollingMoment:
+    """Of a film that was solved behind a layer: its pressure ends at its own meniscus."""
+    assert solution.supply is not None and conditions.inlet_layer is not None
+    meniscus, a = solution.supply.meniscus, solution.semi_axis_x
+    note = "the layer at the inlet floods the box of the film, and the oil ends on its edge"
+    return RollingMoment(
+        value=box,
+        uncertainty=_solution_error(solution, contact, box),
+        box=box,
+        layer=conditions.inlet_layer.central,
+        extent=None if meniscus is None or a is None else -a * meniscus,
+        note=note if meniscus is None else "",
     )
 
 

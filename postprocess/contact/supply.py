@@ -4,20 +4,33 @@ from collections.abc import Iterator
 from math import cos, hypot, sin
 
 from bearing.supply.supply import compression, starvation_exponent, starved_share
-from ehl import ContactConditions
+from ehl import ContactConditions, ContactSolution
 from ehl.units import from_si, to_si
 
 from .results import ContactResults
 
 KEYS = ("starved_film_share", "starved_film_central_um", "starved_film_minimum_um")
+SOLVED = ("inlet_ratio", "meniscus_position", "rolling_moment_ratio")
+NAMES = ("central", "minimum")
 
 
 def contact_starved_values(results: ContactResults) -> dict[str, float | None]:
-    """Share of the flooded film [-] and the films left [um]; None without an inlet film."""
+    """Share of the flooded film [-] and the films left [um], solved or by formula, and what the
+    solution says of the layer; None without an inlet film.
+    """
+    return {**_films_left(results), **_flooded_films(results.solution), **_layer(results.solution)}
+
+
+def _films_left(results: ContactResults) -> dict[str, float | None]:
     solution = results.solution
+    if solution.supply is not None and solution.converged:
+        flooded = solution.supply.flooded_central.value
+        share = solution.film_central_dimensionless.value / flooded
+        values = (share, solution.film_central, solution.film_minimum)
+        return {key: from_si(key, value) for key, value in zip(KEYS, values, strict=True)}
     layer = results.case.get("lubricant", {}).get("inlet_film_um")
     central, minimum = solution.film_central, solution.film_minimum
-    if layer is None or central is None or minimum is None or not solution.converged:
+    if layer is None or central is None or minimum is None or solution.supply is not None:
         return dict.fromkeys(KEYS)
     given = solution.conditions
     assert isinstance(given, ContactConditions)  # the film has a length
@@ -31,12 +44,47 @@ def contact_starved_values(results: ContactResults) -> dict[str, float | None]:
     return {key: from_si(key, value) for key, value in zip(KEYS, values, strict=True)}
 
 
+def _flooded_films(solution: ContactSolution) -> dict[str, float | None]:
+    """Flooded films and their uncertainties in the same box, [um] and [a^2/Rx]."""
+    supply, scale = solution.supply, solution.film_scale
+    values: dict[str, float | None] = {}
+    for name in NAMES:
+        film = None if supply is None else getattr(supply, f"flooded_{name}")
+        for quantity, part in (("", "value"), ("_uncertainty", "uncertainty")):
+            number = None if film is None else getattr(film, part)
+            key = f"flooded_film_{name}{quantity}"
+            length = None if number is None or scale is None else number * scale
+            values[f"{key}_um"] = from_si("film_um", length)
+            values[f"{key}_dimensionless"] = number
+    return values
+
+
+def _layer(solution: ContactSolution) -> dict[str, float | None]:
+    """Layer over what the flooded film takes along, meniscus [a], share of the rolling moment."""
+    supply = solution.supply
+    if supply is None or not solution.converged:
+        return dict.fromkeys(SOLVED)
+    values = (supply.inlet_ratio, supply.meniscus, supply.rolling_moment_ratio)
+    return dict(zip(SOLVED, values, strict=True))
+
+
 def contact_supply_messages(results: ContactResults) -> Iterator[str]:
     """Which numbers are starved, or why none is."""
-    if "inlet_film_um" not in results.case.get("lubricant", ()):
-        yield "starved_film_...: null, the supply is flooded"
-    elif results.solution.converged:
-        keys = "starved are starved_film_... alone, all else is that of the flooded film"
+    solution = results.solution
+    given = results.case.get("lubricant", ())
+    solved = f"flooded_film_..., {', '.join(SOLVED)}"
+    if solution.supply is not None:
+        if solution.supply.meniscus is None:
+            yield "meniscus_position: null, the layer is thicker than the gap where the box begins"
+        if solution.conditions.inlet_layer is not None and solution.film_scale is None:
+            yield "starved_film_..._um: null, the case gives no lengths"
+    elif solution.conditions.inlet_layer is not None:
+        yield f"starved_film_..., {solved}: null, the flooded film did not converge"
+    elif not {"inlet_film_um", "inlet_film_dimensionless"} & set(given):
+        yield f"starved_film_..., {solved}: null, the supply is flooded"
+    elif solution.converged:
+        keys = "starved are starved_film_... alone, by formula; all else is of the flooded film"
         yield f"supply: inlet film; {keys}"
+        yield f"{solved}: null, they need a film solved behind its layer (ehl.starvation)"
     else:
-        yield "starved_film_...: null, the flooded film did not converge"
+        yield f"starved_film_..., {solved}: null, the flooded film did not converge"

@@ -6,6 +6,8 @@ from typing import Any
 import numpy as np
 
 from ehl import ContactSolution
+from ehl.solution import OilSupply
+from ehl.units import from_si
 
 from ..netcdf.groups import Group, Variables, root_attributes, write_groups
 from .results import ContactResults
@@ -34,6 +36,8 @@ def field_group(solution: ContactSolution) -> Group:
     if solution.state is not None and solution.state.temperature is not None:
         attrs = {"units": "K", "long_name": "mean temperature of the film"}
         fields["T"] = (plane, solution.state.temperature.astype(np.float32), attrs)
+    if solution.supply is not None:
+        fields |= _supply_fields(solution.supply, film)
     for name in ("film_central", "film_minimum"):
         value = getattr(solution, f"{name}_dimensionless")
         fields[name] = ((), value.value * h, of_film)
@@ -56,3 +60,15 @@ def field_group(solution: ContactSolution) -> Group:
             "resolved": int(solution.resolved),
         },
     )
+
+
+def _supply_fields(supply: OilSupply, film: float | None) -> Variables:
+    """Share of the gap that oil fills, and the layer that leaves the box over y."""
+    share = supply.filled.astype(np.float32)
+    about = {"units": "1", "long_name": "share of the gap filled with oil"}
+    layer = {"long_name": "layer of oil that leaves the box, both surfaces, at ambient density"}
+    outlet = ("outlet_layer", supply.outlet_layer, layer | {"units": "a^2/Rx"})
+    if film is not None:
+        thickness = from_si("film_um", supply.outlet_layer * film)
+        outlet = ("outlet_layer_um", thickness, layer | {"units": "um"})
+    return {"filled": (("x", "y"), share, about), outlet[0]: (("y",), *outlet[1:])}

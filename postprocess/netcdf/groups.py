@@ -21,7 +21,7 @@ Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]]
 # of the netCDF file, raised when an older reader would misread it; 1: x along the entrainment
 FORMAT = 2
 FIELDS_FILE = "results.nc"
-FIELDS = ("P", "h", "T")  # over the plane of a contact, as float32
+FIELDS = ("P", "h", "T", "filled")  # over the plane of a contact, as float32
 COMPRESSION: dict[str, Any] = {"compression": "gzip", "compression_opts": 4, "shuffle": True}
 
 

@@ -53,6 +53,7 @@ AZIMUTH_FILE = "azimuth.pvd"
 FILM = "film thickness [um]"
 PRESSURE = "pressure [GPa]"
 TEMPERATURE = "film temperature [degC]"
+FILLED = "filled share of the gap [-]"
 # of zlib, 1 to 9; by the default of VTK, 5, a third slower, files 1 % smaller
 COMPRESSION_LEVEL = 1
 OPENING = np.pi  # sector cut out of the outer ring, about the most loaded ball [rad]
@@ -153,7 +154,7 @@ def placed_patch(
     height = placement.film * film[part]
     points = place_patch(x, y, contact_frame(contact, ball_radius), placement, height)
     fields = {FILM: film[part] / MICROMETRE, PRESSURE: solution.pressure[part] / GIGAPASCAL}
-    fields |= {name: values[part] for name, values in _temperature(solution).items()}
+    fields |= {name: values[part] for name, values in _of_the_oil(solution).items()}
     fields |= {"rolling [mm]": x / MILLIMETRE, "transverse [mm]": y / MILLIMETRE}
     facts: Facts = {
         "ball": float(contact.ball),
@@ -188,14 +189,19 @@ def flat_patch(solution: ContactSolution, film_exaggeration: float) -> vtkStruct
     unit = "a" if solution.semi_axis_x is None else "mm"
     facts: Facts = {"coordinates": unit, "film exaggeration [-]": film_exaggeration}
     points = np.stack([a * x, a * y, height * solution.H], axis=-1)
-    return structured_grid(points, fields | _temperature(solution), facts)
+    return structured_grid(points, fields | _of_the_oil(solution), facts)
 
 
-def _temperature(solution: ContactSolution) -> dict[str, Array]:
-    """The mean temperature over the film [degC] by its name, where it was solved with heat."""
-    if solution.state is None or solution.state.temperature is None:
-        return {}
-    return {TEMPERATURE: solution.state.temperature - ZERO_CELSIUS}
+def _of_the_oil(solution: ContactSolution) -> dict[str, Array]:
+    """By their names the mean temperature over the film [degC], where it was solved with heat, and
+    the share of the gap that oil fills [-], where it was solved behind a layer.
+    """
+    fields = {}
+    if solution.state is not None and solution.state.temperature is not None:
+        fields[TEMPERATURE] = solution.state.temperature - ZERO_CELSIUS
+    if solution.supply is not None:
+        fields[FILLED] = solution.supply.filled
+    return fields
 
 
 def bodies(results: BearingResults) -> dict[str, Surface]:

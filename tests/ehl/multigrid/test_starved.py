@@ -1,0 +1,249 @@
+"""Films behind a layer of oil: mass is conserved, and little oil leaves little film."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions, solve_contact
+from ehl.finite_element.solver import solve_contact_finite_element
+from ehl.generalized.solver import solve_generalized
+from ehl.multigrid import _starved_kernels
+from ehl.multigrid.cycle import _restrict as restrict
+from ehl.multigrid.cycle import cycle, relative_residual, relax
+from ehl.multigrid.full_multigrid import ATTEMPTS
+from ehl.oil.inlet_layer import InletLayer
+from ehl.oil.rheology import Rheology, ShearLaw
+from ehl.solver import solve_attempts
+from ehl.traction.rolling_moment import rolling_moment
+from verification.contacts import OIL, from_groups, moes
+
+BOX = SolverOptions(points=129, domain=(-6.0, 1.6, 3.5))
+CIRCULAR = moes(20.0, 10.0, oil=OIL)
+
+
+def layer(thickness):
+    return InletLayer(thickness=(thickness,))
+
+
+@cache
+def flooded():
+    return solve_contact(CIRCULAR, BOX)
+
+
+@cache
+def starved(ratio):
+    """With `ratio` times the oil that the flooded film takes along."""
+    probe = solve_contact(replace(CIRCULAR, inlet_layer=layer(1.0)), BOX)
+    return solve_contact(replace(CIRCULAR, inlet_layer=layer(ratio / probe.supply.inlet_ratio)), BOX)
+
+
+def share(solution):
+    return solution.film_central_dimensionless.value / solution.supply.flooded_central.value
+
+
+def test_an_endless_layer_is_the_flooded_contact():
+    """But for the first column, whose difference is a central one without a layer."""
+    tight = replace(BOX, points=65, tolerance=1e-4, max_cycles=60)
+    without = solve_contact(CIRCULAR, tight)
+    endless = solve_contact(replace(CIRCULAR, inlet_layer=layer(1e6)), tight)
+    assert_allclose(endless.P, without.P, atol=5e-4)
+    assert share(endless) == pytest.approx(1.0, abs=2e-4)
+    assert endless.supply.meniscus is None
+    assert endless.supply.rolling_moment_ratio == pytest.approx(1.0, abs=1e-4)
+    assert endless.supply.filled[endless.X < -1.0].min() == 1.0
+
+
+@pytest.mark.parametrize(
+    ("ratio", "left", "minimum"),
+    [(2.0, 0.931, 0.9385), (1.0, 0.775, 0.809), (0.6, 0.5565, 0.628), (0.2, 0.1993, 0.272)],
+)
+def test_share_of_the_flooded_film(ratio, left, minimum):
+    """Values of 513 points, from which 129 differ by 0.5 and 1.5 %; the minimum keeps more than the centre."""
+    s = starved(ratio)
+    assert s.converged and s.supply.inlet_ratio == pytest.approx(ratio, rel=1e-9)
+    of_grid = s.film_central_dimensionless.finest / s.supply.flooded_central.finest
+    assert of_grid == pytest.approx(left, rel=9e-3)
+    of_grid = s.film_minimum_dimensionless.finest / s.supply.flooded_minimum.finest
+    assert of_grid == pytest.approx(minimum, rel=0.018)
+    assert abs(s.record.mass_imbalance) < 1e-4
+
+
+def test_all_oil_of_a_thin_layer_goes_through():
+    s = starved(0.1)
+    assert share(s) == pytest.approx(0.1, rel=0.01)
+    assert s.P.max() == pytest.approx(1.0, abs=0.02)  # Hertz
+    assert -1.25 < s.supply.meniscus < -1.0
+
+
+def test_less_oil_less_of_everything():
+    films = [starved(ratio) for ratio in (0.1, 0.2, 0.6, 1.0, 2.0)]
+    shares = [share(s) for s in films]
+    menisci = [s.supply.meniscus for s in films]
+    moments = [s.supply.rolling_moment_ratio for s in films]
+    assert shares == sorted(shares) and moments == sorted(moments) and menisci == sorted(menisci, reverse=True)
+    assert all(s < 1.0 for s in shares)
+
+
+def test_mass_is_conserved_to_rounding():
+    """Plain cycles go on until what enters, leaves."""
+    s, state = solve_attempts(replace(CIRCULAR, inlet_layer=layer(0.3)), replace(BOX, points=65), film_guess=0.25)
+    finest = len(state.levels) - 1
+    for _ in range(25):
+        cycle(state, finest)
+    residual, lost = relative_residual(state, finest)
+    assert s.converged
+    assert residual < 1e-8
+    assert abs(lost) < 1e-9
+
+
+def test_a_solution_is_at_rest_on_the_coarser_grid():
+    """Restricted and swept there, nothing moves: else the cycle had a second, false fixed point."""
+    _, state = solve_attempts(replace(CIRCULAR, inlet_layer=layer(0.1)), replace(BOX, points=65), film_guess=0.1)
+    finest = len(state.levels) - 1
+    for _ in range(25):
+        cycle(state, finest)
+    restrict(state, finest)
+    coarse = state.levels[finest - 1]
+    before = coarse.P.copy()
+    for _ in range(2):
+        relax(state, finest - 1)
+    assert_allclose(coarse.P, before, atol=1e-7)
+
+
+def test_oil_that_leaves_is_the_oil_that_enters():
+    s = starved(0.6)
+    Y = s.Y
+    entering = s.supply.inlet_ratio * float(np.ptp(Y[1:-1]))
+    scale = s.conditions.inlet_layer.central / s.supply.inlet_ratio
+    leaving = float(np.trapezoid(s.supply.outlet_layer[1:-1], Y[1:-1])) / scale
+    assert leaving == pytest.approx(entering, rel=5e-3)  # the edges' share by the trapezoidal rule
+    ridge = np.abs(Y[s.supply.outlet_layer.argmax()])
+    assert 0.8 < ridge < 2.0  # beside the track
+    assert s.supply.outlet_layer[s.Y.size // 2] < s.conditions.inlet_layer.central
+
+
+def test_half_and_whole_grid_and_lines_with_flow_across_them_agree():
+    """A rotation too small to matter makes the program solve the whole box, with flow across the lines."""
+    conditions = from_groups(moes(100.0, 8.0, 0.3))
+    turning = from_groups(moes(100.0, 8.0, 0.3), rotation=2e-3)
+    options = SolverOptions(points=129, domain=(-4.0, 1.6, 1.8))
+    thickness = 0.5 * solve_contact(conditions, options).film_central
+    one, other = (solve_contact(replace(c, inlet_layer=layer(thickness)), options) for c in (conditions, turning))
+    assert one.converged and other.converged
+    assert share(one) == pytest.approx(share(other), rel=5e-3)
+    assert one.supply.meniscus == pytest.approx(other.supply.meniscus, abs=0.06)
+
+
+def test_oblique_contact_on_two_grids():
+    """Transport across the lines is of first order: 0.4 % on 129 points."""
+    conditions = moes(100.0, 10.0, 0.3, np.pi / 6, OIL)
+    options = SolverOptions(points=129, domain=(-4.0, 1.6, 2.5))
+    shares = []
+    for turned in (False, True):
+        film, _ = solve_attempts(conditions, options)
+        supplied = replace(conditions, inlet_layer=layer(film.film_central_dimensionless.finest))
+
+        attempts = ATTEMPTS[turned : turned + 1]
+        thin, _ = solve_attempts(
+            supplied, options, attempts=attempts, film_guess=0.8 * film.film_central_dimensionless.value
+        )
+        assert thin.converged
+        shares.append(thin.film_central_dimensionless.value)
+    assert shares[0] == pytest.approx(shares[1], rel=0.012)
+
+
+def test_a_uniform_layer_stays_uniform_over_an_inclined_gap():
+    """Oil that crosses the lines does not bend away from the narrower gap."""
+    ny, nx = 33, 33
+    h = 1.0 / 32.0
+    X, Y = np.meshgrid(h * np.arange(nx), h * np.arange(ny))
+    gap = 3.0 - 2.0 * X + 0.5 * Y
+    zero = np.zeros((ny, nx))
+    flows = np.ones((ny, nx)), 0.4 * np.ones((ny, nx))
+    along, across, part, rest = (np.zeros((ny, nx)) for _ in range(4))
+    empty = np.zeros((ny, nx), dtype=np.int8)
+    _starved_kernels.march_columns(
+        zero, gap, gap**3, *flows, zero, 0.2 * np.ones(ny), h, h, along, across, part, rest, empty
+    )
+    inner = np.s_[1:-1, 1:-1]
+    assert empty[inner].all()
+    assert_allclose(along[inner], 0.2, rtol=1e-12)
+    assert_allclose(across[inner], 0.08, rtol=1e-12)
+
+
+def test_profile_of_the_layer():
+    """Less oil in the middle of the track leaves less film than as much everywhere."""
+    full = starved(1.0).conditions.inlet_layer.central
+    track = InletLayer(thickness=(full, 0.4 * full, full), y=(-1.0, 0.0, 1.0))
+    s = solve_contact(replace(CIRCULAR, inlet_layer=track), BOX)
+    assert s.converged
+    assert share(starved(0.2)) < share(s) < share(starved(1.0))
+    with pytest.raises(ValueError, match="profile"):
+        solve_contact(replace(moes(100.0, 10.0, 0.3, 0.5, OIL), inlet_layer=track), BOX)
+
+
+@pytest.mark.parametrize(
+    ("keys", "found"),
+    [
+        ({"thickness": (0.0,)}, "positive"),
+        ({"thickness": ()}, "as many"),
+        ({"thickness": (1.0, 2.0)}, "as many"),
+        ({"thickness": (1.0, 2.0), "y": (1.0, 0.0)}, "rise"),
+    ],
+)
+def test_bad_layers(keys, found):
+    with pytest.raises(ValueError, match=found):
+        InletLayer(**keys)
+
+
+def test_what_is_not_solved_behind_a_layer_is_refused():
+    oil = Lubricant(viscosity=0.04, pressure_viscosity=20e-9)
+    sphere = ContactConditions(
+        load=15.0,
+        radius_x=0.0125,
+        radius_y=0.0125,
+        reduced_modulus=110e9,
+        entrainment_speed=0.09,
+        lubricant=oil,
+        inlet_layer=layer(1e-7),
+    )
+    options = SolverOptions(points=65)
+    thinning = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5e6)
+    with pytest.raises(ValueError, match="inlet_layer"):
+        solve_generalized(sphere, thinning, options=options)
+    with pytest.raises(ValueError, match="inlet_layer"):
+        solve_contact_finite_element(sphere, options)
+    with pytest.raises(ValueError, match="certify"):
+        solve_contact(sphere, replace(options, certify=True))
+    with pytest.raises(ValueError, match="turns the entrainment round"):
+        solve_contact(replace(sphere, mean_spin=300.0), options)
+
+
+def test_rolling_moment_of_the_solved_pressure():
+    oil = Lubricant(viscosity=0.04, pressure_viscosity=20e-9)
+    sphere = ContactConditions(
+        load=15.0, radius_x=0.0125, radius_y=0.0125, reduced_modulus=110e9, entrainment_speed=0.09, lubricant=oil
+    )
+    options = SolverOptions(points=129)
+    films = [solve_contact(replace(sphere, inlet_layer=layer(h)), options) for h in (1e-3, 5e-8)]
+    full, thin = (rolling_moment(film) for film in films)
+    assert thin.value < 0.3 * full.value
+    assert thin.layer == 5e-8
+    assert full.extent is None and "floods the box" in full.note
+    assert films[0].semi_axis_x < thin.extent < 1.5 * films[0].semi_axis_x
+
+
+def test_moes_groups_take_the_layer_in_units_of_the_film():
+    """As the same contact in metres."""
+    conditions = from_groups(moes(50.0, 8.0))
+    film = solve_contact(conditions, BOX)
+    scale = film.film_scale
+    lengths = solve_contact(replace(conditions, inlet_layer=layer(0.1 * scale)), BOX)
+    assert isinstance(moes(50.0, 8.0), MoesConditions)
+    groups = solve_contact(replace(moes(50.0, 8.0), inlet_layer=layer(0.1)), BOX)
+    assert lengths.film_central_dimensionless.value == pytest.approx(groups.film_central_dimensionless.value, rel=1e-6)
