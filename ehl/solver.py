@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from .conditions import ContactConditions, MoesConditions
 from .grid import Grid, unfolded
-from .multigrid.cycle import Multigrid
 from .multigrid.extrapolation import extrapolate
 from .multigrid.flow_model import FlowModel
 from .multigrid.full_multigrid import (
@@ -20,20 +19,24 @@ from .multigrid.full_multigrid import (
     add_level,
     solve_with_fallbacks,
 )
-from .multigrid.history import CENTRAL, MINIMUM, RESOLVED
+from .multigrid.history import CENTRAL, MINIMUM
+from .multigrid.levels import Multigrid
 from .multigrid.newton import certify
+from .multigrid.oil_supply import (
+    inlet_ratio,
+    oil_supply,
+    require_one_direction,
+    starved_film_guess,
+)
 from .multigrid.open_box import box_uncertainty, choose_domain
 from .multigrid.settling import Progress
+from .multigrid.verdict import MAX_FILM_OVER_RADIUS, film_over_radius, judged, resolution_message
 from .options import SolverOptions
 from .scaling import ScaledContact, scale_contact
 from .solution import ContactSolution, ConvergenceRecord, FilmValue
-from .starvation import inlet_ratio, oil_supply, require_one_direction, starved_film_guess
 
 Array = NDArray[np.float64]
 
-# a thicker film lies in a gap that is no paraboloid: outside the model
-MAX_FILM_OVER_RADIUS = 0.02
-LARGEST_BAR = 0.15  # relative error bar above which a film is reported as unresolved
 LOAD_STEPS = (1.0 / 16.0, 0.25)  # shares of the load through which a fallback reaches it
 # Hc/(S hx^2) of the first mesh times the tolerance, Hc of the film formula
 FIRST_FINENESS = 6.0
@@ -90,7 +93,7 @@ def solve_attempts(
     given = replace(options, points=points)
     solution, result = _solve(problem, given, attempts, progress)
     while tolerance is not None and points < options.most_points:
-        if _reached(solution, tolerance) or _film_over_radius(solution) > MAX_FILM_OVER_RADIUS:
+        if _reached(solution, tolerance) or film_over_radius(solution) > MAX_FILM_OVER_RADIUS:
             break
         given = replace(given, points=2 * points - 1)
         finer, finer_result = _solve_finer(problem, given, result, attempts, progress)
@@ -344,76 +347,3 @@ def _domain(contact: ScaledContact, grid: Grid) -> tuple[float, float, float]:
     x_in = float(grid.X[0]) / contact.half_extent_x
     x_out = float(grid.X[-1]) / contact.half_extent_x
     return x_in, x_out, float(grid.Y[-1]) / contact.half_extent_y
-
-
-def judged(solution: ContactSolution) -> ContactSolution:
-    """The solution as its films let it stand: the minimum not above the centre, not converged
-    where the film is outside the model, unresolved where a bar is wider than `LARGEST_BAR`.
-    """
-    solution = _minimum_below_centre(solution)
-    if not solution.converged:
-        return solution
-    share = _film_over_radius(solution)
-    if share > MAX_FILM_OVER_RADIUS:
-        message = (
-            f"outside the model: the film is {share:.1%} of Rx, where the gap is no paraboloid; "
-            "no film is given"
-        )
-        return replace(solution, converged=False, resolved=False, message=message)
-    bar = solution.widest_bar
-    if not solution.resolved or bar <= LARGEST_BAR:
-        return solution
-    message = f"converged but unresolved: error bar {bar:.0%} of the film; try more points"
-    return replace(solution, resolved=False, message=message)
-
-
-def _minimum_below_centre(solution: ContactSolution) -> ContactSolution:
-    central = solution.film_central_dimensionless
-    minimum = solution.film_minimum_dimensionless
-    if not minimum.value > central.value:
-        return solution
-    excess = minimum.value - central.value
-    return replace(
-        solution,
-        film_minimum_dimensionless=replace(
-            minimum, value=central.value, uncertainty=minimum.uncertainty + excess
-        ),
-    )
-
-
-def _film_over_radius(solution: ContactSolution) -> float:
-    """Central film of the finest grid over Rx [-]; zero where no lengths are given."""
-    if solution.film_scale is None or solution.semi_axis_x is None:
-        return 0.0
-    film = solution.film_central_dimensionless.finest
-    return film * (solution.film_scale / solution.semi_axis_x) ** 2
-
-
-def resolution_message(result: AttemptResult) -> tuple[bool, str]:
-    """Whether the film of a solve is resolved, and the message on it."""
-    resolved = bool(result.levels) and result.levels[-1].resolved
-    return resolved, _message(result, resolved)
-
-
-def _message(result: AttemptResult, resolved: bool) -> str:
-    if not result.levels:
-        return "the iteration diverged in spite of stronger damping; try more points or less load"
-    history = result.levels[-1]
-    if not result.converged and not history.film[-1][MINIMUM] > 0.0:
-        return "not converged: the minimum film is not positive on this mesh; try more points"
-    if not result.converged:
-        change = max(history.remaining(kind) for kind in (CENTRAL, MINIMUM))
-        return (
-            f"not converged: the equations miss by {history.residual[-1]:.1e} of the flow, the "
-            f"load by {history.load[-1]:.1e}, and the cycles leave {change:.1e} of the film; try "
-            "more points"
-        )
-    if not resolved:
-        return (
-            f"converged but unresolved: minimum film/(mesh size)^2 is {history.fineness:.2f}, "
-            f"below {RESOLVED:g}; try more points"
-        )
-    certificate = result.certificate
-    if certificate is not None and not certificate.certified:
-        return f"converged, without certificate: {certificate.message}"
-    return "converged"

@@ -7,8 +7,8 @@ import numpy as np
 
 from ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients
 from ehl.grid import Grid
-from ehl.multigrid import _kernels
 from ehl.multigrid.far_field import far_field
+from ehl.multigrid.kernels import _kernels
 from ehl.scaling import scale_contact
 from ehl.solid.deformation import deflect, deflection_kernel
 

@@ -21,14 +21,16 @@ from math import inf
 import numpy as np
 
 from ..multigrid.acceleration import Acceleration
-from ..multigrid.cycle import Multigrid, start_level, update_exterior, update_film
+from ..multigrid.cycle import start_level, update_exterior, update_film
 from ..multigrid.full_multigrid import ATTEMPTS, Attempt, AttemptResult, contact_multigrid
 from ..multigrid.history import CENTRAL, MINIMUM, start_history
+from ..multigrid.levels import Multigrid
 from ..multigrid.settling import DIVERGED, PLAIN_CYCLES, guarded_cycle, restore, snapshot
+from ..multigrid.verdict import judged, resolution_message
 from ..options import SolverOptions
 from ..scaling import scale_contact
 from ..solution import ContactSolution, FilmValue
-from ..solver import judged, resolution_message, solve_contact, unfold_symmetry, with_history
+from ..solver import solve_contact, unfold_symmetry, with_history
 from .flow import Continuation, FlowState, GeneralizedFlow
 
 # entries among the fallbacks of a record

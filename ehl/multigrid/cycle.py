@@ -12,10 +12,9 @@ carry the coarse-grid correction, and the integral is over the change of P since
 and H are injected, residuals fully weighted, corrections interpolated bilinearly.
 """
 
-from dataclasses import dataclass, field, replace
+from collections.abc import Callable
 from functools import partial
 from math import inf
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,21 +24,11 @@ from ..oil import _kernels as properties
 from ..oil.lubricant import log_viscosity_ratio, roelands_rise
 from ..oil.numbers import oil_numbers
 from ..scaling import ScaledContact
-from ..solid.deformation import DeflectionKernel, deflect, deflection_kernel
-from . import _kernels, _relaxation_kernels
-from .far_field import FarField, edge_pressure, exterior_load
-from .flow_model import FlowFactors, FlowModel, entrainment_factors
-from .starved import (
-    Fields,
-    Fill,
-    flux_operator,
-    make_fill,
-    march,
-    march_all,
-    oil_lost,
-    restrict_flux,
-)
-from .threads import Threads
+from ..solid.deformation import deflect
+from .far_field import edge_pressure, exterior_load
+from .kernels import _kernels, _relaxation_kernels
+from .levels import Damping, Level, Multigrid
+from .starved import Fields, flux_operator, march, march_all, oil_lost, restrict_flux
 from .transfer import full_weighting, inject, interpolate_cubic, interpolate_linear
 
 Array = NDArray[np.float64]
@@ -50,106 +39,6 @@ SWEEPS = (2, 1)  # on every other level before and after the coarser ones
 # of twice: near the coarsest calls cost more than arithmetic, near the finest a second visit costs
 # more deflections than it saves
 SINGLE_VISITS = (2, 2)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Damping:
-    """Under-relaxation of one solve, all [-]."""
-
-    jacobi: float = 0.5  # of the distributive Jacobi changes
-    gauss_seidel: float = 1.0  # factor on 0.4 + 0.6 eps/(eps + 1)
-    correction: float = 1.0  # of the coarse-grid correction
-    approach: float = 0.1  # of the change of H0 by the load balance, on the coarsest grid
-    # Gauss-Seidel where Poiseuille exceeds this share of K00/hx, times (hy/hx)^1.5 if stretched
-    switch: float = 0.3
-
-    def halved(self) -> "Damping":
-        """Half the changes, three quarters of the coarse-grid correction."""
-        return replace(
-            self,
-            jacobi=0.5 * self.jacobi,
-            gauss_seidel=0.5 * self.gauss_seidel,
-            correction=0.75 * self.correction,
-            approach=0.5 * self.approach,
-        )
-
-
-@dataclass(slots=True, kw_only=True)
-class Level:
-    """Workspace of one grid; all arrays of shape (ny, nx), all quantities [-]."""
-
-    grid: Grid
-    kernel: DeflectionKernel
-    gap: Array  # S X^2/2 + T Y^2/2 + C X Y
-    P: Array
-    H: Array
-    f: Array
-    s: Array
-    eps: Array
-    flow_x: Array  # rho u
-    slope_x: Array  # u d(rho)/dP
-    flow_y: Array  # rho v; empty if nothing flows along Y
-    slope_y: Array
-    scratch: Array  # always zero on the edge
-    kinds: NDArray[np.int8]  # of the nodes in the last sweep
-    factors: FlowFactors
-    fill: Fill | None = None  # where the inlet carries a layer; None: flooded
-    # pressure that s already holds the deflection of; below the level being solved
-    start: Array | None = None
-    load: float = 0.0
-    flow_state: Any = None  # of the flow model after the last cycle on this level
-
-
-@dataclass(slots=True, kw_only=True)
-class Multigrid:
-    """All levels of one contact, the approach they share and the work done; all quantities [-]."""
-
-    contact: ScaledContact
-    far_field: FarField | None  # edge pressure of an open box; None: zero pressure on the edge
-    levels: tuple[Level, ...]  # coarsest first
-    damping: Damping
-    flow_model: FlowModel | None = None  # None: Newtonian, of uniform temperature
-    threads: Threads = field(default_factory=Threads)
-    approach: float = 0.0  # H0
-    exterior: float = 0.0  # load outside the box
-    deflections: dict[int, int] = field(default_factory=dict)  # level -> number of deflection FFTs
-
-    def deflected_nodes(self) -> int:
-        """Nodes times deflection FFTs so far, the measure of the work."""
-        return sum(count * self.levels[index].P.size for index, count in self.deflections.items())
-
-
-def make_multigrid(
-    contact: ScaledContact, grids: tuple[Grid, ...], far_field: FarField | None, damping: Damping
-) -> Multigrid:
-    """Allocate the levels, coarsest first."""
-    levels = []
-    for grid in grids:
-        gap = contact.gap(grid.X[None, :], grid.Y[:, None])
-        shape = (grid.ny, grid.nx)
-        levels.append(
-            Level(
-                grid=grid,
-                kernel=deflection_kernel(grid, contact.deformation, contact.coating),
-                gap=gap,
-                s=gap,
-                P=np.zeros(shape),
-                H=np.zeros(shape),
-                f=np.zeros(shape),
-                eps=np.zeros(shape),
-                flow_x=np.zeros(shape),
-                slope_x=np.zeros(shape),
-                flow_y=np.zeros((0, 0) if grid.symmetric else shape),
-                slope_y=np.zeros((0, 0) if grid.symmetric else shape),
-                scratch=np.zeros(shape),
-                kinds=np.zeros(shape, dtype=np.int8),
-                factors=entrainment_factors(contact, grid),
-                fill=None
-                if contact.inlet_layer is None
-                else make_fill(contact.inlet_layer, grid, contact.lateral),
-            )
-        )
-    return Multigrid(contact=contact, far_field=far_field, levels=tuple(levels), damping=damping)
 
 
 def start_level(state: Multigrid, index: int, pressure: Array) -> None:
@@ -241,54 +130,57 @@ def log_viscosity(contact: ScaledContact, P: Array) -> Array:
 def relax(state: Multigrid, index: int) -> None:
     """One line sweep, even lines before odd ones, and the film that belongs to it."""
     level = state.levels[index]
-    damping = state.damping
-    P = level.P
     grid = level.grid
+    starved = level.fill is not None
     flow(state, level)
-    switch = damping.switch * max(1.0, grid.hy / grid.hx) ** 1.5
-    couette = (
-        level.flow_x,
-        level.slope_x,
-        level.flow_y,
-        level.slope_y,
-        level.factors.couette_y is not None,
+    lines = _line_sweep(level, state.damping)
+    first = 0 if grid.symmetric else 1
+    for colour in (first, first + 1):
+        if level.fill is not None:
+            march(level.fill, _fields(level), grid, state.threads, colour)
+        state.threads.run(lines, range(colour, grid.ny - 1, 2), level.P.size)
+    mesh = (grid.hx, grid.hy)
+    changes = partial(
+        _relaxation_kernels.spread_changes,
+        level.P,
+        level.kinds,
+        level.scratch,
+        *mesh,
+        state.damping.jacobi,
+        starved,
     )
-    mesh = (level.kernel.near, grid.hx, grid.hy, grid.symmetric)
+    state.threads.run(changes, range(first, grid.ny - 1), level.P.size)
+    update_film(state, index)
+
+
+def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
+    """Relaxation of every second line of a range, the changes left to `spread_changes`."""
+    grid = level.grid
     fill = level.fill
-    starved = fill is not None
-    oil = (level.scratch, level.kinds, level.scratch)
+    couette = (level.flow_x, level.slope_x, level.flow_y, level.slope_y)
+    lateral = level.factors.couette_y is not None
+    oil = (level.scratch, level.kinds, level.scratch)  # in place of those of a layer
     if fill is not None:
         oil = (fill.residual, fill.empty, fill.share)
-    numbers = (damping.gauss_seidel, switch, level.kinds, level.scratch)
-    lines = partial(
+    return partial(
         _relaxation_kernels.relax_lines,
-        P,
+        level.P,
         level.H,
         level.eps,
         *couette,
+        lateral,
         level.f,
-        *mesh,
-        starved,
-        *oil,
-        *numbers,
-    )
-    first = 0 if grid.symmetric else 1
-    for colour in (first, first + 1):
-        if fill is not None:
-            march(fill, _fields(level), grid, state.threads, colour)
-        state.threads.run(lines, range(colour, grid.ny - 1, 2), P.size)
-    changes = partial(
-        _relaxation_kernels.spread_changes,
-        P,
-        level.kinds,
-        level.scratch,
+        level.kernel.near,
         grid.hx,
         grid.hy,
-        damping.jacobi,
-        starved,
+        grid.symmetric,
+        fill is not None,
+        *oil,
+        damping.gauss_seidel,
+        damping.switch * max(1.0, grid.hy / grid.hx) ** 1.5,
+        level.kinds,
+        level.scratch,
     )
-    state.threads.run(changes, range(first, grid.ny - 1), P.size)
-    update_film(state, index)
 
 
 def reynolds_operator(level: Level) -> Array:

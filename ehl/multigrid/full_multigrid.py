@@ -12,10 +12,11 @@ from ..grid import grid_hierarchy
 from ..options import SolverOptions
 from ..scaling import ScaledContact
 from ..solution import Certificate
-from .cycle import Damping, Multigrid, make_multigrid, start_level, update_film
+from .cycle import start_level, update_film
 from .far_field import far_field
 from .flow_model import FlowModel
 from .history import FILMS, LevelHistory, central_film, start_history
+from .levels import Damping, Multigrid, make_multigrid
 from .newton import MOST_NODES, certify
 from .settling import DIVERGED, Progress, guarded_cycles, settle
 from .threads import Threads

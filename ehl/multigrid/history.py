@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..grid import Grid
-from .cycle import Multigrid, load_error, relative_residual
+from .cycle import load_error, relative_residual
+from .levels import Multigrid
 
 Array = NDArray[np.float64]
 
@@ -33,9 +34,9 @@ FILM_TOLERANCE = (1e-4, 2e-3)
 # relative error of a film over the residual, sum |R| / sum |div(rho u H)|: median 0.3 to 0.8, 9 of
 # 10 below 1 to 7 on 88 random contacts at 257 points
 RESIDUAL_TO_FILM = 2.5
-# behind a layer most of the residual sits at the meniscus, which moves by parts of a mesh, far from
-# the film: it counts this share. 35 random contacts on 129 points: films off by 0.08 (median) to 1.9
-# times the residual
+# behind a layer most of the residual sits at the meniscus, which moves by parts of a mesh, far
+# from the film: it counts this share. 35 random contacts on 129 points: films off by 0.08 (median)
+# to 1.9 times the residual
 MENISCUS_SHARE = 0.2
 SMALLEST_FILM = 1e-12  # keeps a relative change finite
 

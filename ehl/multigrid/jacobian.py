@@ -24,10 +24,11 @@ from scipy import sparse
 from ..arrays import Array
 from ..grid import Grid
 from ..solid.deformation import deflect
-from . import _kernels
-from .cycle import Level, Multigrid, flow, log_viscosity, reynolds_operator
+from .cycle import flow, log_viscosity, reynolds_operator
 from .far_field import edge_pressure, exterior_load
 from .flow_model import FlowFactors
+from .kernels import _kernels
+from .levels import Level, Multigrid
 
 Integers = NDArray[np.intp]
 

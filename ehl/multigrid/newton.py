@@ -25,9 +25,10 @@ from .bordered import (
     nested_dissection,
     solve_bordered,
 )
-from .cycle import Multigrid, refresh_factors, relative_residual, update_exterior, update_film
+from .cycle import refresh_factors, relative_residual, update_exterior, update_film
 from .history import film_values
 from .jacobian import Linearisation, deflected, linearise, load_row, near_field, product
+from .levels import Multigrid
 
 # Beside each number what it changes, in sums over six contacts at 129 and 257 points, one of them
 # from a Hertz pressure, the others after one to four cycles: deflections, then factorisations.

@@ -6,8 +6,8 @@ from scipy.optimize import brentq
 
 from ..closed_form.hertz import hertz_deflection
 from ..scaling import ScaledContact
-from .cycle import Multigrid
 from .far_field import FarField, far_field, load_outside
+from .levels import Multigrid
 
 Box = tuple[float, float, float]
 

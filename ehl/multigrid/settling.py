@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .acceleration import Acceleration
-from .cycle import Multigrid, cycle, refresh_factors, relative_residual, update_film
+from .cycle import cycle, refresh_factors, relative_residual, update_film
 from .history import LevelHistory, start_history
+from .levels import Multigrid
 
 Array = NDArray[np.float64]
 

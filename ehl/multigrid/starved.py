@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from ..grid import Grid
 from ..oil.inlet_layer import InletLayer
-from . import _starved_kernels
+from .kernels import _starved_kernels
 from .threads import Threads
 from .transfer import inject
 

@@ -19,8 +19,9 @@ import numpy as np
 
 from ..arrays import Array
 from ..conditions import ContactConditions
-from ..multigrid.cycle import Damping, Multigrid, cycle, start_level
+from ..multigrid.cycle import cycle, start_level
 from ..multigrid.full_multigrid import ATTEMPTS, CAUTIOUS, Attempt, contact_multigrid
+from ..multigrid.levels import Damping, Multigrid
 from ..oil.lubricant import Lubricant, density
 from ..options import SolverOptions
 from ..scaling import scale_contact

@@ -117,7 +117,8 @@ def _behind_layer(
 ) -> RollingMoment:
     """Of a film that was solved behind a layer: its pressure ends at its own meniscus."""
     assert solution.supply is not None and conditions.inlet_layer is not None
-    meniscus, a = solution.supply.meniscus, solution.semi_axis_x
+    meniscus = solution.supply.meniscus
+    a = solution.semi_axis_x
     note = "the layer at the inlet floods the box of the film, and the oil ends on its edge"
     return RollingMoment(
         value=box,

@@ -77,6 +77,7 @@ def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
 
 def _footnote(view: ContactView) -> str:
     """What the figure leaves out and how it is drawn."""
+    fills = " and fills the gap inside the dotted line" if view.filled is not None else ""
     where = f"at {view.oblique:.3g}° from x towards y" if view.oblique else "to the right"
     stretched = "axes stretched, so that the Hertz ellipse (dashed) is seen"
     ellipse = stretched if view.stretched else "Hertz ellipse dashed"
@@ -84,7 +85,9 @@ def _footnote(view: ContactView) -> str:
     range_text = "{:.3g} ... {:.3g} of the computed {:.4g} ... {:.4g}".format(*ends)
     shown = f"shown is x/a = {range_text}".replace("-", "\N{MINUS SIGN}")
     cut = f"; {CUT}" if view.cut else ""
-    return f"Oil moves {where}; {ellipse};\n{shown}; film beyond the colour scale is grey{cut}"
+    return (
+        f"Oil moves {where}{fills}; {ellipse};\n{shown}; film beyond the colour scale is grey{cut}"
+    )
 
 
 def draw_map(
@@ -123,6 +126,9 @@ def draw_map(
         style: Any = {"colors": "white" if film else "black", "alpha": 0.6}
         axes.contour(x, y, values.T, levels=lines, **style)
     axes.plot(*view.ellipse, color="black", linestyle=(0, (4, 2)), linewidth=0.8)
+    if view.filled is not None and 0.0 < view.filled.min() < 1.0:
+        meniscus: Any = {"colors": FILM_COLOUR, "linestyles": ":", "linewidths": 1.0}
+        axes.contour(view.x, view.y, view.filled.T, levels=[0.999], **meniscus)
     axes.set_xlim(view.shown[:2])
     axes.set_ylim(view.shown[2:])
     axes.set_xlabel(f"{view.names[0]} [{view.length_unit}]")

@@ -47,6 +47,7 @@ class ContactView:
     window: tuple[float, float, float, float]  # the part to show, likewise; may leave the box
     doubt: str  # "not converged" or "not resolved"; empty for a sound solution
     oblique: float = 0.0  # angle of the entrainment to the axis x, towards y [deg]
+    filled: Array | None = None  # shape (nx, ny), share of the gap [-]; None: flooded
 
     @property
     def names(self) -> tuple[str, str]:
@@ -135,6 +136,7 @@ def contact_view(
         window=(float(x_in), float(x_out), -float(side), float(side)),
         oblique=oblique_angle(solution),
         doubt=doubt if solution.converged else "not converged",
+        filled=None if solution.supply is None else solution.supply.filled[rows, columns],
     )
 
 

@@ -27,11 +27,12 @@ from ehl import (
     solver,
 )
 from ehl.conditions import moes_groups
-from ehl.multigrid.cycle import Damping, cycle, start_level, update_film
+from ehl.multigrid.cycle import cycle, start_level, update_film
 from ehl.multigrid.extrapolation import extrapolate
 from ehl.multigrid.flow_model import FlowFactors
 from ehl.multigrid.full_multigrid import ATTEMPTS, contact_multigrid, solve_with_fallbacks
 from ehl.multigrid.history import FINISHED, central_film
+from ehl.multigrid.levels import Damping
 from ehl.multigrid.settling import Progress
 from ehl.scaling import scale_contact
 from ehl.solver import choose_domain, solve_attempts
@@ -529,7 +530,7 @@ def test_wide_bars_are_unresolved(monkeypatch):
     """A mesh that is fine enough for the film, and bars beyond the limit: said with the bar."""
     solution = solve_contact(replace(CIRCULAR, load_parameter=700.0), SolverOptions(points=129))
     bar = solution.film_minimum_dimensionless.relative_uncertainty
-    monkeypatch.setattr("ehl.solver.LARGEST_BAR", 0.5 * bar)
+    monkeypatch.setattr("ehl.multigrid.verdict.LARGEST_BAR", 0.5 * bar)
     monkeypatch.setattr("ehl.multigrid.history.RESOLVED", 0.1)
     solution = solve_contact(replace(CIRCULAR, load_parameter=700.0), SolverOptions(points=129))
     assert solution.converged and not solution.resolved

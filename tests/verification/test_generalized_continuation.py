@@ -225,7 +225,7 @@ def test_a_film_that_heat_makes_too_thin_is_unresolved(monkeypatch):
     mesh = float(plain.X[1] - plain.X[0])
     between = np.mean(films) / (scale_contact(conditions).curvature_x * mesh**2)
     monkeypatch.setattr("ehl.multigrid.history.RESOLVED", between)
-    monkeypatch.setattr("ehl.solver.LARGEST_BAR", 1.0)
+    monkeypatch.setattr("ehl.multigrid.verdict.LARGEST_BAR", 1.0)
     assert solve_contact(conditions, COARSE).resolved
     heated = solve_by_continuation(flow, COARSE)[0]
     assert heated.converged and not heated.resolved

@@ -127,7 +127,7 @@ def test_a_compilation_is_told_once(capsys):
 def test_compiling_a_kernel_is_logged_and_calling_it_again_is_not(caplog):
     from numba import njit
 
-    import ehl.multigrid._kernels  # noqa: F401
+    import ehl.multigrid.kernels._kernels  # noqa: F401
 
     kernel = njit(lambda x: 0.5 * x)
     with caplog.at_level("INFO", logger="ehl.compiled"):

@@ -8,8 +8,9 @@ from numpy.testing import assert_allclose
 
 from ehl import Lubricant, MoesConditions, ViscosityLaw
 from ehl.grid import Grid
-from ehl.multigrid import _kernels, _relaxation_kernels
-from ehl.multigrid.cycle import Damping, make_multigrid, relax, start_level, update_film
+from ehl.multigrid.cycle import relax, start_level, update_film
+from ehl.multigrid.kernels import _kernels, _relaxation_kernels
+from ehl.multigrid.levels import Damping, make_multigrid
 from ehl.oil import _kernels as properties
 from ehl.oil.numbers import oil_numbers
 from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
@@ -100,9 +101,10 @@ def test_relax_lines(fields):
         first = 0 if g.symmetric else 1
         for colour in (first, first + 1):
             ends = (colour, g.ny - 1)
-            sweep = (*couette, f, kernel.near, *mesh(g), 0.8, 0.7, kinds, spread, *ends)
+            flooded = (False, spread, kinds, spread)
+            sweep = (*couette, f, kernel.near, *mesh(g), *flooded, 0.8, 0.7, kinds, spread, *ends)
             _relaxation_kernels.relax_lines(ours, H, flow.eps, *sweep)
-        _relaxation_kernels.spread_changes(ours, kinds, spread, g.hx, g.hy, 0.3, first, g.ny - 1)
+        _relaxation_kernels.spread_changes(ours, kinds, spread, g.hx, g.hy, 0.3, False, first, g.ny - 1)
         twin = relaxation.relax_lines(P, H, flow, f, g, kernel, (0.3, 0.8, 0.7))
         assert np.abs(twin - P).max() > 1e-3  # the sweep did something
         assert_allclose(ours, twin, rtol=0.0, atol=1e-9)  # elimination without and with pivoting

@@ -3,11 +3,11 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from .grid import unfolded
-from .multigrid.cycle import Multigrid
-from .oil.lubricant import density
-from .scaling import ScaledContact
-from .solution import ContactSolution, OilSupply
+from ..grid import unfolded
+from ..oil.lubricant import density
+from ..scaling import ScaledContact
+from ..solution import ContactSolution, OilSupply
+from .levels import Multigrid
 
 Array = NDArray[np.float64]
 

@@ -5,7 +5,7 @@ A node's faces are the ones its oil leaves by: along the line, at i + 1/2, and a
 j + 1/2 or j - 1/2 by the sign of the velocity there.
 """
 
-from ..compiled import compiled
+from ...compiled import compiled
 
 # share of filling over which the oil that leaves a node goes over from the ratio of the velocities
 # to that of the full gaps; 1.0 is as stable and 1 to 10 % less accurate, none stagnates

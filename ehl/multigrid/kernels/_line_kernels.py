@@ -9,7 +9,7 @@ side.
 
 import numpy as np
 
-from ..compiled import compiled
+from ...compiled import compiled
 
 LANES = 8  # lines solved at once, as many as fit a register of 512 bits
 LOWER = 4  # sub-diagonals of the line system

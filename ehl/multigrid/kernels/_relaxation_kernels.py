@@ -4,7 +4,7 @@ layout of arrays, `_line_kernels` for the systems of the lines.
 
 import numpy as np
 
-from ..compiled import compiled
+from ...compiled import compiled
 from ._kernels import lateral_at, operator_of_line
 from ._line_kernels import (
     DENSITY,

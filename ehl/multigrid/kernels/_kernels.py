@@ -12,8 +12,8 @@ the grid. Arrays are stored with lines along x contiguous, shape (ny, nx). On a 
 
 import numpy as np
 
-from ..compiled import compiled
-from ..oil._elementary_kernels import exponential, logarithm
+from ...compiled import compiled
+from ...oil._elementary_kernels import exponential, logarithm
 
 EXPONENT_LIMIT = 600.0  # largest ln(eta/eta_0), keeps exp() finite
 

@@ -1,0 +1,117 @@
+"""Levels of one contact: their grids, fields and workspace, and what they share."""
+
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..grid import Grid
+from ..scaling import ScaledContact
+from ..solid.deformation import DeflectionKernel, deflection_kernel
+from .far_field import FarField
+from .flow_model import FlowFactors, FlowModel, entrainment_factors
+from .starved import Fill, make_fill
+from .threads import Threads
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Damping:
+    """Under-relaxation of one solve, all [-]."""
+
+    jacobi: float = 0.5  # of the distributive Jacobi changes
+    gauss_seidel: float = 1.0  # factor on 0.4 + 0.6 eps/(eps + 1)
+    correction: float = 1.0  # of the coarse-grid correction
+    approach: float = 0.1  # of the change of H0 by the load balance, on the coarsest grid
+    # Gauss-Seidel where Poiseuille exceeds this share of K00/hx, times (hy/hx)^1.5 if stretched
+    switch: float = 0.3
+
+    def halved(self) -> "Damping":
+        """Half the changes, three quarters of the coarse-grid correction."""
+        return replace(
+            self,
+            jacobi=0.5 * self.jacobi,
+            gauss_seidel=0.5 * self.gauss_seidel,
+            correction=0.75 * self.correction,
+            approach=0.5 * self.approach,
+        )
+
+
+@dataclass(slots=True, kw_only=True)
+class Level:
+    """Workspace of one grid; all arrays of shape (ny, nx), all quantities [-]."""
+
+    grid: Grid
+    kernel: DeflectionKernel
+    gap: Array  # S X^2/2 + T Y^2/2 + C X Y
+    P: Array
+    H: Array
+    f: Array
+    s: Array
+    eps: Array
+    flow_x: Array  # rho u
+    slope_x: Array  # u d(rho)/dP
+    flow_y: Array  # rho v; empty if nothing flows along Y
+    slope_y: Array
+    scratch: Array  # always zero on the edge
+    kinds: NDArray[np.int8]  # of the nodes in the last sweep
+    factors: FlowFactors
+    fill: Fill | None = None  # where the inlet carries a layer; None: flooded
+    # pressure that s already holds the deflection of; below the level being solved
+    start: Array | None = None
+    load: float = 0.0
+    flow_state: Any = None  # of the flow model after the last cycle on this level
+
+
+@dataclass(slots=True, kw_only=True)
+class Multigrid:
+    """All levels of one contact, the approach they share and the work done; all quantities [-]."""
+
+    contact: ScaledContact
+    far_field: FarField | None  # edge pressure of an open box; None: zero pressure on the edge
+    levels: tuple[Level, ...]  # coarsest first
+    damping: Damping
+    flow_model: FlowModel | None = None  # None: Newtonian, of uniform temperature
+    threads: Threads = field(default_factory=Threads)
+    approach: float = 0.0  # H0
+    exterior: float = 0.0  # load outside the box
+    deflections: dict[int, int] = field(default_factory=dict)  # level -> number of deflection FFTs
+
+    def deflected_nodes(self) -> int:
+        """Nodes times deflection FFTs so far, the measure of the work."""
+        return sum(count * self.levels[index].P.size for index, count in self.deflections.items())
+
+
+def make_multigrid(
+    contact: ScaledContact, grids: tuple[Grid, ...], far_field: FarField | None, damping: Damping
+) -> Multigrid:
+    """Allocate the levels, coarsest first."""
+    levels = []
+    for grid in grids:
+        gap = contact.gap(grid.X[None, :], grid.Y[:, None])
+        shape = (grid.ny, grid.nx)
+        levels.append(
+            Level(
+                grid=grid,
+                kernel=deflection_kernel(grid, contact.deformation, contact.coating),
+                gap=gap,
+                s=gap,
+                P=np.zeros(shape),
+                H=np.zeros(shape),
+                f=np.zeros(shape),
+                eps=np.zeros(shape),
+                flow_x=np.zeros(shape),
+                slope_x=np.zeros(shape),
+                flow_y=np.zeros((0, 0) if grid.symmetric else shape),
+                slope_y=np.zeros((0, 0) if grid.symmetric else shape),
+                scratch=np.zeros(shape),
+                kinds=np.zeros(shape, dtype=np.int8),
+                factors=entrainment_factors(contact, grid),
+                fill=None
+                if contact.inlet_layer is None
+                else make_fill(contact.inlet_layer, grid, contact.lateral),
+            )
+        )
+    return Multigrid(contact=contact, far_field=far_field, levels=tuple(levels), damping=damping)

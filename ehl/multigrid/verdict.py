@@ -1,0 +1,84 @@
+"""What a solution may be called: converged, resolved, and the message that says why not."""
+
+from dataclasses import replace
+
+from ..solution import ContactSolution
+from .full_multigrid import AttemptResult
+from .history import CENTRAL, MINIMUM, RESOLVED
+
+# a thicker film lies in a gap that is no paraboloid: outside the model
+MAX_FILM_OVER_RADIUS = 0.02
+LARGEST_BAR = 0.15  # relative error bar above which a film is reported as unresolved
+
+
+def judged(solution: ContactSolution) -> ContactSolution:
+    """The solution as its films let it stand: the minimum not above the centre, not converged
+    where the film is outside the model, unresolved where a bar is wider than `LARGEST_BAR`.
+    """
+    solution = _minimum_below_centre(solution)
+    if not solution.converged:
+        return solution
+    share = film_over_radius(solution)
+    if share > MAX_FILM_OVER_RADIUS:
+        message = (
+            f"outside the model: the film is {share:.1%} of Rx, where the gap is no paraboloid; "
+            "no film is given"
+        )
+        return replace(solution, converged=False, resolved=False, message=message)
+    bar = solution.widest_bar
+    if not solution.resolved or bar <= LARGEST_BAR:
+        return solution
+    message = f"converged but unresolved: error bar {bar:.0%} of the film; try more points"
+    return replace(solution, resolved=False, message=message)
+
+
+def _minimum_below_centre(solution: ContactSolution) -> ContactSolution:
+    central = solution.film_central_dimensionless
+    minimum = solution.film_minimum_dimensionless
+    if not minimum.value > central.value:
+        return solution
+    excess = minimum.value - central.value
+    return replace(
+        solution,
+        film_minimum_dimensionless=replace(
+            minimum, value=central.value, uncertainty=minimum.uncertainty + excess
+        ),
+    )
+
+
+def film_over_radius(solution: ContactSolution) -> float:
+    """Central film of the finest grid over Rx [-]; zero where no lengths are given."""
+    if solution.film_scale is None or solution.semi_axis_x is None:
+        return 0.0
+    film = solution.film_central_dimensionless.finest
+    return film * (solution.film_scale / solution.semi_axis_x) ** 2
+
+
+def resolution_message(result: AttemptResult) -> tuple[bool, str]:
+    """Whether the film of a solve is resolved, and the message on it."""
+    resolved = bool(result.levels) and result.levels[-1].resolved
+    return resolved, _message(result, resolved)
+
+
+def _message(result: AttemptResult, resolved: bool) -> str:
+    if not result.levels:
+        return "the iteration diverged in spite of stronger damping; try more points or less load"
+    history = result.levels[-1]
+    if not result.converged and not history.film[-1][MINIMUM] > 0.0:
+        return "not converged: the minimum film is not positive on this mesh; try more points"
+    if not result.converged:
+        change = max(history.remaining(kind) for kind in (CENTRAL, MINIMUM))
+        return (
+            f"not converged: the equations miss by {history.residual[-1]:.1e} of the flow, the "
+            f"load by {history.load[-1]:.1e}, and the cycles leave {change:.1e} of the film; try "
+            "more points"
+        )
+    if not resolved:
+        return (
+            f"converged but unresolved: minimum film/(mesh size)^2 is {history.fineness:.2f}, "
+            f"below {RESOLVED:g}; try more points"
+        )
+    certificate = result.certificate
+    if certificate is not None and not certificate.certified:
+        return f"converged, without certificate: {certificate.message}"
+    return "converged"
