@@ -171,6 +171,32 @@ class ContactSolution:
         return self._dimensional(self.film_minimum_dimensionless.uncertainty)
 
     @property
+    def flooded_central(self) -> float | None:
+        """Central film without limit of the supply, of a film behind a layer [m]."""
+        return (
+            None if self.supply is None else self._dimensional(self.supply.flooded_central.value)
+        )
+
+    @property
+    def flooded_central_uncertainty(self) -> float | None:
+        """Its uncertainty [m]."""
+        supply = self.supply
+        return None if supply is None else self._dimensional(supply.flooded_central.uncertainty)
+
+    @property
+    def flooded_minimum(self) -> float | None:
+        """Minimum film without limit of the supply, of a film behind a layer [m]."""
+        return (
+            None if self.supply is None else self._dimensional(self.supply.flooded_minimum.value)
+        )
+
+    @property
+    def flooded_minimum_uncertainty(self) -> float | None:
+        """Its uncertainty [m]."""
+        supply = self.supply
+        return None if supply is None else self._dimensional(supply.flooded_minimum.uncertainty)
+
+    @property
     def x(self) -> Array | None:
         """Node positions along x, shape (nx,) [m]."""
         return None if self.semi_axis_x is None else self.X * self.semi_axis_x

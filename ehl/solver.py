@@ -22,12 +22,7 @@ from .multigrid.full_multigrid import (
 from .multigrid.history import CENTRAL, MINIMUM
 from .multigrid.levels import Multigrid
 from .multigrid.newton import certify
-from .multigrid.oil_supply import (
-    inlet_ratio,
-    oil_supply,
-    require_one_direction,
-    starved_film_guess,
-)
+from .multigrid.oil_supply import inlet_ratio, oil_supply, starved_film_guess, turned_round
 from .multigrid.open_box import box_uncertainty, choose_domain
 from .multigrid.settling import Progress
 from .multigrid.verdict import MAX_FILM_OVER_RADIUS, film_over_radius, judged, resolution_message
@@ -117,13 +112,13 @@ def solve_starved(
     flow_model: FlowModel | None = None,
 ) -> ContactSolution:
     """A contact behind a layer of oil: its flooded film, then the film with mass conserved, see
-    `multigrid/starved.py`, and what the layer changes.
+    `multigrid/starved.py`, and what the layer changes. Not converged where the oil runs against
+    the entrainment somewhere in the box, as beside a pole of spin.
 
     Raises
     ------
     ValueError
-        If the oil runs against the entrainment somewhere in the box, as beside a pole of spin, or
-        a flow model or a certificate is asked for: none of these is there behind a layer.
+        If a flow model or a certificate is asked for: neither is there behind a layer.
     """
     layer = scale_contact(conditions).inlet_layer
     assert layer is not None
@@ -134,7 +129,10 @@ def solve_starved(
     flooded, levels = solve_attempts(replace(conditions, inlet_layer=None), options)
     if not flooded.converged:
         return replace(flooded, conditions=conditions, message=f"flooded film: {flooded.message}")
-    require_one_direction(levels)
+    if turned := turned_round(levels):
+        return replace(
+            flooded, conditions=conditions, converged=False, resolved=False, message=turned
+        )
     ratio = inlet_ratio(layer.central, flooded, levels.contact)
     guess = starved_film_guess(flooded.film_central_dimensionless.value, ratio)
     starved, levels = solve_attempts(conditions, options, film_guess=guess)

@@ -19,7 +19,7 @@ from .supply import InletFilm, Supply, supplied_share
 class StarvedFilm:
     """Film of one contact at a supply."""
 
-    share: float  # of the flooded film, central as minimum [-]
+    share: float  # of the flooded central film [-]
     flooded_central: float  # flooded films [m]
     flooded_minimum: float  # [m]
     # root mean square of race and ball together, zero where it is not known
@@ -27,6 +27,7 @@ class StarvedFilm:
     # whether the flooded films were solved; else they are those of the formulas of Nijenbanning et
     # al. and of Hamrock and Dowson
     solved: bool = False
+    minimum_share: float | None = None  # of the flooded minimum film [-]; None: as the central
 
     @property
     def central(self) -> float:
@@ -36,7 +37,8 @@ class StarvedFilm:
     @property
     def minimum(self) -> float:
         """Minimum film left [m]."""
-        return self.share * self.flooded_minimum
+        share = self.share if self.minimum_share is None else self.minimum_share
+        return share * self.flooded_minimum
 
     @property
     def lambda_ratio(self) -> float:
@@ -61,7 +63,9 @@ def starved_films(
     films: list[StarvedFilm | None] = []
     for contact, solution in zip(contacts, solutions or [None] * len(contacts), strict=True):
         film = None
-        if flooded := _flooded(contact, solution):
+        if solution is not None and solution.supply is not None:
+            film = _behind_layer(solution, rough[contact.race])
+        elif flooded := _flooded(contact, solution):
             central, minimum, solved = flooded
             film = StarvedFilm(
                 share=supplied_share(contact, central, supply, balls),
@@ -72,6 +76,22 @@ def starved_films(
             )
         films.append(film)
     return tuple(films)
+
+
+def _behind_layer(solution: ContactSolution, roughness: float) -> StarvedFilm | None:
+    """Of a film that was solved behind a layer; None where it did not converge."""
+    central, minimum = solution.flooded_central, solution.flooded_minimum
+    if central is None or minimum is None:
+        return None
+    assert solution.film_central is not None and solution.film_minimum is not None
+    return StarvedFilm(
+        share=solution.film_central / central,
+        flooded_central=central,
+        flooded_minimum=minimum,
+        roughness=roughness,
+        solved=True,
+        minimum_share=solution.film_minimum / minimum,
+    )
 
 
 def of_driven_balls(

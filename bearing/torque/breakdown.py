@@ -53,6 +53,7 @@ class TorqueBreakdown:
     films: tuple[StarvedFilm | None, ...] = ()  # of the contacts, where a supply is given
     starved: StarvedTorque | None = None  # at that supply
     for_supply: bool = False  # the torque wanted is that at the supply
+    behind_layers: bool = False  # films, and with them the integrated model, are at the supply
 
     @property
     def chosen(self) -> str | None:
@@ -104,6 +105,7 @@ def torque_breakdown(
     if friction.supply is not None:
         balls = solution.bearing.balls
         films = starved_films(contacts, friction.supply, balls, friction.roughness, solutions)
+    behind_layers = any(film is not None and film.supply is not None for film in solutions or ())
     order = [*NAMES, *(name for name in models if name not in NAMES)]
     return TorqueBreakdown(
         models={name: models[name] for name in order},
@@ -111,7 +113,8 @@ def torque_breakdown(
         shear=shear,
         films=films,
         starved=starved,
-        for_supply=friction.supply is not None and not friction.flooded,
+        for_supply=friction.supply is not None and not (friction.flooded or behind_layers),
+        behind_layers=behind_layers,
     )
 
 

@@ -94,7 +94,10 @@ def starved_torque(
         fraction = oil_fraction(supply, cavity_volume(solution.bearing))
     parts = _of_films(solution, contacts, friction, films)
     ample = _of_films(
-        solution, contacts, friction, [film and replace(film, share=1.0) for film in films]
+        solution,
+        contacts,
+        friction,
+        [film and replace(film, share=1.0, minimum_share=None) for film in films],
     )
     cage = cage_and_drag(solution, lubricant, friction, speed)["cage"]
     drag = churning_power(solution, lubricant.density, fraction) / speed

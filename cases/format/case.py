@@ -17,7 +17,7 @@ from bearing.operation import BallKinematics, Operation, QuasistaticModel, Ratin
 from bearing.rating.load_rating import capacity
 from bearing.rows import Row
 from bearing.torque.inputs import FrictionInput
-from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
+from ehl import ContactConditions, InletLayer, Lubricant, MoesConditions, SolverOptions
 from ehl.oil.rheology import Rheology
 
 from . import bearing as bearings
@@ -72,6 +72,7 @@ class Case(AnyCase):
     seats: fits.Seats  # of the rings, for their strength
     rows: tuple[Row, ...] | None = None  # None: a single one
     load_cases: tuple["LoadCaseInput", ...] = ()  # states of a duty cycle
+    inlet_layer: InletLayer | None = None  # that films are solved behind [m]; None: flooded
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -190,6 +191,9 @@ def _bearing_case(file: BearingFile) -> Case:
         clearance=clearance,
         seats=fits.seats_of(seats, file.temperatures),
         rows=rows(file.rows, delivered, assumptions, lambda: capacity(delivered, rated)),
+        inlet_layer=contacts.inlet_layer(
+            contacts.starvation(file.ehl, file.lubricant), file.lubricant
+        ),
     )
 
 
@@ -260,7 +264,8 @@ def _contact_case(file: ContactFile) -> ContactCase:
     library = materials(file.materials, [name for name in names if name is not None])
     document = _document(file)
     document["contact"] = {**contacts.contact_defaults(table), **document["contact"]}
-    if (starvation := contacts.starvation(file.ehl, file.lubricant)) is not None:
+    starvation = contacts.starvation(file.ehl, file.lubricant, contacts.Starvation.SOLVED)
+    if starvation is not None:
         document["ehl"]["starvation"] = starvation.value
     document["lubricant"] = _lubricant_document(document, lubricant_keys(fluid, moes=moes))
     bodies = [library[name] for name in names[:2] if name is not None]
@@ -269,7 +274,7 @@ def _contact_case(file: ContactFile) -> ContactCase:
         document=document,
         conditions=replace(
             contacts.contact(table, library, fluid),
-            inlet_layer=contacts.inlet_layer(file.ehl, file.lubricant),
+            inlet_layer=contacts.inlet_layer(starvation, file.lubricant),
         ),
         temperature=temperature,
     )

@@ -7,9 +7,8 @@ from typing import Annotated, Any
 from pydantic import model_validator
 
 from bearing.material import Material, reduced_modulus
-from ehl import ContactConditions, Lubricant, MoesConditions
+from ehl import ContactConditions, InletLayer, Lubricant, MoesConditions
 from ehl.conditions import surface_motion
-from ehl.oil.inlet_layer import InletLayer
 from ehl.options import GENERALIZED_POINTS, TOLERANCE
 from ehl.solid.coating import Coating
 
@@ -49,7 +48,7 @@ class Starvation(Enum):
 
 
 class GridTable(Table):
-    """Grid of the contacts."""
+    """Grid of the contacts, and their films behind a layer."""
 
     points: Points = described(
         "nodes along the entrainment on the finest level, 2^k + 1; with a tolerance the most", 1025
@@ -68,6 +67,11 @@ class GridTable(Table):
         "physics of the film: oil by [lubricant] rheology, and with heat", "newtonian"
     )
 
+    starvation: Annotated[str, OneOf(Starvation)] | None = described(
+        "with an inlet film: solved (a single contact untold), or none (a bearing untold): "
+        "flooded films, a share by formula beside them"
+    )
+
     @model_validator(mode="before")
     @classmethod
     def _budget(cls, table: Any) -> Any:
@@ -81,11 +85,7 @@ class GridTable(Table):
 
 
 class ContactEhlTable(GridTable):
-    """Grid of a single contact, and its film behind a layer."""
-
-    starvation: Annotated[str, OneOf(Starvation)] | None = described(
-        "with an inlet film: solved (left out), or none: flooded, a share by formula beside it"
-    )
+    """Grid of a single contact."""
 
 
 class EhlTable(GridTable):
@@ -198,19 +198,23 @@ RELATIONS: tuple[Relation, ...] = (
 )
 
 
-def starvation(table: ContactEhlTable, lubricant: LubricantTable) -> Starvation | None:
-    """What the layer at the inlet does to the film of a single contact; None without a layer."""
+def starvation(
+    table: GridTable, lubricant: LubricantTable, untold: Starvation = Starvation.NONE
+) -> Starvation | None:
+    """What the layer at the inlet does to the films; None without a layer. A Newtonian film takes
+    `untold` where the table does not say.
+    """
     if lubricant.inlet_film_um is None and lubricant.inlet_film_dimensionless is None:
         return None
     if table.starvation is not None:
         return Starvation(table.starvation)
     newtonian = table.film_model == FilmModel.NEWTONIAN.value
-    return Starvation.SOLVED if newtonian else Starvation.NONE
+    return untold if newtonian else Starvation.NONE
 
 
-def inlet_layer(table: ContactEhlTable, lubricant: LubricantTable) -> InletLayer | None:
-    """Layer that the film is solved behind [m], in Moes' groups [a^2/Rx]; None: flooded."""
-    if starvation(table, lubricant) is not Starvation.SOLVED:
+def inlet_layer(chosen: Starvation | None, lubricant: LubricantTable) -> InletLayer | None:
+    """Layer that films are solved behind [m], in Moes' groups [a^2/Rx]; None: flooded."""
+    if chosen is not Starvation.SOLVED:
         return None
     thickness = lubricant.inlet_film_dimensionless
     if thickness is None:
@@ -222,7 +226,6 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     """A film of a thinning oil or with heat has lengths, one with heat bodies by material; two
     velocities entrain oil.
     """
-    yield from _layer_faults(values)
     velocities = [values.get("contact", name) for name in VELOCITIES]
     if all(velocity is not None for velocity in velocities):
         try:
@@ -236,24 +239,6 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     if film_model == "thermal" and values.given("contact", MODULUS):
         finding = f"found {MODULUS} with film_model thermal"
         yield CaseFault(("contact", MODULUS), finding, "allowed: material_1 and material_2")
-
-
-def _layer_faults(values: CaseValues) -> Iterator[CaseFault]:
-    """A film behind a layer needs a layer, and is Newtonian, without a certificate."""
-    chosen = values.get("ehl", "starvation")
-    newtonian = values.get("ehl", "film_model") in (None, FilmModel.NEWTONIAN.value)
-    if chosen == "solved" and not newtonian:
-        found = f"found {shown(chosen)} with film_model {shown(values.get('ehl', 'film_model'))}"
-        yield CaseFault(("ehl", "starvation"), found, 'allowed: "none", or film_model "newtonian"')
-    if not values.given("contact") or chosen == "none" or not newtonian:
-        return
-    for key in ("inlet_film_um", "inlet_film_dimensionless"):
-        if values.get("lubricant", key) == 0.0:
-            allowed = 'allowed: above 0, a dry inlet has no film; or starvation = "none"'
-            yield CaseFault(("lubricant", key), "found 0", allowed)
-        if values.given("lubricant", key) and values.get("ehl", "certify"):
-            found = f"found true with lubricant.{key}"
-            yield CaseFault(("ehl", "certify"), found, 'allowed: false, or starvation = "none"')
 
 
 def contact(

@@ -170,6 +170,7 @@ def oil_of(lubricant: dict[str, Any], lubricants: object) -> Oil:
 
 def faults(values: CaseValues) -> Iterator[CaseFault]:
     """The oil by name or by its properties, complete, and its laws."""
+    yield from _layer_faults(values)
     for name in values.get("lubricants") or ():
         first, second = (("lubricants", name, key) for key in VISCOSITIES)
         if values.given(*first) and values.given(*second):
@@ -192,6 +193,25 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     yield from free_volume_faults(oil.keys, values, of_library=oil.of_library)
     yield from _moes_pressure_scale(oil.keys, values)
     yield from _heat_faults(oil.keys, values)
+
+
+def _layer_faults(values: CaseValues) -> Iterator[CaseFault]:
+    """A film behind a layer needs a layer, and is Newtonian, without a certificate."""
+    chosen = values.get("ehl", "starvation")
+    newtonian = values.get("ehl", "film_model") in (None, "newtonian")
+    if chosen == "solved" and not newtonian:
+        found = f"found {shown(chosen)} with film_model {shown(values.get('ehl', 'film_model'))}"
+        yield CaseFault(("ehl", "starvation"), found, 'allowed: "none", or film_model "newtonian"')
+    by_default = chosen is None and values.given("contact") and newtonian
+    if not (by_default or chosen == "solved"):
+        return
+    for key in ("inlet_film_um", "inlet_film_dimensionless"):
+        if values.get("lubricant", key) == 0.0:
+            allowed = 'allowed: above 0, a dry inlet has no film; or starvation = "none"'
+            yield CaseFault(("lubricant", key), "found 0", allowed)
+        if values.given("lubricant", key) and values.get("ehl", "certify"):
+            found = f"found true with lubricant.{key}"
+            yield CaseFault(("ehl", "certify"), found, 'allowed: false, or starvation = "none"')
 
 
 def _incomplete(oil: dict[str, Any], *, moes: bool) -> Iterator[CaseFault]:

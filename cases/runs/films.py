@@ -32,7 +32,11 @@ def wanted_contacts(
     if not state.converged:
         return [None] * len(contacts), ("no film was computed, since there is no equilibrium",)
     chosen = _chosen_balls(case, contacts)
-    return [c.conditions if c.ball in chosen else None for c in contacts], ()
+    wanted = [c.conditions if c.ball in chosen else None for c in contacts]
+    if case.inlet_layer is not None:
+        layer = case.inlet_layer
+        wanted = [own and replace(own, inlet_layer=layer) for own in wanted]
+    return wanted, ()
 
 
 def _chosen_balls(case: Case, contacts: Sequence[BearingContact]) -> set[int]:

@@ -33,14 +33,17 @@ def _density(P: float, contact: ScaledContact) -> float:
     return 1.0 + contact.density_numerator * P / (1.0 + contact.density_denominator * P)
 
 
-def require_one_direction(levels: Multigrid) -> None:
-    """ValueError where oil runs against the entrainment in the box of a solution."""
+def turned_round(levels: Multigrid) -> str:
+    """Why a contact is not solved behind a layer: oil that runs against the entrainment somewhere
+    in its box; empty where none does.
+    """
     along = levels.levels[-1].factors.couette_x
-    if along is not None and float(along.min()) <= 0.0:
-        raise ValueError(
-            "inlet_layer: the spin turns the entrainment round inside the box of the contact; "
-            "films behind a layer are solved where all oil runs one way"
-        )
+    if along is None or float(along.min()) > 0.0:
+        return ""
+    return (
+        "not converged: the spin turns the entrainment round inside the box of the contact; films "
+        "behind a layer are solved where all oil runs one way"
+    )
 
 
 def oil_supply(

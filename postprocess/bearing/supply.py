@@ -55,6 +55,9 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
         )
         return
     films = [film for film in torque.films if film is not None]
+    if torque.behind_layers:
+        yield from _layer_messages(results)
+        return
     yield (
         f"supply: {kind}; starved are starved_film_... of the contacts (flooded films "
         f"{_origin(films)}), supply, and the torque model starved{_total_text(torque)}; film_..., "
@@ -68,6 +71,22 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
         yield "supply: torque and oil_fraction null as the model starved"
     if films and all(film.share > 1.0 - FLOOD_MARGIN for film in films):
         yield f"supply: ample, every contact keeps its flooded film to {FLOOD_MARGIN:.1%}"
+
+
+def _layer_messages(results: BearingResults) -> Iterator[str]:
+    """Which numbers are starved where films were solved behind layers."""
+    yield (
+        "supply: inlet film, films solved behind it: film_..., lambda_ratio, maps and the "
+        "integrated torque are starved, flooded_film_... the flooded films; the torque model "
+        "starved is of first order, all others are flooded"
+    )
+    ahead = [
+        f"ball {contact.ball} {contact.race.value}"
+        for contact, film in zip(results.contacts, results.solutions, strict=True)
+        if film is not None and film.supply is not None and film.supply.meniscus is None
+    ]
+    if ahead:
+        yield f"contacts.meniscus_position: null, the layer floods the box ({', '.join(ahead)})"
 
 
 def _origin(films: list[StarvedFilm]) -> str:

@@ -174,7 +174,13 @@ def rolling_messages(results: BearingResults) -> Iterator[str]:
     yield from (f"torque_N_mm.rolling_extent: {note}" for note in extent.notes)
     total = None if results.torque is None else results.torque.total
     torque = extent.within_extent if total is None else total
-    if max(extent.doubling, extent.uncertainty) > LARGE_SHARE * torque:
+    if results.torque is not None and results.torque.behind_layers:
+        part, uncertainty = (part.value(extent) for part in ROLLING_EXTENT[:2])
+        yield (
+            f"torque_N_mm: the rolling part, {part:.4g} N mm with an uncertainty of "
+            f"{uncertainty:.4g}, is that of the solved films behind their layers"
+        )
+    elif max(extent.doubling, extent.uncertainty) > LARGE_SHARE * torque:
         layer = from_si("layer_um", extent.layer)
         within, uncertainty, box, doubling = (
             f"{part.value(extent):.4g}" for part in ROLLING_EXTENT

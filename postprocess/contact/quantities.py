@@ -96,11 +96,37 @@ FURTHER_QUANTITIES = quantities(  # of the summary alone
     ("rolling_extent_mm", "meniscus ahead of the centre", "rolling.extent"),
     ("flooded_layer_um", "layer of oil at the inlet", "rolling.layer"),
 )
+NO_LAYER = "the film was not solved behind a layer (ehl.starvation), or did not converge"
+SUPPLY_QUANTITIES = (
+    *quantities(
+        "film.",
+        NO_LAYER,
+        ("flooded_film_central_um", "flooded central film", "flooded_central"),
+        (
+            "flooded_film_central_uncertainty_um",
+            "flooded central film uncertainty",
+            "flooded_central_uncertainty",
+        ),
+        ("flooded_film_minimum_um", "flooded minimum film", "flooded_minimum"),
+        (
+            "flooded_film_minimum_uncertainty_um",
+            "flooded minimum film uncertainty",
+            "flooded_minimum_uncertainty",
+        ),
+    ),
+    *quantities(
+        "film.supply.",
+        NO_LAYER,
+        ("inlet_ratio", "layer over the oil of the flooded film"),
+        ("meniscus_position", "meniscus in semi-axes", "meniscus"),
+        ("rolling_moment_ratio", "share of the rolling moment"),
+    ),
+)
 
 
 def film_values(record: FilmRecord) -> dict[str, Any]:
     """Values of the film's quantities by key, in the units of the keys."""
-    return values_of(record, (*FILM_QUANTITIES, *FURTHER_QUANTITIES))
+    return values_of(record, (*FILM_QUANTITIES, *FURTHER_QUANTITIES, *SUPPLY_QUANTITIES))
 
 
 def formula_films(conditions: object) -> dict[str, float | None]:

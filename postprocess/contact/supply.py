@@ -18,7 +18,7 @@ def contact_starved_values(results: ContactResults) -> dict[str, float | None]:
     """Share of the flooded film [-] and the films left [um], solved or by formula, and what the
     solution says of the layer; None without an inlet film.
     """
-    return {**_films_left(results), **_flooded_films(results.solution), **_layer(results.solution)}
+    return {**_films_left(results), **_flooded_films(results.solution)}
 
 
 def _films_left(results: ContactResults) -> dict[str, float | None]:
@@ -45,27 +45,15 @@ def _films_left(results: ContactResults) -> dict[str, float | None]:
 
 
 def _flooded_films(solution: ContactSolution) -> dict[str, float | None]:
-    """Flooded films and their uncertainties in the same box, [um] and [a^2/Rx]."""
-    supply, scale = solution.supply, solution.film_scale
+    """Flooded films and their uncertainties in the same box [a^2/Rx]."""
+    supply = solution.supply if solution.converged else None
     values: dict[str, float | None] = {}
     for name in NAMES:
         film = None if supply is None else getattr(supply, f"flooded_{name}")
         for quantity, part in (("", "value"), ("_uncertainty", "uncertainty")):
             number = None if film is None else getattr(film, part)
-            key = f"flooded_film_{name}{quantity}"
-            length = None if number is None or scale is None else number * scale
-            values[f"{key}_um"] = from_si("film_um", length)
-            values[f"{key}_dimensionless"] = number
+            values[f"flooded_film_{name}{quantity}_dimensionless"] = number
     return values
-
-
-def _layer(solution: ContactSolution) -> dict[str, float | None]:
-    """Layer over what the flooded film takes along, meniscus [a], share of the rolling moment."""
-    supply = solution.supply
-    if supply is None or not solution.converged:
-        return dict.fromkeys(SOLVED)
-    values = (supply.inlet_ratio, supply.meniscus, supply.rolling_moment_ratio)
-    return dict(zip(SOLVED, values, strict=True))
 
 
 def contact_supply_messages(results: ContactResults) -> Iterator[str]:

@@ -189,6 +189,9 @@ density_kg_m3 = 870.0
 
 
 def contact(text):
+    """With a share by formula where there is a layer."""
+    if "inlet_film_um" in text:
+        text = text.replace("points = 65", 'points = 65\nstarvation = "none"')
     return summary(run_contact(case_from_text(text, "case.toml")))
 
 
@@ -303,3 +306,44 @@ def test_the_supply_does_not_cool_and_a_hundred_times_as_much_oil_does():
     )
     assert first < last - 10.0
     assert cold_last < cold_first < first
+
+
+def solved(layer, more="", points=65):
+    ehl = f'film_maps = "all"\nstarvation = "solved"\npoints = {points}\n{more}'
+    return with_film(layer).replace('film_maps = "none"\n', ehl)
+
+
+def test_films_of_a_bearing_solved_behind_a_layer():
+    """Each of them its own, and the total torque is that of these films."""
+    document = found(solved(0.2))
+    assert document["converged"] and document["torque_N_mm"]["total"] is not None
+    assert document["torque_N_mm"]["model"] == "integrated"
+    loaded = [c for c in document["contacts"] if c["film_central_um"] is not None]
+    assert len(loaded) >= 6
+    for contact in loaded:
+        share = contact["film_central_um"] / contact["flooded_film_central_um"]
+        assert contact["starved_film_share"] == pytest.approx(share)
+        assert share < 1.03 * contact["inlet_ratio"] and contact["film_central_um"] < 0.2
+        assert 0.0 < contact["rolling_moment_ratio"] < 1.0 and contact["meniscus_position"] < -0.9
+    unsolved = [c for c in document["contacts"] if c["film_central_um"] is None]
+    assert all(c["flooded_film_central_um"] is c["inlet_ratio"] is None for c in unsolved)
+    assert any("films solved behind it" in message for message in document["messages"])
+    flooded_films = found(solved(0.2).replace('"solved"', '"none"'))
+    assert flooded_films["torque_N_mm"]["models"]["integrated"]["total"] > document["torque_N_mm"]["total"]
+
+
+@pytest.mark.parametrize(
+    ("text", "key"),
+    [
+        (TEXT.replace('film_maps = "none"', 'starvation = "solved"'), "ehl.starvation"),
+        (solved(0.0), "lubricant.inlet_film_um"),
+        (solved(0.2, "certify = true\n"), "ehl.certify"),
+        (solved(0.2, 'film_model = "shear-thinning"\n'), "ehl.starvation"),
+        (solved(0.2).replace('"solved"', '"flooded"'), "ehl.starvation"),
+        (with_film(0.2).replace("inlet_film_um", "inlet_film_dimensionless"), "lubricant.inlet_film_dimensionless"),
+    ],
+)
+def test_a_layer_that_cannot_be_solved_is_refused(text, key):
+    with pytest.raises(CaseError) as refusal:
+        case_from_text(text, "case.toml")
+    assert key in str(refusal.value)
