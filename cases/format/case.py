@@ -175,6 +175,7 @@ def _bearing_case(file: BearingFile) -> Case:
     if balanced or file.friction.traction is not None:
         traction = ball_traction(file.friction, torque, bearing, fluid, films)
     maps = file.ehl.film_maps
+    layer = contacts.inlet_layer(contacts.starvation(file.ehl, file.lubricant), file.lubricant)
     return Case(
         **_common(file, films),
         document=_bearing_document(file, fluid, library, assumptions),
@@ -191,9 +192,7 @@ def _bearing_case(file: BearingFile) -> Case:
         clearance=clearance,
         seats=fits.seats_of(seats, file.temperatures),
         rows=rows(file.rows, delivered, assumptions, lambda: capacity(delivered, rated)),
-        inlet_layer=contacts.inlet_layer(
-            contacts.starvation(file.ehl, file.lubricant), file.lubricant
-        ),
+        inlet_layer=layer,
     )
 
 

@@ -14,7 +14,7 @@ STEP_SHARES = ((0.12, 0.35), (0.25, 0.7))
 SHORT_SEQUENCE = 0.5  # where the second level below the finest is none or not resolved
 UNRESOLVED_BELOW = 1.0  # where the level below is not
 LOWEST_RATIO = 2.0  # of two steps: first order
-LARGEST_STEP = 0.25  # over the film, beyond which it is not extrapolated: the finest value stands
+LARGEST_FALL = 0.25  # over the film, beyond which none is extrapolated: the finest value stands
 ALONE = 4.0  # over Hmin/(S hx^2): relative bar of a level alone
 
 
@@ -24,8 +24,8 @@ def extrapolate(levels: Sequence[LevelHistory], kind: int, *, oblique: bool = Fa
 
     The bar is a share of the last step or of a quarter of the one before, which a step of second
     order is, or what a sequence of the order that both show has its limit away from that of second
-    order, and what the cycles left. A step of more than a quarter of the film is not made, and is
-    the bar at least.
+    order, and what the cycles left. A step down by more than a quarter of the film is not
+    made, and is the bar at least.
 
     Parameters
     ----------
@@ -54,7 +54,7 @@ def extrapolate(levels: Sequence[LevelHistory], kind: int, *, oblique: bool = Fa
     else:
         before = (films[-2] - films[-3]) / ORDER_STEP
         bar = max(share * max(abs(step), 0.25 * abs(before)), _departure(step, before))
-    if abs(step) > LARGEST_STEP * abs(finest):  # of meshes that are all too coarse
+    if -step > LARGEST_FALL * abs(finest):  # of meshes that are all too coarse
         bar = max(bar, abs(step))
         step = 0.0
     value = finest + step

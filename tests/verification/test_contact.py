@@ -262,7 +262,7 @@ def test_a_mesh_too_coarse_for_the_tolerance_is_refined_from_its_solution(monkey
 
 def test_films_stand_where_a_finer_mesh_does_not_converge(monkeypatch):
     def unsettled(*arguments):
-        finer, result = solver._solve(*arguments[:3], None, *arguments[4:])
+        finer, result = solver._solve(*arguments[:2], *arguments[3:])
         return replace(finer, converged=False, message="not converged"), result
 
     monkeypatch.setattr(solver, "FIRST_FINENESS", 0.4)

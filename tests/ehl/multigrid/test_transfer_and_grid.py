@@ -136,6 +136,15 @@ def test_a_small_step_after_a_large_one_keeps_the_bar():
     assert turning.uncertainty > regular.uncertainty
 
 
+def test_no_film_is_extrapolated_far_down():
+    """Beyond a quarter of the film the finest value stands, and the step is the bar."""
+    film = extrapolate(levels([0.9, 0.6, 0.2]), 0)
+    assert film.value == 0.2
+    assert film.uncertainty >= 0.4 / 3.0
+    rising = extrapolate(levels([0.1, 0.2, 0.5]), 0)
+    assert rising.value == pytest.approx(0.6)
+
+
 def test_second_order_of_two_meshes():
     film = second_order([0.9, 0.975], 0.01)
     assert_allclose(film.value, 1.0)
