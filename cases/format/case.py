@@ -174,8 +174,6 @@ def _bearing_case(file: BearingFile) -> Case:
     traction = None
     if balanced or file.friction.traction is not None:
         traction = ball_traction(file.friction, torque, bearing, fluid, films)
-    maps = file.ehl.film_maps
-    layer = contacts.inlet_layer(contacts.starvation(file.ehl, file.lubricant), file.lubricant)
     return Case(
         **_common(file, films),
         document=_bearing_document(file, fluid, library, assumptions),
@@ -184,7 +182,7 @@ def _bearing_case(file: BearingFile) -> Case:
         operation=at,
         model=assumptions,
         traction=traction,
-        film_maps=maps if isinstance(maps, str) else tuple(map(radians, maps)),
+        film_maps=_film_maps(file),
         file=file,
         rating=rated,
         friction=torque,
@@ -192,8 +190,19 @@ def _bearing_case(file: BearingFile) -> Case:
         clearance=clearance,
         seats=fits.seats_of(seats, file.temperatures),
         rows=rows(file.rows, delivered, assumptions, lambda: capacity(delivered, rated)),
-        inlet_layer=layer,
+        inlet_layer=_inlet_layer(file),
     )
+
+
+def _film_maps(file: BearingFile) -> str | tuple[float, ...]:
+    """Balls whose films are wanted: in words, or their azimuths [rad]."""
+    maps = file.ehl.film_maps
+    return maps if isinstance(maps, str) else tuple(map(radians, maps))
+
+
+def _inlet_layer(file: BearingFile) -> InletLayer | None:
+    """Layer that films are solved behind [m]."""
+    return contacts.inlet_layer(contacts.starvation(file.ehl, file.lubricant), file.lubricant)
 
 
 def _friction(file: BearingFile, delivered: Bearing) -> FrictionInput:

@@ -266,7 +266,7 @@ def test_points_are_named_after_their_tables():
 def test_words_are_drawn_as_families(tmp_path):
     sweep = sweep_from_text(DYNAMICS, "sweep.toml")
     results = gathered(run_batch(sweep, tmp_path / "out", HerePool))
-    keys = varied_keys(results)
+    keys = list(varied_keys(results).values())
     assert [key.label for key in keys] == ["axial load [N]", "friction"]
     assert keys[1].words == ("coulomb", "four constants")
     assert keys[1].values == (0.0, 1.0, 0.0, 1.0)

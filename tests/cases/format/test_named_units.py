@@ -66,11 +66,11 @@ def test_what_has_no_unit_takes_none_from_its_block():
     block = "torque_N_mm"
     for name in ("coulomb_coefficient", "power_balance.imbalance", "power_balance.hypothesis_imbalance"):
         assert unit_of(f"{block}.{name}") == ""
-        assert _group(f"{block}.{name}") == f"{block}.{name}"
+        assert _group(f"{block}.{name}") == (block, name.rpartition(".")[2])
     assert unit_of("tables.inner.error.largest") == ""
     assert unit_of(f"{block}.models.skf.drag") == "N mm"
     assert unit_of(f"{block}.power_balance.shaft_W") == "W"
-    assert _group(f"{block}.models.skf.drag") == f"{block}.models.skf"
+    assert _group(f"{block}.models.skf.drag") == (block, f"{block}.models.skf")
     assert all(unit.text for unit in UNITS.values())
 
 

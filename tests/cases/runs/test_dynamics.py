@@ -176,7 +176,7 @@ def test_ctrl_c_in_the_middle_of_the_steps(tmp_path):
         "--quiet",
     ]
     run = subprocess.Popen(command, cwd=tmp_path, stderr=subprocess.PIPE, text=True)
-    while run.poll() is None and not any(file.stat().st_size > 20_000 for file in tmp_path.glob(".oilfilm-*/*")):
+    while run.poll() is None and not any(file.stat().st_size > 20_000 for file in tmp_path.glob(".out-*.partial/*")):
         time.sleep(0.005)
     run.send_signal(signal.SIGINT)
     said = run.communicate()[1]
