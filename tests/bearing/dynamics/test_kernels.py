@@ -10,8 +10,11 @@ from numpy.testing import assert_allclose
 
 from bearing import Race
 from bearing.dynamics import _kernels
+from bearing.dynamics._state_kernels import ring_angle
 from bearing.dynamics.choices import Guidance, LoadType
 from bearing.dynamics.friction import race_friction
+from bearing.dynamics.inputs import Schedule
+from bearing.dynamics.integration._kernels import duration
 from bearing.dynamics.simulation import simulation
 from bearing.friction.sources import CoefficientTraction, LawTraction
 from ehl.traction._kernels import hertz_friction
@@ -118,3 +121,55 @@ def test_the_light_quadrature_holds_the_full_one(setup):
             hertz_friction(disc, data.law, data.shape, 20.0, 6.0, slide_x, slide_y, spin, found[row])
         assert_allclose(found[0, :2], found[1, :2], atol=0.01 * 0.05 * 20.0)
         assert_allclose(found[0, 2], found[1, 2], atol=0.02 * 0.05 * 20.0 * data.shape[1] * 20.0 ** (1 / 3))
+
+
+def test_an_unbalance_follows_the_changing_speed(setup):
+    """m e times minus the second derivative of (cos, sin) of the angle at a rising speed, by central differences."""
+    bearing, start, rise, phase = setup.bearing_7008(5), 200.0, 3e4, 0.4  # [rad/s], [rad/s2], [rad]
+    rows = tuple((speed, 0.0, 60.0, 0.0, 0.0, 0.0, 0.0) for speed in (start, start + 0.01 * rise))
+    given = Schedule(time=(0.0, 0.01), values=rows)
+    rates = []
+    for moment in (0.0, 2e-6):
+        ring = {"unbalance": (moment, phase)}
+        model = setup.model(bearing, cage=False, ring_options=ring, equations=LoadType.GENERAL, schedule=given)
+        sim = simulation(bearing, setup.operation(2000.0, 60.0), model)
+        layout, dy = sim.layout, np.zeros(sim.layout.size)
+        y = sim.state.y.copy()
+        y[ring_angle(bearing.balls)] = 1.1
+        _kernels.derivative(0.004, y, sim.data, dy)
+        rates.append(dy[layout.ring_speed][:3])
+    speed, step = start + 0.004 * rise, 1e-5
+
+    def place(t):
+        angle = 1.1 + phase + speed * t + 0.5 * rise * t**2
+        return np.array([0.0, np.cos(angle), np.sin(angle)])
+
+    pull = -2e-6 * (place(step) - 2.0 * place(0.0) + place(-step)) / step**2
+    assert_allclose((rates[1] - rates[0]) * sim.data.constants.ring_mass, pull, rtol=1e-5, atol=1e-9)
+
+
+def test_a_tilting_ring_that_spins_turns_across(setup):
+    """Euler about y and z: J_t w_y' = -J_p W w_z and J_t w_z' = J_p W w_y, and no other change, far from all balls."""
+    bearing = setup.bearing_7008(5)
+    model = setup.model(bearing, cage=False, equations=LoadType.GENERAL)
+    sim = simulation(bearing, setup.operation(9000.0, 60.0, moment=(0.0, 0.0), tilt=(None, None)), model)
+    layout, c = sim.layout, sim.data.constants
+    sim.data.normal[:2, 0] = 1e-30  # no races
+    rates = np.zeros((2, layout.size))
+    for row, (wy, wz) in zip(rates, ((0.0, 0.0), (0.7, -0.4)), strict=True):
+        y = sim.state.y.copy()
+        y[layout.ring_speed][3:] = wy, wz
+        _kernels.derivative(0.0, y, sim.data, row)
+    change = (rates[1] - rates[0])[layout.ring_speed][3:] * c.ring_transverse
+    assert_allclose(change, c.ring_polar * 9000.0 * setup.RPM * np.array([0.4, 0.7]), rtol=1e-9)
+
+
+def test_an_elastic_impact_lasts_as_its_motion_says():
+    """Twice the integral of dx/v of m v dv = -K x^1.5 dx, x = deepest (1 - s^2): 2.943 deepest/v (Hertz, 1882)."""
+    law, mass, speed = np.array([1.2e10, 1.5, 0.0]), 1.4e-3, 0.3
+    deepest = (1.25 * mass * speed**2 / law[0]) ** 0.4
+    nodes, weights = np.polynomial.legendre.leggauss(60)
+    s = 0.5 * (nodes + 1.0)
+    slow = np.sqrt(1.0 - (1.0 - s**2) ** 2.5)  # speed over the first one
+    lasts = 2.0 * deepest / speed * (0.5 * weights * 2.0 * s / slow).sum()
+    assert duration(law, mass, speed) == pytest.approx(lasts, rel=1e-4)  # of the four digits

@@ -92,6 +92,17 @@ def test_drag_grows_with_the_level_and_doubles_in_a_jet():
     assert skf_torque(B6208, grease).drag == 0.0
 
 
+def test_the_two_parts_of_the_drag():
+    """6208 in oil up to 0.6 d_m above the lowest contact, where t = pi, f_t = 1, R_s = 0.36 d_m^2 pi f_A; by hand."""
+    bath = operation(3000.0, 500.0, 0.0, oil_level=0.6 * 60 * MM, drag_factor=0.0)
+    area = 0.36 * 60.0**2 * np.pi * 0.05 * 3.1 * 120.0 / 40.0  # K_Z = 3.1
+    around = 1.093e-7 * 3000.0**2 * 60.0**3 * (3000.0 * 60.0**2 / 20.0) ** -1.379 * area
+    assert skf_torque(B6208, bath).drag / N_MM == pytest.approx(around, rel=1e-12)
+    churned = 0.4 * 1e-3 * 3.1 * 120.0 / 40.0 * 1e-12 * 60.0**5 * 3000.0**2  # 26 N mm
+    both = skf_torque(B6208, replace(bath, drag_factor=1e-3)).drag / N_MM
+    assert both - around == pytest.approx(churned, rel=1e-12)
+
+
 def test_every_series_gives_a_moment():
     for kind in Series:
         for series in skf_series(kind):

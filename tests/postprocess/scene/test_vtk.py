@@ -6,13 +6,26 @@ import shutil
 import subprocess
 import sys
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 from postprocess.scene.geometry import ContactFrame, Placement, bearing_lengths, place_patch, ring_shape, ring_surface
-from postprocess.scene.vtk import FILM, PRESSURE, collection_text, write_collection, write_subsurface
+from postprocess.scene.vtk import (
+    FILM,
+    PRESSURE,
+    TEMPERATURE,
+    bodies,
+    collection_text,
+    flat_patch,
+    groove_axial,
+    write_collection,
+    write_subsurface,
+)
+
+from ..conftest import made_up_results
 
 pv = pytest.importorskip("pyvista")
 
@@ -73,6 +86,43 @@ def test_patches_lie_on_their_balls(collection, bearing_results):
         assert_allclose(nearest, contact.origin * 1e3, atol=0.05)  # the made-up pressure peaks at the nearest node
 
 
+def test_balls_stand_at_their_azimuths(bearing_results):
+    """In the order of their numbers: azimuths that mirror each other are not to be exchanged."""
+    points = bodies(bearing_results)["balls"].points.reshape(9, -1, 3)
+    contacts = [c for c in bearing_results.contacts if c.race.value == "outer"]
+    centres = np.stack([c.origin - 0.006 * c.normal for c in contacts])
+    assert_allclose(0.5 * (points.min(axis=1) + points.max(axis=1)), centres, atol=1e-5)
+    assert_allclose(np.degrees(np.arctan2(centres[:, 2], centres[:, 1])) % 360.0, 40.0 * np.arange(9), atol=1e-6)
+
+
+def test_grooves_stand_behind_their_contacts():
+    """Under thrust on the inner ring, +x: its groove's centre moves on by the ring's way, the outer one's stays."""
+    results = made_up_results((500.0, 0.0, 0.0))
+    inner, outer = (groove_axial(results, race, 1) for race in ("inner", "outer"))
+    state = results.quasistatic
+    ring = float(state.displacement[0])
+    assert ring > 1e-5
+    assert outer == pytest.approx(0.0, abs=2e-6)  # the deflection of the contacts
+    assert inner == pytest.approx(ring, abs=2e-6)
+
+
+@pytest.mark.parametrize("inner", [True, False])
+def test_normals_of_a_groove_point_to_the_balls(bearing_results, inner):
+    """Also those of the ring's other faces point out of it: the flux of the place is three times the volume."""
+    shape = ring_shape(bearing_lengths(bearing_results.quasistatic.bearing), inner)
+    surface = ring_surface(shape, 0.0, (0.0, 0.0))
+    a, b, c, d = (surface.points[surface.quads[:, k]] for k in range(4))
+    normal = 0.5 * np.cross(c - a, d - b)
+    middle = 0.25 * (a + b + c + d)
+    outward = (normal[:, 1:] * middle[:, 1:]).sum(axis=1) * (1.0 if inner else -1.0)
+    radius = np.hypot(middle[:, 1], middle[:, 2])
+    near_balls = np.abs(radius - 0.03) < np.abs(radius - shape.base_radius)
+    facing = near_balls & (np.abs(normal[:, 0]) < 0.99 * np.linalg.norm(normal, axis=1))
+    assert facing.sum() > 1000
+    assert (outward[facing] > 0.0).all()
+    assert 3e-6 < (normal * middle).sum() / 3.0 < 5e-5  # [m3]
+
+
 def test_raceways_enclose_the_balls(bearing_results):
     bearing = bearing_results.quasistatic.bearing
     for inner in (True, False):
@@ -120,9 +170,29 @@ def test_single_contact_is_flat(contact_results, moes_results, tmp_path):
     block = pv.get_reader(tmp_path / "si" / "fields.pvd").read()[0]["contact"]["contact"]
     assert np.ptp(block.points[:, 2]) == 0.0
     assert_allclose(block.points[:, 0].min(), contact_results.solution.x[0] * 1e3, rtol=1e-6)
+    solution = contact_results.solution
+    assert_allclose(np.sort(block[FILM]), np.sort(solution.film.ravel() * 1e6), rtol=1e-6)  # float32
+    assert_allclose(block[PRESSURE].max(), solution.pressure_maximum * 1e-9, rtol=1e-6)
     write_collection(moes_results, tmp_path / "moes")
     block = pv.get_reader(tmp_path / "moes" / "fields.pvd").read()[0]["contact"]["contact"]
     assert "film thickness [a^2/Rx]" in block.point_data
+
+
+def test_temperature_of_a_film_in_degrees_celsius(contact_results):
+    """40 C at the inlet side, warmer by 25 K in the middle."""
+    solution = contact_results.solution
+    kelvin = 313.15 + 25.0 * solution.P / solution.P.max()
+    state = SimpleNamespace(temperature=kelvin)
+    block = pv.wrap(flat_patch(replace(solution, state=state), 0.0))
+    assert_allclose(block[TEMPERATURE].min(), 40.0, rtol=1e-6)
+    assert_allclose(block[TEMPERATURE].max(), 65.0, rtol=1e-6)
+
+
+def von_mises(stress):
+    """Of components xx yy zz xy yz xz, in their unit."""
+    xx, yy, zz, xy, yz, xz = stress
+    pairs = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
+    return np.sqrt(0.5 * pairs + 3.0 * (xy**2 + yz**2 + xz**2))
 
 
 def test_writing_needs_no_rendering_library():
@@ -147,5 +217,7 @@ def test_stress_below_the_contacts_on_request(bearing_results, tmp_path):
     assert_allclose(np.linalg.norm(block.points[surface] - centre, axis=1), 6.0, rtol=1e-5)
     shear = block["largest shear [GPa]"]
     assert shear.max() == pytest.approx(0.3e-9 * hertz.pressure, rel=0.15)  # the fixture's pressure is made up
-    assert block["stress xx yy zz xy yz xz [GPa]"].shape == (block.n_points, 6)
+    components = block["stress xx yy zz xy yz xz [GPa]"]
+    assert components.shape == (block.n_points, 6)
+    assert_allclose(block["von Mises stress [GPa]"], von_mises(components.T), rtol=1e-3, atol=1e-4)
     assert block["stress xx yy zz xy yz xz [GPa]"][surface, 2].min() == pytest.approx(-1e-9 * hertz.pressure, rel=0.1)
