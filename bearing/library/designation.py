@@ -24,11 +24,12 @@ SERIES = {
 }
 SYNONYMS = {"68": "618", "69": "619", "79": "719"}  # NSK, NTN
 ANGLES = {"C": 15.0, "AC": 25.0, "B": 40.0}  # nominal contact angle by suffix [deg]
+SET_FOLLOWS = "(?=D[BFT](?!N))"  # 7014CDB is C and DB, not SKF's CD; TN is a cage
 # makers' letters for them, as patterns, longer ones first; E is FAG's
 ANGLE_LETTERS = (
-    (r"AC[DEB]?|A5|E(?![A-Z])", "AC"),
+    (rf"AC(?:{SET_FOLLOWS}|[DEB]?)|A5|E(?![A-Z])", "AC"),
     (r"BE?(?:[CG][ABC])?", "B"),
-    (r"C[DE]?(?!\d)", "C"),
+    (rf"C(?:{SET_FOLLOWS}|[DE]?)(?!\d)", "C"),
 )
 MAKERS = "SKF|FAG|INA|NSK|NTN|KOYO|NACHI|SNR|TIMKEN|BARDEN|GMN|NMB|URB|ZVL"
 # B, HCB: FAG's spindle bearings; HC, XC: their ceramic balls; W: stainless steel of SKF
@@ -44,7 +45,7 @@ FULL_CERAMIC = ("FULLCERAMIC", "CERAMIC")
 # sets of two, and how far they are preloaded
 ARRANGEMENTS = ("DB", "DF", "DT")
 PRELOADS = {"A": "light", "B": "medium", "C": "heavy", "L": "light", "M": "medium", "H": "heavy"}
-SETS = "(?P<set>DB|DF|DT|DU|SU|U|G)(?P<preload>[ABCLMH])|(?P<alone>DB|DF|DT)"
+SETS = "(?P<set>DB|DF|DT|DU|DG|SU|U|G) ?G?(?P<preload>[ABCLMH])|(?P<alone>DB|DF|DT)"
 WITHOUT_EFFECT = (
     # current insulation, grease, packing
     r"VL\d{4}|VJ?\d{3,4}|LHT\d+|MT\d+|GJN|WT|5K|2AS|NS7S?|NS|AV2S?|L\d{3}|S\d|"
@@ -132,6 +133,7 @@ def _with_suffixes(read: Designation, rest: str) -> Designation | None:
         **{word: {"tolerance_class": name} for word, name in TOLERANCES.items()},
         **{word: {"clearance_class": name} for word, name in CLEARANCES.items()},
         **{key: {"sealed": True} for key in CONTACT_SEALS},
+        "2RSL": {},  # SKF's seals of low friction, which begin as those that rub
         **{key: {"balls": "hybrid"} for key in HYBRID},
         **{key: {"balls": "full ceramic"} for key in FULL_CERAMIC},
     }

@@ -24,7 +24,7 @@ class FrictionInput:
     viscous_factor: float | None = None  # Palmgren's f_0 [-]; None: by bearing and lubrication
     load_factor: float | None = None  # Palmgren's f_1 [-]; None: by the load
     sealed: bool = False  # contact seals on both sides
-    seal_diameter: float | None = None  # [m]
+    seal_diameter: float | None = None  # [m]; None: of the inner shoulder
     series: str | None = None  # of SKF's constants; None: no SKF model
     # ratings of one row; None: from the geometry, as of a bearing of steel
     static_rating: float | None = None  # C_0 [N]

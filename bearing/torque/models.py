@@ -18,10 +18,11 @@ from ..friction.resistance import (
     land_power,
     pocket_power,
 )
-from ..geometry import Bearing
+from ..geometry import Bearing, Race
 from ..material import MaterialKind, load_material
 from ..quasistatic.solution import QuasistaticSolution
 from ..rating.load_rating import dynamic_rating, static_equivalent_load, static_rating
+from ..shoulder_diameter import shoulder_diameter
 from . import palmgren, skf, sliding
 from .inputs import FrictionInput
 
@@ -204,7 +205,7 @@ def _skf_inputs(
         outside_diameter=bearing.outside_diameter,
         static_rating=static_capacity(bearing, friction),
         sealed=friction.sealed,
-        seal_diameter=friction.seal_diameter,
+        seal_diameter=_seal_diameter(bearing, friction),
         rows=len(solution.rows),
     )
     return inner, skf.SkfOperation(
@@ -219,6 +220,14 @@ def _skf_inputs(
         full_film_friction=friction.full_film,
         drag_factor=friction.drag_factor,
     )
+
+
+def _seal_diameter(bearing: Bearing, friction: FrictionInput) -> float | None:
+    """Diameter on which the seals rub [m]: as given, or the inner shoulder, SKF's d_1."""
+    if friction.seal_diameter is not None:
+        return friction.seal_diameter
+    shoulder = shoulder_diameter(bearing, Race.INNER)
+    return None if shoulder is None else shoulder[0]
 
 
 def _unrated(friction: FrictionInput) -> bool:

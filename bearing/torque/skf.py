@@ -90,7 +90,7 @@ class SkfBearing:
     outside_diameter: float  # D [m]
     static_rating: float | None = None  # C_0 [N], for deep groove bearings under axial load
     sealed: bool = False  # RS1 contact seals on both sides
-    seal_diameter: float | None = None  # d_s [m]
+    seal_diameter: float | None = None  # d_s [m]; None: of the bore, a lower bound
     rows: int = 1
 
 

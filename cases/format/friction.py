@@ -75,7 +75,9 @@ class FrictionTable(LawTable):
     sealed: bool | None = described(
         "contact seals on both sides, for SKF's model; left out, by the designation"
     )
-    seal_diameter_mm: float | None = above(0, LENGTH_MAXIMUM, "of the seal's lip; else the bore")
+    seal_diameter_mm: float | None = above(
+        0, LENGTH_MAXIMUM, "of the seal's lip; left out, of the inner shoulder"
+    )
     hysteresis_loss: float | None = between(
         0, 1, "share of the elastic energy lost in rolling, beta_a; for the model yao"
     )

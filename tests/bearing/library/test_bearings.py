@@ -17,6 +17,7 @@ from bearing import (
 )
 from bearing.library.bearings import catalogue_name, published_bearings, warn_of_estimates
 from bearing.library.catalogue import boundary_dimensions, clearance_class, nearest_series
+from bearing.library.designation import read_designation
 from bearing.library.names import matching_name, plain_name
 from bearing.library.typical_geometry import ball_sizes, most_balls
 
@@ -192,6 +193,7 @@ def test_clearance_classes_follow_each_other():
         ("7014 CD/P4A", {"type": "angular contact", "free_contact_angle_deg": 15.0, "tolerance_class": "P4"}),
         ("HCB7014-C-T-P4S-UL", {"ball_material": "silicon nitride", "ring_material": "bearing steel"}),
         ("7208 BECBP", {"free_contact_angle_deg": 40.0, "skf_series": "72 B"}),
+        ("6205-2RSL/C3", {"clearance_class": "C3"}),
         ("7324 BCBM", {"free_contact_angle_deg": 40.0}),
         ("71910 A5", {"free_contact_angle_deg": 25.0}),
         ("6808", {"bore_mm": 40.0, "outside_diameter_mm": 52.0}),
@@ -202,6 +204,32 @@ def test_designations_with_suffixes_are_understood(text, expected):
     entry = load_catalogue_entry(text)
     assert {key: entry[key] for key in expected} == expected
     assert entry["name"] == text
+
+
+@pytest.mark.parametrize(
+    ("text", "angle", "arrangement", "preload"),
+    [
+        ("7014CDF", "C", "DF", None),
+        ("7014CDT", "C", "DT", None),
+        ("7014CDBLP4", "C", "DB", "light"),
+        ("7014C DB/GMP4", "C", "DB", "medium"),
+        ("7014ACDTP5", "AC", "DT", None),
+        ("7014 CD/P4ADGA", "C", "", "light"),
+        ("7014 CD/P4ADBA", "C", "DB", "light"),
+        ("7014 ACD/DT", "AC", "DT", None),
+    ],
+)
+def test_letters_of_a_set_are_not_read_as_those_of_the_angle(text, angle, arrangement, preload):
+    """NSK and NTN join C and DB, SKF writes the angle CD: a pair read as one bearing of SKF is
+    silently half of it.
+    """
+    read = read_designation(text)
+    assert (read.angle_suffix, read.arrangement, read.preload_class) == (angle, arrangement, preload)
+
+
+def test_low_friction_seals_do_not_rub():
+    assert not read_designation("6205-2RSLTN9/C3").sealed
+    assert read_designation("6205-2RSH/C3").sealed
 
 
 @pytest.mark.parametrize("text", ["7208", "6205 banana", "6225", "NU208", "62 and 05", "6205 C7", "7014"])

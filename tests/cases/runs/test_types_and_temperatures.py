@@ -148,11 +148,11 @@ def test_the_total_says_what_would_give_the_integrated_torque():
 
 
 def test_the_torque_of_seals_is_told_beside_the_integrated_one():
-    """2RS1 of the 6205: SKF's K_S1 d_s^2.25 + K_S2 = 0.023 25^2.25 + 2 = 34.1 N mm."""
+    """2RS1 of the 6205, lips on d_1 = 34.4 mm: K_S1 d_s^2.25 + K_S2 = 0.023 34.4^2.25 + 2 N mm."""
     sealed = CASE.replace('"6205"', '"6205-2RS1"').replace('film_maps = "none"', "points = 33")
     result = found(sealed + "[friction]\ntraction = 'coulomb'\ncoefficient = 0.05\n")
     assert result["torque_N_mm"]["model"] == "integrated"
-    assert any("without the contact seals, 34.1 N mm more" in message for message in result["messages"])
+    assert any("without the contact seals, 67.9 N mm more" in message for message in result["messages"])
 
 
 def test_self_heating_is_needed_for_its_temperature():
