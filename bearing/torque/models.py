@@ -29,6 +29,7 @@ from .inputs import FrictionInput
 ROUND_OFF = 1.0e-8  # of one load over the other below which there is none [-]
 # of Jones (1959), as quoted in the comparison of sliding friction torques [-]
 CONSTANT_COULOMB = 0.07
+AS_PRINTED = "skf_as_printed"
 COMPUTED_RATING = "static rating computed from the geometry, as of steel; none was given"
 
 
@@ -165,24 +166,53 @@ def skf_model(
 
     "skf_lambda" takes the share of boundary friction from the films [-] instead of speed and
     viscosity, where it is given; "skf_as_printed" has the sliding moment as a paper printed it,
-    where that is asked for.
+    where that is asked for. The bearings of a set are computed one by one, each at the loads that
+    its row holds, preload included, and added.
     """
+    rows = [solution]
+    if len(solution.rows) > 1:
+        rows = [solution.row(index) for index in range(len(solution.rows))]
+    found = [_skf_of_row(row, lubricant, friction, asperity_share) for row in rows]
+    remarks = model_remarks("skf", solution, lubricant, friction)
+    if any(COMPUTED_RATING in models["skf"].remarks for models in found):
+        remarks += (COMPUTED_RATING,)
+    return {
+        name: _added([models[name] for models in found], remarks if name != AS_PRINTED else ())
+        for name in found[0]
+    }
+
+
+def _added(parts: Sequence[ModelTorque], remarks: tuple[str, ...]) -> ModelTorque:
+    """Torque of the bearings of a set together."""
+    if parts[0].note:
+        return parts[0]
+    names = parts[0].components
+    total = summed({name: sum(part.components[name] for part in parts) for name in names})
+    return replace(total, remarks=remarks)
+
+
+def _skf_of_row(
+    solution: QuasistaticSolution,
+    lubricant: Lubricant,
+    friction: FrictionInput,
+    asperity_share: float | None,
+) -> dict[str, ModelTorque]:
+    """SKF's model and its variants of one bearing."""
     names = ["skf"]
     names += ["skf_lambda"] * (asperity_share is not None)
-    names += ["skf_as_printed"] * friction.as_printed
+    names += [AS_PRINTED] * friction.as_printed
     inputs = _skf_inputs(solution, lubricant, friction)
     if isinstance(inputs, str):
         return dict.fromkeys(names, ModelTorque(note=inputs))
     inner, at = inputs
-    remarks = model_remarks("skf", solution, lubricant, friction)
+    remarks: tuple[str, ...] = ()
     if inner.constants.kind is skf.Series.DEEP_GROOVE and at.axial_load and _unrated(friction):
-        remarks += (COMPUTED_RATING,)
+        remarks = (COMPUTED_RATING,)
     models = {"skf": replace(_skf(inner, at), remarks=remarks)}
     if asperity_share is not None:
-        by_films = _skf(inner, replace(at, boundary_share=asperity_share))
-        models["skf_lambda"] = replace(by_films, remarks=remarks)
+        models["skf_lambda"] = _skf(inner, replace(at, boundary_share=asperity_share))
     if friction.as_printed:
-        models["skf_as_printed"] = summed({"sliding": skf.sliding_as_printed(inner, at)})
+        models[AS_PRINTED] = summed({"sliding": skf.sliding_as_printed(inner, at)})
     return models
 
 
@@ -206,7 +236,6 @@ def _skf_inputs(
         static_rating=static_capacity(bearing, friction),
         sealed=friction.sealed,
         seal_diameter=_seal_diameter(bearing, friction),
-        rows=len(solution.rows),
     )
     return inner, skf.SkfOperation(
         radial_load=radial,

@@ -24,6 +24,9 @@ from bearing import (
     solve_quasistatic,
 )
 from bearing.operation import HYPOTHESES
+from bearing.rows import SINGLE
+from bearing.torque.inputs import FrictionInput
+from bearing.torque.models import skf_model
 from ehl import Lubricant
 
 WIDTH = 16e-3  # [m]
@@ -43,6 +46,22 @@ def test_tandem_rows_share_alike(bearings):
     assert_allclose(two.inner_load.reshape(2, -1), np.stack([one.inner_load] * 2), rtol=1e-9, atol=1e-9)
     assert two.displacement[0] + rows[0].offset == pytest.approx(one.displacement[0], rel=1e-9)
     assert_allclose(two.row_load[:, :3], [one.ring_force] * 2, atol=1e-7)
+
+
+def test_skf_s_torque_of_a_set_is_that_of_its_bearings(bearings):
+    """SKF's catalogue computes paired bearings one by one and adds; a preload counts as a load."""
+    oil = Lubricant(viscosity=0.03, pressure_viscosity=2e-8)
+    friction = FrictionInput(series="other single row", static_rating=1e4)
+    b7008 = replace(bearings.b7008, bore=0.04, outside_diameter=0.068)
+
+    def total(force, rows):
+        loads = solve_quasistatic(b7008, Operation(inner_speed=300.0, force=force), rows=rows)
+        return skf_model(loads, oil, friction)["skf"].total
+
+    one = total((500.0, 150.0, 0.0), SINGLE)
+    tandem = total((1000.0, 300.0, 0.0), duplex(b7008, Arrangement.TANDEM, WIDTH))
+    assert tandem == pytest.approx(2.0 * one, rel=1e-6)
+    assert total((0.0, 50.0, 0.0), pair(b7008, force=600.0)) > 1.2 * total((0.0, 50.0, 0.0), pair(b7008))
 
 
 @pytest.mark.parametrize("arrangement", [Arrangement.BACK_TO_BACK, Arrangement.FACE_TO_FACE])
