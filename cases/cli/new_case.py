@@ -153,7 +153,8 @@ def _tables(
     sealed = designation is not None and designation.sealed
     lubricant = {"grease": '"lithium mineral 100"'} if sealed else {"name": '"iso vg 68"'}
     lubricant["contamination_factor"] = _typical("contamination_factor")
-    area = pi * entry["width_mm"] * (entry["bore_mm"] + entry["outside_diameter_mm"]) * 1e-6
+    width = entry["width_mm"] * (2.0 if _is_set(designation) else 1.0)
+    area = pi * width * (entry["bore_mm"] + entry["outside_diameter_mm"]) * 1e-6
     friction = {} if sealed else {"lubrication": '"oil bath"'}
     friction |= {"heat_transfer_W_K": _typical("heat_flow_W_m2_K", area), "ambient_C": "25.0"}
     race = "race_roughness_um"
@@ -175,9 +176,14 @@ def _tables(
     }
 
 
+def _is_set(designation: Designation | None) -> bool:
+    """Whether it names two bearings side by side."""
+    return designation is not None and designation.arrangement in PRELOADS
+
+
 def _rows(entry: Mapping[str, Any], designation: Designation | None) -> list[str]:
     """[[rows]] of a set of two."""
-    if designation is None or designation.arrangement not in PRELOADS:
+    if designation is None or not _is_set(designation):
         return []
     lines = []
     half = 0.5 * float(entry["width_mm"])

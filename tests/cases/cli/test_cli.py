@@ -9,6 +9,7 @@ import signal
 import subprocess
 import sys
 import time
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -386,6 +387,15 @@ def test_init_by_designation_or_size_writes_a_valid_case(options, tmp_path):
     assert "ball_diameter_mm = " in text
     assert text.count("# estimated, ") >= 6
     assert load_case(str(tmp_path / "mine.toml")).bearing.balls > 5
+
+
+def test_a_set_of_two_gives_off_heat_by_two_widths(tmp_path):
+    oilfilm("init", "one", "--bearing", "7014C")
+    oilfilm("init", "two", "--bearing", "7014CDB")
+    one, two = (
+        tomllib.loads((tmp_path / name).read_text(encoding="utf-8"))["friction"] for name in ("one.toml", "two.toml")
+    )
+    assert two["heat_transfer_W_K"] == pytest.approx(2.0 * one["heat_transfer_W_K"], rel=5e-3)
 
 
 @pytest.mark.parametrize(
