@@ -1,0 +1,124 @@
+"""Parts of results of shipped cases beside their main numbers: torque, stiffness, slip, a simulation, VTK fields.
+
+The numbers are ours, not a reference, as in test_shipped_cases.py; written by `python tests/regression/test_parts.py`.
+What follows from closed equations is kept to 1e-6; what films or an integration in time give, to 0.5 %.
+"""
+
+from __future__ import annotations
+
+import json
+import tempfile
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from cases import load_case, run_case, run_contact
+from cases.format.document import read_text
+from cases.format.shipped import find_case
+
+EXPECTED = Path(__file__).with_name("expected_parts.json")
+CLOSED, SOLVED = 1e-6, 5e-3
+NOISE = 1e-9  # of values that are zero, in the unit of their key
+BEARINGS = ("6206_axial_500N", "6206_combined_1000N", "6205_all_silicon_nitride", "7008C_hybrid")
+
+
+def leaves(node, name=""):
+    """Numbers of nested tables and lists by the path to them; those that are null left out."""
+    children = node.items() if isinstance(node, dict) else enumerate(node) if isinstance(node, list) else ()
+    if isinstance(node, int | float) and not isinstance(node, bool):
+        return {name: float(node)}
+    return {key: value for child, part in children for key, value in leaves(part, f"{name}/{child}").items()}
+
+
+def bearing_parts(stem):
+    """Torque by model and part, and the stiffness."""
+    from postprocess import summary
+
+    found = summary(run_case(load_case(stem)))
+    return leaves(found["torque_N_mm"], "torque_N_mm") | leaves(found["ring"]["stiffness"]["matrix"], "stiffness")
+
+
+def slip_parts(folder):
+    """Critical loads, slip factors and preloads of the 7000C on a coarse mesh."""
+    from cases.runs.slip import run_slip
+    from postprocess.slip.summary import slip_summary
+
+    text = read_text(find_case("hirano_7000C")).replace("points = 51\n", "points = 3\ncritical_points = 2\n")
+    path = folder / "slip.toml"
+    path.write_text(text, encoding="utf-8")
+    found = slip_summary(run_slip(load_case(path), "slip", workers=1))
+    return leaves({key: found[key] for key in ("minimum_preload", "surface", "critical_curves")})
+
+
+def simulation_parts(folder):
+    """The 6304 for 4 ms at speed: cage, work by mechanism, states of contacts."""
+    from cases.runs.dynamics import run_dynamics
+    from postprocess.dynamics.summary import dynamics_summary
+
+    text = read_text(find_case("6304_planar"))
+    for old, new in (
+        ("end_time_s = 1.0", "end_time_s = 0.004"),
+        ("output_interval_us = 200.0", "output_interval_us = 50.0"),
+        ('start = "rest"\n', ""),
+        ("speed_table_rpm = [[0.0, 0.0], [0.3, 8000.0]]\n", ""),
+    ):
+        assert old in text
+        text = text.replace(old, new)
+    path = folder / "simulation.toml"
+    path.write_text(text, encoding="utf-8")
+    found = dynamics_summary(run_dynamics(load_case(path), "simulation", folder / "history.nc"))
+    kept = ("simulated_s", "equations", "cage_speed_rpm", "cage_speed_ratio", "balls", "work_mJ")
+    return leaves({key: found[key] for key in kept if key in found})
+
+
+def field_parts(folder):
+    """Least, mean and largest value of each field of the VTK file of a single contact."""
+    import pyvista
+
+    from postprocess.scene.vtk import write_collection
+
+    case = load_case("ball_on_disc")
+    write_collection(run_contact(replace(case, solver=replace(case.solver, points=65, tolerance=None))), folder)
+    block = pyvista.get_reader(folder / "fields.pvd").read()[0]["contact"]["contact"]
+    fields = {name: block[name] for name in block.point_data} | dict(zip("xyz", block.points.T, strict=True))
+    return {
+        f"{name} {kind}": float(getattr(values, kind)())
+        for name, values in fields.items()
+        for kind in ("min", "mean", "max")
+    }
+
+
+@pytest.mark.parametrize("stem", BEARINGS)
+def test_torque_and_stiffness(stem):
+    compare(bearing_parts(stem), stem, CLOSED)
+
+
+def test_slip(tmp_path):
+    compare(slip_parts(tmp_path), "slip", CLOSED)
+
+
+def test_simulation(tmp_path):
+    compare(simulation_parts(tmp_path), "simulation", SOLVED)
+
+
+def test_vtk_fields(tmp_path):
+    pytest.importorskip("pyvista")
+    compare(field_parts(tmp_path), "fields", SOLVED)
+
+
+def compare(found, name, tolerance):
+    """Every number, by its path, with the expected one; the offenders are shown."""
+    expected = json.loads(EXPECTED.read_text(encoding="utf-8"))[name]
+    assert found.keys() == expected.keys()
+    pairs = {key: (found[key], value) for key, value in expected.items()}
+    off = {key: pair for key, pair in pairs.items() if pair[0] != pytest.approx(pair[1], rel=tolerance, abs=NOISE)}
+    assert off == {}
+
+
+if __name__ == "__main__":
+    numbers = {stem: bearing_parts(stem) for stem in BEARINGS}
+    for name, parts in {"slip": slip_parts, "simulation": simulation_parts, "fields": field_parts}.items():
+        with tempfile.TemporaryDirectory() as directory:
+            numbers[name] = parts(Path(directory))
+    EXPECTED.write_text(json.dumps(numbers, indent=1) + "\n", encoding="utf-8")
