@@ -44,3 +44,9 @@ def test_whirl_of_a_circle_off_the_axis(speed):
     assert whirl_speed(time, place) == pytest.approx(speed, rel=0.02)  # the mean of parts of turns is off the centre
     assert whirl_speed(time, np.zeros((1001, 2))) is None
     assert whirl_speed(time[:2], place[:2]) is None
+
+
+def test_interval_of_known_means():
+    """Batches of means 1, 2, .. n: the variance of the batches is n (n + 1)/12, with n - 1 as the divisor."""
+    history = np.repeat(np.arange(1.0, BATCHES + 1.0), 50)
+    assert batch_interval(history) == pytest.approx(STUDENT * ((BATCHES + 1) / 12.0) ** 0.5, rel=1e-12)

@@ -57,6 +57,8 @@ def test_gyroscopic_friction_is_tangential_and_gives_the_couple(bearings):
     arm = 0.5 * problem.ball_diameter
     couple = sum(arm * (n[0] * f[1] - n[1] * f[0]) for n, f in ((n_inner, on_ball_inner), (n_outer, on_ball_outer)))
     assert couple == pytest.approx(state.gyroscopic_moment[0], rel=1e-10)
+    lever, on_ring = problem.inner_groove_radius * n_inner, -on_ball_inner  # from the groove's centre to the contact
+    assert total[4, 0] == pytest.approx(lever[0] * on_ring[1] - lever[1] * on_ring[0], rel=1e-10)
 
 
 @pytest.mark.parametrize("kinematics", HYPOTHESES)

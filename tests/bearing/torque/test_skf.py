@@ -86,6 +86,8 @@ def test_drag_grows_with_the_level_and_doubles_in_a_jet():
     drags = [skf_torque(B6208, operation(6000.0, 500.0, 0.0, oil_level=h)).drag for h in levels]
     assert drags[0] == 0.0
     assert all(a < b for a, b in zip(drags, drags[1:], strict=False))
+    near, full, over = (skf_torque(B6208, operation(6000.0, 500.0, 0.0, oil_level=h)).drag for h in (0.07, 0.072, 0.2))
+    assert drags[-1] < near < full == pytest.approx(over)  # no deeper than 1.2 d_m
     jet = operation(6000.0, 500.0, 0.0, oil_level=0.02, lubrication=Lubrication.OIL_JET)
     assert skf_torque(B6208, jet).drag == pytest.approx(2.0 * drags[3])
     grease = replace(jet, lubrication=Lubrication.GREASE)
