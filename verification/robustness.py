@@ -20,6 +20,7 @@ from .page import ForeignFileError, Progress
 QUICK_OPTIONS = SolverOptions(points=65)
 CHECK_POINTS = 1025  # most of the check: contacts that need them have none
 RESOLVABLE = 10.0  # Hmin/(S hx^2) at the most points from which a contact counts as resolvable
+OUTSIDE = "outside the model"  # how the message of a film begins that no mesh makes one of it
 DAMPED = "damping halved in passing"
 
 
@@ -56,7 +57,11 @@ class Finished:
 
     @property
     def resolvable(self) -> bool:
-        """Whether the most points resolve it: resolved, enough meshes in the film, or unknown."""
+        """Whether the most points resolve it: resolved, enough meshes in the film, or unknown; not
+        where the film is outside the model on any of them.
+        """
+        if self.message.startswith(OUTSIDE):
+            return False
         return (
             (self.converged and self.resolved)
             or self.fineness is None

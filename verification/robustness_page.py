@@ -51,7 +51,10 @@ def _outcomes(finished: Sequence[Finished]) -> Table:
     points = sorted({f.points for f in finished})
     rows = []
     for outcome in OUTCOMES:
-        for name, resolvable in (("resolvable", True), ("too thin to resolve", False)):
+        for name, resolvable in (
+            ("resolvable", True),
+            ("too thin to resolve, or outside the model", False),
+        ):
             group = [f for f in finished if f.outcome == outcome and f.resolvable == resolvable]
             cells = [str(sum(f.points == n for f in group)) for n in points]
             if group or resolvable:

@@ -137,7 +137,7 @@ def test_contact_by_finite_elements(tmp_path):
     document = json.loads(answer.stdout)
     lines_x, lines_y = document["points"]
     assert 49 <= lines_x <= 81  # asked for 65; halving makes it differ by up to a quarter
-    assert 49 <= lines_y <= 65
+    assert 49 <= lines_y <= 81  # likewise
     assert document["residual"] < 1e-6
     assert abs(document["mass_imbalance"]) < 1e-6
     assert any("pressure of the multigrid" in message for message in document["messages"])

@@ -281,7 +281,7 @@ def test_outcomes_are_counted():
     outcomes = {row[0]: row[1:] for row in section.tables[0].rows}
     assert outcomes["converged and resolved, resolvable"] == ("1", "1", "0", "2")
     assert outcomes["failed, resolvable"] == ("0", "0", "2", "2")
-    assert outcomes["failed, too thin to resolve"] == ("0", "0", "1", "1")
+    assert outcomes["failed, too thin to resolve, or outside the model"] == ("0", "0", "1", "1")
     assert len(section.tables[-1].rows) == 4
 
 
