@@ -100,41 +100,32 @@ def solved_tension(
     """Largest tension under the pressure and the shear of a film; hoop tension of the groove along
     the rolling direction [Pa], temperature of the oil [K].
     """
+    materials = (ring_material(bearing, traction.contact.race), bearing.ball_material)
+    ratios = [body.poisson_ratio for body in materials]
     own = film.thinned(POINTS)
-    ring, place = _largest(bearing, own, traction, rheology, hoop, temperature, ball=False)
-    ball, _ = _largest(bearing, own, traction, rheology, 0.0, temperature, ball=True)
-    coarse = own.thinned(own.X.size // 2 + 1)
-    errors = [
-        abs(value - _largest(bearing, coarse, traction, rheology, pull, temperature, ball=body)[0])
-        for value, pull, body in ((ring, hoop, False), (ball, 0.0, True))
-    ]
+    meshes = (own, own.thinned(own.X.size // 2 + 1))
+    found = []
+    for mesh in meshes:
+        fields = shear_fields(mesh, traction.kinematics, rheology, temperature=temperature)
+        ring = _largest(mesh, (fields.body_2_x, fields.body_2_y), ratios[0], hoop)
+        ball = _largest(mesh, (fields.body_1_x, fields.body_1_y), ratios[1], 0.0)
+        found.append((ring, ball))
+    (ring, ball), coarse = found
+    errors = [abs(fine[0] - other[0]) for fine, other in zip((ring, ball), coarse, strict=True)]
     return SurfaceTension(
-        ring=ring, ball=ball, uncertainty=BEYOND * max(errors), x=place[0], y=place[1]
+        ring=ring[0], ball=ball[0], uncertainty=BEYOND * max(errors), x=ring[1], y=ring[2]
     )
 
 
 def _largest(
-    bearing: Bearing,
-    film: ContactSolution,
-    traction: ContactTraction,
-    rheology: Rheology,
-    hoop: float,
-    temperature: float,
-    *,
-    ball: bool,
-) -> tuple[float, tuple[float, float]]:
-    """Largest principal tension of a surface [Pa], and its place [m]."""
-    fields = shear_fields(film, traction.kinematics, rheology, temperature=temperature)
-    shear: tuple[Array, Array] = (fields.body_2_x, fields.body_2_y)
-    body = ring_material(bearing, traction.contact.race)
-    if ball:
-        shear = (fields.body_1_x, fields.body_1_y)
-        body = bearing.ball_material
+    film: ContactSolution, shear: tuple[Array, Array], poisson_ratio: float, hoop: float
+) -> tuple[float, float, float]:
+    """Largest principal tension of a surface under its shear [Pa], and its place x, y [m]."""
     x = film.x
     y = film.y
     assert x is not None and y is not None  # dimensional conditions of a bearing
     steps = (float(x[1] - x[0]), float(y[1] - y[0]))
-    stress = surface_stress(film.pressure, shear, steps, body.poisson_ratio)
+    stress = surface_stress(film.pressure, shear, steps, poisson_ratio)
     tension = replace(stress, xx=stress.xx + hoop).tension
     i, j = np.unravel_index(int(tension.argmax()), tension.shape)
-    return float(tension[i, j]), (float(x[i]), float(y[j]))
+    return float(tension[i, j]), float(x[i]), float(y[j])

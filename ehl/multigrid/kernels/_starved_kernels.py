@@ -78,6 +78,35 @@ def _edge(flow, next_flow, H, next_H, layer):
 
 
 @compiled
+def _enter_lines(flow, H, layer, along):
+    """Set the flux that enters every line."""
+    for j in range(H.shape[0]):
+        along[j, 0] = _edge(flow[j, 0], flow[j, 1], H[j, 0], H[j, 1], layer[j])
+
+
+@compiled
+def _enter_column(i, flow, H, layer, across):
+    """Set the flux that enters column i across its edge; step to the node upstream, -1 or 1."""
+    up = -1 if flow[H.shape[0] // 2, i] >= 0.0 else 1
+    edge = 0 if up < 0 else H.shape[0] - 1
+    inner = edge - up
+    across[edge, i] = _edge(
+        abs(flow[edge, i]), abs(flow[inner, i]), H[edge, i], H[inner, i], layer[edge]
+    )
+    return up
+
+
+@compiled
+def _full_faces(j, i, up, flow_x, flow_y, H):
+    """Flow through the full gaps at both outgoing faces of a node, along and across the lines."""
+    own = H[j, i]
+    return (
+        _face(flow_x[j, i] * own, flow_x[j, i - 1] * H[j, i - 1]),
+        _face(abs(flow_y[j, i]) * own, abs(flow_y[j + up, i]) * H[j + up, i]),
+    )
+
+
+@compiled
 def march_columns(
     P, H, eps, flow_x, flow_y, f, layer, hx, hy, along, across, share, residual, empty
 ):
@@ -87,32 +116,19 @@ def march_columns(
     """
     cx, cy = 0.5 / (hx * hx), 0.5 / (hy * hy)
     ny, nx = P.shape
-    for j in range(ny):
-        along[j, 0] = _edge(flow_x[j, 0], flow_x[j, 1], H[j, 0], H[j, 1], layer[j])
+    _enter_lines(flow_x, H, layer, along)
     for i in range(1, nx - 1):
-        forward = flow_y[ny // 2, i] >= 0.0
-        up = -1 if forward else 1
-        edge = 0 if forward else ny - 1
-        across[edge, i] = _edge(
-            abs(flow_y[edge, i]),
-            abs(flow_y[edge - up, i]),
-            H[edge, i],
-            H[edge - up, i],
-            layer[edge],
-        )
+        up = _enter_column(i, flow_y, H, layer, across)
         for step in range(1, ny - 1):
-            j = step if forward else ny - 1 - step
-            u = flow_x[j, i]
-            v = abs(flow_y[j, i])
-            full_x = _face(u * H[j, i], flow_x[j, i - 1] * H[j, i - 1])
-            full_y = _face(v * H[j, i], abs(flow_y[j + up, i]) * H[j + up, i])
+            j = step if up < 0 else ny - 1 - step
+            full_x, full_y = _full_faces(j, i, up, flow_x, flow_y, H)
             entering = along[j, i - 1] / hx + across[j + up, i] / hy
             source = f[j, i] - _poiseuille(j, i, P, eps, cx, cy)
             rest = source + full_x / hx + full_y / hy - entering
             if P[j, i] <= 0.0 and rest >= 0.0:
                 empty[j, i] = 1
                 total = entering - source
-                part = _split(total, u, v, full_x, full_y, hx, hy)
+                part = _split(total, flow_x[j, i], abs(flow_y[j, i]), full_x, full_y, hx, hy)
                 along[j, i] = part * total * hx
                 across[j, i] = (1.0 - part) * total * hy
                 share[j, i] = part
@@ -130,8 +146,7 @@ def set_flux(P, H, flow_x, flow_y, lateral, hx, hy, layer, along, across):
     and no more than it elsewhere; the layer on the inlet's edge.
     """
     ny, nx = P.shape
-    for j in range(ny):
-        along[j, 0] = _edge(flow_x[j, 0], flow_x[j, 1], H[j, 0], H[j, 1], layer[j])
+    _enter_lines(flow_x, H, layer, along)
     if not lateral:
         for j in range(ny - 1):
             for i in range(1, nx - 1):
@@ -139,27 +154,15 @@ def set_flux(P, H, flow_x, flow_y, lateral, hx, hy, layer, along, across):
                 along[j, i] = full if P[j, i] > 0.0 else min(along[j, i], full)
         return
     for i in range(1, nx - 1):
-        forward = flow_y[ny // 2, i] >= 0.0
-        up = -1 if forward else 1
-        edge = 0 if forward else ny - 1
-        across[edge, i] = _edge(
-            abs(flow_y[edge, i]),
-            abs(flow_y[edge - up, i]),
-            H[edge, i],
-            H[edge - up, i],
-            layer[edge],
-        )
+        up = _enter_column(i, flow_y, H, layer, across)
         for j in range(1, ny - 1):
-            u = flow_x[j, i]
-            v = abs(flow_y[j, i])
-            full_x = _face(u * H[j, i], flow_x[j, i - 1] * H[j, i - 1])
-            full_y = _face(v * H[j, i], abs(flow_y[j + up, i]) * H[j + up, i])
+            full_x, full_y = _full_faces(j, i, up, flow_x, flow_y, H)
             total = along[j, i] / hx + across[j, i] / hy
             if P[j, i] > 0.0 or total >= full_x / hx + full_y / hy:
                 along[j, i] = full_x
                 across[j, i] = full_y
             else:
-                part = _split(total, u, v, full_x, full_y, hx, hy)
+                part = _split(total, flow_x[j, i], abs(flow_y[j, i]), full_x, full_y, hx, hy)
                 along[j, i] = part * total * hx
                 across[j, i] = (1.0 - part) * total * hy
 

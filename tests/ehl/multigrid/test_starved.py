@@ -24,6 +24,14 @@ from verification.contacts import OIL, from_groups, moes
 
 BOX = SolverOptions(points=129, domain=(-6.0, 1.6, 3.5))
 CIRCULAR = moes(20.0, 10.0, oil=OIL)
+SPHERE = ContactConditions(
+    load=15.0,
+    radius_x=0.0125,
+    radius_y=0.0125,
+    reduced_modulus=110e9,
+    entrainment_speed=0.09,
+    lubricant=Lubricant(viscosity=0.04, pressure_viscosity=20e-9),
+)
 
 
 def layer(thickness):
@@ -202,16 +210,7 @@ def test_bad_layers(keys, found):
 
 
 def test_what_is_not_solved_behind_a_layer_is_refused():
-    oil = Lubricant(viscosity=0.04, pressure_viscosity=20e-9)
-    sphere = ContactConditions(
-        load=15.0,
-        radius_x=0.0125,
-        radius_y=0.0125,
-        reduced_modulus=110e9,
-        entrainment_speed=0.09,
-        lubricant=oil,
-        inlet_layer=layer(1e-7),
-    )
+    sphere = replace(SPHERE, inlet_layer=layer(1e-7))
     options = SolverOptions(points=65)
     thinning = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5e6)
     with pytest.raises(ValueError, match="inlet_layer"):
@@ -226,12 +225,8 @@ def test_what_is_not_solved_behind_a_layer_is_refused():
 
 
 def test_rolling_moment_of_the_solved_pressure():
-    oil = Lubricant(viscosity=0.04, pressure_viscosity=20e-9)
-    sphere = ContactConditions(
-        load=15.0, radius_x=0.0125, radius_y=0.0125, reduced_modulus=110e9, entrainment_speed=0.09, lubricant=oil
-    )
     options = SolverOptions(points=129)
-    films = [solve_contact(replace(sphere, inlet_layer=layer(h)), options) for h in (1e-3, 5e-8)]
+    films = [solve_contact(replace(SPHERE, inlet_layer=layer(h)), options) for h in (1e-3, 5e-8)]
     full, thin = (rolling_moment(film) for film in films)
     assert thin.value < 0.3 * full.value
     assert thin.layer == 5e-8
