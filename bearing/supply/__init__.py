@@ -1,5 +1,7 @@
 """Oil supply and starved films.
 
+side_flow     - oil that one pass presses sideways out of a severely starved contact
 starved_films - films of the contacts of a bearing that gets little oil
 supply        - oil supply, first order: the film that little oil leaves
+track         - oil on a track from ball to ball: passes, steady state
 """

@@ -6,10 +6,8 @@ Either the layer of oil that every contact finds at its inlet is given (`InletFi
 
 Film: a contact that finds an oil layer of r times its compressed flooded film builds a film of
 :math:`r/(1 + r^\gamma)^{1/\gamma}` times the flooded one (Chevalier et al., 1998; Damiens et al.,
-2004) and presses the rest out of the track. Under a flow, the layer it leaves loses a share on the
-way to the next ball, and the supply adds to it. In the steady state
-
-    r = (1 - loss) r/(1 + r^gamma)^(1/gamma) + added layer/(density ratio times flooded film).
+2004) and presses the rest out of the track. Under a flow every contact finds what the balls before
+it left and what was added, in the steady state (`track`).
 
 **Assumed** (no source): of the flow a given share lands on the two tracks, half on each, and
 spreads evenly over the width of the contact's ellipse; the share of the layer that is flung off or
@@ -21,18 +19,18 @@ constants of nature.
 """
 
 from dataclasses import dataclass
+from functools import partial
 from math import exp, inf, isfinite, log, pi
-
-import scipy
 
 from ehl.oil.lubricant import Lubricant, density
 
 from ..contacts.contact import BearingContact
 from ..geometry import Bearing
+from .side_flow import side_flow
+from .track import Track, added_layer, steady_share
 
 EXPONENTS = (3.0, 15.0)  # gamma of a circle and of an ellipse of this ratio and more
 WIDE_ELLIPSE = 8.0  # that ratio, Damiens et al. (2004) [-]
-FLOODED_RATIO = 1.0e6  # inlet layer over film from which a contact counts as flooded [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -89,28 +87,6 @@ def starved_share(inlet_ratio: float, exponent: float) -> float:
     return inlet_ratio / (1.0 + inlet_ratio**exponent) ** (1.0 / exponent)
 
 
-def steady_share(added_ratio: float, exponent: float, loss: float = 0.0) -> float:
-    """Film over the flooded one where every ball finds what is left of the last one's and what was
-    added [-]; zero without supply: all oil is pressed out in the end.
-
-    `added_ratio`: layer added between two balls over the compressed flooded film [-]; `exponent`:
-    g [-]; `loss`: share of the layer lost between two balls [-].
-    """
-    if added_ratio <= 0.0:
-        return 0.0
-    if added_ratio >= FLOODED_RATIO:
-        return 1.0
-
-    def surplus(log_r: float) -> float:
-        r = exp(log_r)
-        return log(max(r - (1.0 - loss) * starved_share(r, exponent), 1e-300)) - log(added_ratio)
-
-    log_r = scipy.optimize.brentq(
-        surplus, log(added_ratio) - 1e-9, log(added_ratio + 1.0) + 1e-9, xtol=1e-12
-    )
-    return starved_share(exp(log_r), exponent)
-
-
 def supplied_share(
     contact: BearingContact, flooded_film: float, supply: Supply | InletFilm, balls: int
 ) -> float:
@@ -127,12 +103,14 @@ def supplied_share(
     exponent = supply.exponent
     if exponent is None:
         exponent = starvation_exponent(hertz.semi_axis_y / hertz.semi_axis_x)
+    law = partial(starved_share, exponent=exponent)
     if isinstance(supply, InletFilm):
-        return starved_share(supply.layer / compressed, exponent)
-    # area of track under all balls [m^2/s]
-    swept = 2.0 * hertz.semi_axis_y * conditions.entrainment_speed * balls
-    layer = 0.5 * supply.track_share * supply.flow / swept
-    return steady_share(layer / compressed, exponent, supply.loss)
+        return law(supply.layer / compressed)
+    track = Track(share=law, side_flow=compressed**2 * side_flow(contact), loss=supply.loss)
+    onto_it = 0.5 * supply.track_share * supply.flow  # half of it on each race
+    width = 2.0 * hertz.semi_axis_y
+    layer = added_layer(onto_it, width, conditions.entrainment_speed, balls)
+    return steady_share(track, layer / compressed)
 
 
 def compression(hertz_pressure: float, lubricant: Lubricant) -> float:

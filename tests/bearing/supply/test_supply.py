@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from math import erfc, exp, pi
 
 import numpy as np
@@ -20,14 +21,18 @@ from bearing.supply.supply import (
     oil_fraction,
     starvation_exponent,
     starved_share,
-    steady_share,
     supplied_share,
 )
+from bearing.supply.track import Track, steady_share
 from ehl import Lubricant, ViscosityLaw
 from ehl.closed_form.film import film_nijenbanning_central
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
 ML_MIN = 1e-6 / 60.0  # [m^3/s]
+
+
+def law_of(exponent):
+    return partial(starved_share, exponent=exponent)
 
 
 def test_starved_film():
@@ -50,14 +55,16 @@ def test_steady_film_is_where_many_balls_lead(exponent, loss):
         layer = 5.0
         for _ in range(20000):
             layer = (1.0 - loss) * starved_share(layer, exponent) + added
-        assert steady_share(added, exponent, loss) == pytest.approx(starved_share(layer, exponent), rel=1e-6)
+        found = steady_share(Track(share=law_of(exponent), loss=loss), added)
+        assert found == pytest.approx(starved_share(layer, exponent), rel=1e-6)
 
 
 @pytest.mark.parametrize("exponent", [3.0, 5.0, 15.0])
 def test_steady_film_at_the_ends(exponent):
-    assert steady_share(0.0, exponent) == 0.0
-    assert steady_share(1e9, exponent) == 1.0
-    few, many = steady_share(1e-6, exponent), steady_share(2e-6, exponent)
+    track = Track(share=law_of(exponent))
+    assert steady_share(track, 0.0) == 0.0
+    assert steady_share(track, 1e9) == 1.0
+    few, many = steady_share(track, 1e-6), steady_share(track, 2e-6)
     assert many / few == pytest.approx(2.0 ** (1.0 / (exponent + 1.0)), rel=1e-2)  # r^(g + 1)/g = added
 
 

@@ -1,0 +1,102 @@
+r"""Oil on a track from ball to ball.
+
+Layers count over the oil that the flooded film takes along: r = h_oil/(rho_c h_cff). A contact
+that finds r builds the share R(r) of its flooded film, and what passes through it is the layer of
+the next ball: without supply r_n = R(r_(n-1)). Of two losses of one pass the larger one counts,
+never their sum, for R holds the side flow ahead of the contact, and `side_flow` that inside it:
+
+    r_left = min(R(r), (r^-2 + d)^(-1/2)),
+
+with r = 1 in the second one beyond that, and what is beyond on top: more than the flooded film
+is no part of a film too thin to change its pressure. Between two balls a share l of the layer is
+lost, and the supply adds D. In the steady state
+
+    r - (1 - l) r_left(r) = D.
+
+For R = r/(1 + r^g)^(1/g) and d = 0, r_n = (r_0^-g + n)^(-1/g); where the side flow leads, r_n =
+(r_0^-2 + n d)^(-1/2), and the steady r is (2 D/d)^(1/3) without loss.
+
+**Assumed**: every contact is fed by others like itself; layers do not flow between two balls
+(capillary levelling and centrifugal flow of a micrometre take seconds, two balls follow each other
+in milliseconds); they part half and half at the outlet, and meet again.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import exp, isfinite, log
+
+import numpy as np
+import scipy
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Law = Callable[[float], float]  # R(r)
+
+FLOODED_RATIO = 1.0e6  # inlet layer over film from which a contact counts as flooded [-]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Track:
+    """What one pass of a ball does to the layer of a track; layers over rho_c h_cff [-]."""
+
+    share: Law  # R(r), rises, R <= r and R <= 1
+    side_flow: float = 0.0  # d, r_left^-2 - r^-2 at the least of the film
+    loss: float = 0.0  # l, of the layer between two balls
+
+    def __post_init__(self) -> None:
+        if not (isfinite(self.side_flow) and self.side_flow >= 0.0):
+            raise ValueError(f"side_flow must be zero or positive, got {self.side_flow!r}")
+        if not 0.0 <= self.loss <= 1.0:
+            raise ValueError(f"loss must lie in [0, 1], got {self.loss!r}")
+
+    def left(self, layer: float) -> float:
+        """Layer that a pass leaves of a layer, and the film over the flooded one [-]."""
+        if layer <= 0.0:
+            return 0.0
+        within = min(layer, 1.0)
+        pressed = within / (1.0 + self.side_flow * within**2) ** 0.5
+        return min(self.share(layer), pressed + (layer - within))
+
+
+def after_passes(track: Track, layer: float, number: int, added: float = 0.0) -> Array:
+    """Layers that so many passes leave one after the other, shape (number,), the first one of
+    `layer` at its inlet; `added`: layer between two balls [-].
+    """
+    layers = np.empty(number)
+    for index in range(number):
+        layers[index] = track.left(layer)
+        layer = (1.0 - track.loss) * layers[index] + added
+    return layers
+
+
+def steady_layer(track: Track, added: float) -> float:
+    """Layer r at every inlet in the steady state [-]; zero without supply: all oil is pressed out
+    in the end, or lost.
+
+    `added`: layer between two balls [-].
+    """
+    if added <= 0.0:
+        return 0.0
+
+    def surplus(log_r: float) -> float:
+        r = exp(log_r)
+        return log(max(r - (1.0 - track.loss) * track.left(r), 1e-300)) - log(added)
+
+    # no less than what is added, and, as no film is thicker than the flooded one, one film more
+    low = log(added) - 1e-9
+    high = log(added + 1.0) + 1e-9
+    return exp(scipy.optimize.brentq(surplus, low, high, xtol=1e-12))
+
+
+def steady_share(track: Track, added: float) -> float:
+    """Film over the flooded one in the steady state [-]; exactly 1 with ample oil."""
+    if added >= FLOODED_RATIO:
+        return 1.0
+    return track.left(steady_layer(track, added)) if added > 0.0 else 0.0
+
+
+def added_layer(flow: float, width: float, speed: float, balls: int) -> float:
+    """Layer that a flow [m^3/s] lays on a track of a width [m], which the contacts of so many
+    balls pass at a speed [m/s], from ball to ball [m].
+    """
+    return flow / (width * speed * balls)
