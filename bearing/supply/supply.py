@@ -20,17 +20,15 @@ constants of nature.
 
 from dataclasses import dataclass
 from functools import partial
-from math import exp, inf, isfinite, log, pi
+from math import inf, isfinite, pi
 
+from ehl.closed_form.starvation import starvation_exponent, starved_share
 from ehl.oil.lubricant import Lubricant, density
 
 from ..contacts.contact import BearingContact
 from ..geometry import Bearing
 from .side_flow import side_flow
 from .track import Track, added_layer, steady_share
-
-EXPONENTS = (3.0, 15.0)  # gamma of a circle and of an ellipse of this ratio and more
-WIDE_ELLIPSE = 8.0  # that ratio, Damiens et al. (2004) [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,25 +64,6 @@ class InletFilm:
     def __post_init__(self) -> None:
         if not (isfinite(self.layer) and self.layer >= 0.0):
             raise ValueError(f"layer must be zero or positive and finite, got {self.layer!r} m")
-
-
-def starvation_exponent(ellipse_ratio: float) -> float:
-    """gamma of a starved film [-]: 3 (circular) to 15 (wide), in proportion between to the
-    logarithm of the semi-axis across the entrainment over that along it [-].
-
-    The ends are Damiens et al.'s (2004), second hand; the interpolation is ours.
-    """
-    share = min(max(log(max(ellipse_ratio, 1.0)) / log(WIDE_ELLIPSE), 0.0), 1.0)
-    return EXPONENTS[0] * exp(share * log(EXPONENTS[1] / EXPONENTS[0]))
-
-
-def starved_share(inlet_ratio: float, exponent: float) -> float:
-    """Central film of a starved contact over the flooded one, r/(1 + r^g)^(1/g), Chevalier et al.
-    (1998) [-]; r: oil layer at the inlet over the compressed flooded film [-].
-    """
-    if inlet_ratio > 1.0:  # the same, so that ample oil leaves exactly 1
-        return float((1.0 + inlet_ratio**-exponent) ** (-1.0 / exponent))
-    return inlet_ratio / (1.0 + inlet_ratio**exponent) ** (1.0 / exponent)
 
 
 def supplied_share(

@@ -3,8 +3,9 @@
 from collections.abc import Iterator
 from math import cos, hypot, sin
 
-from bearing.supply.supply import compression, starvation_exponent, starved_share
+from bearing.supply.supply import compression
 from ehl import ContactConditions, ContactSolution
+from ehl.closed_form.starvation import starvation_exponent, starved_share
 from ehl.units import from_si, to_si
 
 from .results import ContactResults

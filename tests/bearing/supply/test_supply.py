@@ -13,19 +13,11 @@ from bearing import Operation, contact_conditions, solve_quasistatic
 from bearing.friction.asperities import asperity_share
 from bearing.heating.heat_balance import LARGEST_RISE, Cooling, heat_balance
 from bearing.supply.starved_films import least_lambda, mean_share, of_driven_balls, starved_films
-from bearing.supply.supply import (
-    InletFilm,
-    Supply,
-    cavity_volume,
-    compression,
-    oil_fraction,
-    starvation_exponent,
-    starved_share,
-    supplied_share,
-)
+from bearing.supply.supply import InletFilm, Supply, cavity_volume, compression, oil_fraction, supplied_share
 from bearing.supply.track import Track, steady_share
 from ehl import Lubricant, ViscosityLaw
 from ehl.closed_form.film import film_nijenbanning_central
+from ehl.closed_form.starvation import starvation_exponent, starved_share
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
 ML_MIN = 1e-6 / 60.0  # [m^3/s]

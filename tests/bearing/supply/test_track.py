@@ -11,9 +11,9 @@ import scipy
 
 from bearing import Operation, contact_conditions, solve_quasistatic
 from bearing.supply.side_flow import barus_integral, side_flow, side_flow_integral
-from bearing.supply.supply import starved_share
 from bearing.supply.track import Track, added_layer, after_passes, steady_layer, steady_share
 from ehl import Lubricant, ViscosityLaw
+from ehl.closed_form.starvation import starved_share
 
 EXPONENTS = (3.0, 5.0, 15.0)
 

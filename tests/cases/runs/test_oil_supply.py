@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from bearing.supply.supply import starvation_exponent, starved_share
 from cases.batch.sweep import read_sweep
 from cases.format.case import case_from_text, case_of_document
 from cases.format.problems import CaseError
 from cases.runs.bearing import run_case
 from cases.runs.contact import run_contact
 from cases.runs.heating import self_heated
+from ehl.closed_form.starvation import starvation_exponent, starved_share
 from postprocess import summary
 
 SURFACE = "[surface]\ninner_ring_roughness_um = 0.2\nouter_ring_roughness_um = 0.2\nball_roughness_um = 0.02\n"
