@@ -12,6 +12,13 @@ from ..quasistatic.solution import QuasistaticSolution
 from .contact import BearingContact
 from .motion import BallMotion, bearing_kinematics
 
+# along x of the films whose shear is summed, at most, in the balance of the balls and in the
+# torque: with the nodes of one and of the other the rings' power misses the heat by what the mesh
+# changes of a friction that nearly vanishes, half of the heat of a 6306 with little oil. A 6306 at
+# 10 kN, films on 1025 nodes, takes 201.039 N mm so and 201.037 by all nodes, in a quarter of the
+# time
+TRACTION_POINTS = 513
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactTraction:
@@ -31,15 +38,15 @@ def contact_traction(
     rheology: Rheology,
     motion: BallMotion | None = None,
 ) -> ContactTraction:
-    """Forces and moments of one contact, integrated over its film; the rolling moment is that of
-    its oil up to the meniscus.
+    """Forces and moments of one contact, integrated over its film on at most `TRACTION_POINTS`;
+    the rolling moment is that of all nodes and of its oil up to the meniscus.
 
     `film` is that of the contact's conditions [m], [Pa]; `motion` that of the ball [rad/s], None:
     that of the equilibrium.
     """
     kinematics = bearing_kinematics(solution, contact, motion)
     result = integrate_traction(
-        film,
+        film.thinned(TRACTION_POINTS),
         kinematics,
         rheology,
         temperature=solution.operation.temperature,

@@ -22,6 +22,7 @@ from ehl.traction.shear import (
 
 from ..contacts.contact import BearingContact
 from ..contacts.motion import bearing_kinematics
+from ..contacts.traction import TRACTION_POINTS
 from ..geometry import Array, Race
 from ..quasistatic.solution import QuasistaticSolution
 from .asperities import asperity_share
@@ -35,9 +36,6 @@ FilmLaw = Callable[[Array, float], tuple[Array, Array]]
 SLOPE_STEP = 1.0e-4  # relative change of the shear rate for a difference quotient [-]
 # part of the shear of a contact in nodes that a first, coarse balance leaves out [-]
 COARSE_SHARE_LEFT_OUT = 1.0e-2
-# along x of the films that balls are balanced on, at most: a 6306 at 10 kN, films on 1025 nodes,
-# takes 201.039 N mm so and 201.037 by all nodes, in a quarter of the time
-BALANCE_POINTS = 513
 REFERENCE_SLIDE_RATIO = 1.0e-2  # sliding over entrainment at which nodes are weighed [-]
 MIN_SLIDING = 1.0e-12  # [m/s] below which the stress counts as proportional to it
 
@@ -184,7 +182,7 @@ def _film_nodes(
 ) -> _FilmNodes:
     """As `_film_law` takes them."""
     resistance = rolling_moment(film).value
-    film = with_outlet(film.thinned(BALANCE_POINTS))
+    film = with_outlet(film.thinned(TRACTION_POINTS))
     film_x, film_y, thickness = dimensional_grid(film)
     x, y = np.broadcast_arrays(film_x[:, None], film_y[None, :])
     width = sheared_width(thickness, film.pressure, Cavitation.STRIATED)

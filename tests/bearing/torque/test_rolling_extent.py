@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose
 
 from bearing import Operation, contact_conditions, solve_quasistatic
 from bearing.contacts.traction import contact_traction
@@ -101,3 +102,22 @@ def test_no_torque_at_rest(rolling, bearings):
     _, tractions, films = rolling
     together = Operation(inner_speed=100.0, outer_speed=100.0, force=(0.0, 900.0, 0.0))
     assert rolling_extent(solve_quasistatic(bearings.b6208, together), tractions, films) is None
+
+
+def test_balance_and_torque_sum_the_same_nodes(rolling, monkeypatch):
+    """On films finer than what is summed: else the power of balls in balance does not close."""
+    for module in ("bearing.contacts.traction", "bearing.friction.films"):
+        monkeypatch.setattr(f"{module}.TRACTION_POINTS", 33)
+    state, _, films = rolling
+    contacts = [c for c in contact_conditions(state, OIL) if c.ball in (1, 4)]
+    law = film_law(state, contacts, films, Rheology())
+    for number, (contact, film) in enumerate(zip(contacts, films, strict=True)):
+        if film is None:
+            continue
+        traction = contact_traction(state, contact, film, Rheology())
+        k, r = traction.kinematics, traction.result
+        motion = np.array([[k.sliding_x, k.sliding_y, k.spin, k.rolling]])
+        found = -law.evaluate(motion, np.array([number])).gradient[0]
+        assert film.X.size > 33
+        assert_allclose(found[[0, 3]], [r.force_x, r.rolling_moment_1], rtol=1e-9)
+        assert_allclose(found[[1, 2]], [r.force_y, r.spin_moment], atol=1e-9 * abs(r.force_x))
