@@ -7,7 +7,7 @@ from math import isclose
 from typing import Any
 
 from .catalogue import catalogue_entry, estimated_bearings, known_designation, with_designation
-from .designation import SERIES, Designation
+from .designation import SERIES, Designation, why_unknown
 from .names import library_data, matching_name, plain_name
 
 PUBLISHED = "bearings.toml"
@@ -51,8 +51,10 @@ def load_catalogue_entry(name: str) -> dict[str, Any]:
     """
     shown = catalogue_name(name)
     if shown is None:
+        why = why_unknown(name)
         raise ValueError(
-            f"bearing {name!r} is unknown; known: {', '.join(published_bearings())}, and "
+            f"bearing {name!r} is unknown{why and ': ' + why}; known: "
+            f"{', '.join(published_bearings())}, and "
             f"designations of the series {', '.join(SERIES)} with bores of 10 to 120 mm, those of "
             "angular contact with C, AC or B for the contact angle"
         )

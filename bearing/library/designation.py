@@ -54,6 +54,20 @@ WITHOUT_EFFECT = (
     # cages, snap rings
     "TN9|TNH|TVP2|TVP|TVH|TYN|TR|TN|TA|MPA|MPB|MA|MB|JR|PHAS|PH|BP|J|M|Y|T|P|F|NR|N|W|DG|U|G"
 )
+# why a designation is none of the bearings here, by its beginning
+BALLS_HERE = "here are ball bearings"
+NOT_HERE = (
+    (r"(?:NU|NJ|NUP|NN|N|RN|RNU|NF|NH)\d", f"a cylindrical roller bearing; {BALLS_HERE}"),
+    (r"(?:NA|NK|NKI|HK|BK|RNA|K)\d", f"a needle roller bearing; {BALLS_HERE}"),
+    (r"(?:30|31|32|33)\d{3}", f"a tapered roller bearing; {BALLS_HERE}"),
+    (r"(?:21|22|23|24)\d{3}", f"a spherical roller bearing; {BALLS_HERE}"),
+    (r"5[1-4]\d{3}", "a thrust ball bearing; here are radial ones"),
+    (r"(?:12|13|22|23)\d\d(?!\d)", "a self-aligning ball bearing; here are rigid ones"),
+    (r"(?:32|33|42|43|52|53)\d\d(?!\d)", "a bearing of two rows; here are single ones and pairs"),
+    (r"(?:HS|XCS|RS)\d", "a high-speed bearing with smaller balls than the series have here"),
+    (r"(?:70|72|73|719|79)\d\d", "the letters of its contact angle are missing or not known"),
+    ("|".join(sorted({*SERIES, *SYNONYMS})), "its bore or a suffix is not known"),
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -163,3 +177,9 @@ def _set(match: re.Match[str]) -> dict[str, object]:
     if match["preload"] and arrangement:
         found["preload_class"] = PRELOADS[match["preload"]]
     return found
+
+
+def why_unknown(text: str) -> str:
+    """What a designation that is not known seems to be; empty if nothing can be said."""
+    plain = re.sub(rf"^(?:(?:{MAKERS}) ?)", "", " ".join(text.upper().split()))
+    return next((why for pattern, why in NOT_HERE if re.match(pattern, plain)), "")

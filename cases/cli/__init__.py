@@ -19,5 +19,6 @@
 | documents | report, compare, cut, interferogram |
 | files | list, validate, init, schema |
 | new_case | text of a new case file, by designation or boundary dimensions |
+| first_operation | speed, loads, oil and cooling that a new case starts from |
 | verify | verify |
 """

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from enum import StrEnum
+from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -124,18 +125,24 @@ def init(  # noqa: PLR0913
     dynamic: Annotated[float | None, typer.Option("--C", help="Rating C, if known [kN].")] = None,
     static: Annotated[float | None, typer.Option("--C0", help="Rating C_0 [kN].")] = None,
     angle: Annotated[float, typer.Option(help="Nominal contact angle [deg]; 0: deep groove.")] = 0,
+    speed: Annotated[float | None, typer.Option(help="Of the inner ring [r/min].")] = None,
+    radial: Annotated[float | None, typer.Option(help="Radial load [N].")] = None,
+    axial: Annotated[float | None, typer.Option(help="Axial load [N].")] = None,
 ) -> None:
     """Write a new case file: of a bearing by its designation or its size, or copied."""
+    from .first_operation import FirstOperation
     from .new_case import BoundaryDimensions, case_of_designation, case_of_dimensions
 
     size = {"bore": bore, "outside": outside, "width": width}
     given = [f"--{key}" for key, value in size.items() if value is not None]
     more = [key for key, value in (("--C", dynamic), ("--C0", static)) if value is not None]
     more += ["--angle"] * (angle != 0.0)
-    _check_options(template, bearing, given, more)
+    asked = {"speed": speed, "radial": radial, "axial": axial}
+    _check_options(template, bearing, given, more, asked)
+    operation = FirstOperation(speed=speed, radial_load=radial, axial_load=axial)
     try:
         if bearing is not None:
-            text = case_of_designation(bearing)
+            text = case_of_designation(bearing, operation)
         elif bore is not None and outside is not None and width is not None:
             text = case_of_dimensions(
                 BoundaryDimensions(
@@ -145,7 +152,8 @@ def init(  # noqa: PLR0913
                     dynamic_rating=dynamic,
                     static_rating=static,
                     contact_angle=angle,
-                )
+                ),
+                operation,
             )
         else:
             text = _shipped_text(template or "6208_full_ceramic")
@@ -155,7 +163,11 @@ def init(  # noqa: PLR0913
 
 
 def _check_options(
-    template: str | None, bearing: str | None, size: list[str], more: list[str]
+    template: str | None,
+    bearing: str | None,
+    size: list[str],
+    more: list[str],
+    asked: dict[str, float | None],
 ) -> None:
     """`CaseError` where the options of `init` do not fit together."""
     ways = [*["--from"] * (template is not None), *["--bearing"] * (bearing is not None)]
@@ -167,6 +179,14 @@ def _check_options(
         raise CaseError(f"oilfilm init: {', '.join(size)} without {', '.join(missing)}")
     if more and not size:
         raise CaseError(f"oilfilm init: {', '.join(more)} without --bore, --outside, --width")
+    for key, value in asked.items():
+        if value is None:
+            continue
+        if not (bearing or size):
+            raise CaseError(f"oilfilm init: --{key} without --bearing or --bore")
+        if not isfinite(value) or (key == "speed" and value <= 0.0):
+            allowed = "above 0" if key == "speed" else "a finite number"
+            raise CaseError(f"oilfilm init: --{key}: found {value:g}; allowed: {allowed}")
 
 
 def _shipped_text(template: str) -> str:

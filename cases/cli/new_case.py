@@ -1,20 +1,23 @@
 """A new case file for a bearing by its designation or its boundary dimensions."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
-from math import floor, log10, pi, radians
+from dataclasses import dataclass, replace
+from math import radians
 from typing import Any
 
 from bearing.library.bearings import load_catalogue_entry, named_designation
+from bearing.library.catalogue import boundary_dimensions, with_designation
 from bearing.library.designation import Designation
-from bearing.library.names import library_data
 from bearing.rating.geometry_estimate import CatalogueData, estimate_bearing
 
-TYPICAL = "typical.toml"
-SPEED_FACTOR = 1.5e5  # n d_m of a new case [mm/min]
-RADIAL_SHARE = 0.05  # loads of a new case over C [-]
-RADIAL_SHARE_ANGULAR = 0.02
-AXIAL_SHARE = 0.04
+from .first_operation import BearingKind, FirstOperation, first_tables, typical
+
+SPINDLE_SERIES = ("70", "719")
+SPINDLE_ANGLE = 26.0  # of bearings known by their size that count likewise [deg]
+BY_SIZE = (
+    "a bearing by its size: oilfilm init NAME --bore 25 --outside 47 --width 8 [mm], with "
+    "--angle 15 of angular contact [deg], --C and --C0 if known [kN]"
+)
 PRECISE = ("P5", "P4", "P2")
 PRELOADS = {"DB": ("+x", "-x"), "DF": ("-x", "+x"), "DT": ("+x", "+x")}
 # keys of an entry that a case file shows, in this order
@@ -54,13 +57,23 @@ class BoundaryDimensions:
     contact_angle: float = 0.0
 
 
-def case_of_designation(name: str) -> str:
+def case_of_designation(name: str, given: FirstOperation) -> str:
     """Text of a case file for a bearing of the catalogue; ValueError for an unknown name."""
-    entry = load_catalogue_entry(name)
-    return _text(entry["name"], entry, named_designation(entry["name"]), assumed=())
+    try:
+        entry = load_catalogue_entry(name)
+    except ValueError as error:
+        raise ValueError(f"{error}; {BY_SIZE}") from None
+    designation = named_designation(entry["name"])
+    if designation is not None:
+        outside, width = boundary_dimensions()[designation.dimension_series, designation.bore]
+        size = {"bore_mm": designation.bore, "outside_diameter_mm": outside, "width_mm": width}
+        entry = _with_normal_clearance({**size, **entry}, designation)
+    if "width_mm" not in entry:
+        raise ValueError(f"bearing {entry['name']!r}: its source gives no width; {BY_SIZE}")
+    return _text(entry["name"], entry, designation, given)
 
 
-def case_of_dimensions(size: BoundaryDimensions) -> str:
+def case_of_dimensions(size: BoundaryDimensions, given: FirstOperation) -> str:
     """Text of a case file for a bearing whose internal geometry is estimated [mm, kN, deg];
     ValueError names what is impossible.
     """
@@ -77,16 +90,22 @@ def case_of_dimensions(size: BoundaryDimensions) -> str:
         )
     )
     name = f"{size.bore:g} x {size.outside_diameter:g} x {size.width:g}"
-    return _text(name, entry, None, assumed=[f"bearing.{key}" for key in entry["estimated"]])
+    return _text(name, entry, None, given)
+
+
+def _with_normal_clearance(entry: dict[str, Any], designation: Designation) -> dict[str, Any]:
+    """A new case takes the class CN where a published table has no play, which is of its study."""
+    if entry.get("diametral_clearance_um") != 0.0 or designation.clearance_class:
+        return entry
+    return with_designation(entry, replace(designation, clearance_class="CN"))
 
 
 def _text(
-    name: str,
-    entry: Mapping[str, Any],
-    designation: Designation | None,
-    assumed: list[str] | tuple[()],
+    name: str, entry: Mapping[str, Any], designation: Designation | None, given: FirstOperation
 ) -> str:
-    tables = _tables(entry, designation)
+    tables = _tables(entry, designation, given)
+    estimated = entry["estimated"] if designation is None else ()
+    assumed = [f"bearing.{key}" for key in estimated]
     keys = [*assumed, *(f"{table}.{key}" for table, rows in tables.items() for key in rows)]
     lines = [
         "schema_version = 1",
@@ -135,45 +154,37 @@ def _bearing_lines(entry: Mapping[str, Any]) -> Iterator[str]:
 
 
 def _tables(
-    entry: Mapping[str, Any], designation: Designation | None
+    entry: Mapping[str, Any], designation: Designation | None, given: FirstOperation
 ) -> dict[str, dict[str, str]]:
     """The other tables: a speed and loads to start from, and what is typical, with its range."""
-    capacity = _capacity(entry)
-    pitch = entry["pitch_diameter_mm"]
-    angular = entry["type"] == "angular contact"
-    pair = designation is not None and designation.arrangement in ("DB", "DF")
-    radial = RADIAL_SHARE_ANGULAR if angular and not pair else RADIAL_SHARE
-    operation = {
-        "inner_speed_rpm": f"{_rounded(SPEED_FACTOR / pitch):.1f}",
-        "radial_load_N": f"{_rounded(radial * capacity):.1f}",
-        "axial_load_N": f"{_rounded(AXIAL_SHARE * capacity if angular and not pair else 0.0):.1f}",
-        "temperature_C": "70.0  # where no heat balance is found",
-        "temperature": '"self-heated"',
-    }
-    sealed = designation is not None and designation.sealed
-    lubricant = {"grease": '"lithium mineral 100"'} if sealed else {"name": '"iso vg 68"'}
-    lubricant["contamination_factor"] = _typical("contamination_factor")
-    width = entry["width_mm"] * (2.0 if _is_set(designation) else 1.0)
-    area = pi * width * (entry["bore_mm"] + entry["outside_diameter_mm"]) * 1e-6
-    friction = {} if sealed else {"lubrication": '"oil bath"'}
-    friction |= {"heat_transfer_W_K": _typical("heat_flow_W_m2_K", area), "ambient_C": "25.0"}
     race = "race_roughness_um"
     if entry.get("tolerance_class") in PRECISE:
         race = "precision_race_roughness_um"
     steel = entry["ball_material"] == "bearing steel"
     surface = {
-        "inner_ring_roughness_um": _typical(race),
-        "outer_ring_roughness_um": _typical(race),
-        "ball_roughness_um": _typical(
+        "inner_ring_roughness_um": typical(race),
+        "outer_ring_roughness_um": typical(race),
+        "ball_roughness_um": typical(
             "ball_roughness_um" if steel else "ceramic_ball_roughness_um"
         ),
     }
-    return {
-        "lubricant": lubricant,
-        "operation": operation,
-        "surface": surface,
-        "friction": friction,
-    }
+    tables = first_tables(entry, _kind(entry, designation), given)
+    friction = tables.pop("friction")
+    return {**tables, "surface": surface, "friction": friction}
+
+
+def _kind(entry: Mapping[str, Any], designation: Designation | None) -> BearingKind:
+    angular = entry["type"] == "angular contact"
+    if designation is None:
+        spindle = angular and entry["free_contact_angle_deg"] <= SPINDLE_ANGLE
+        return BearingKind(angular=angular, spindle=spindle, pair=False, rows=1, sealed=False)
+    return BearingKind(
+        angular=angular,
+        spindle=designation.series in SPINDLE_SERIES,
+        pair=designation.arrangement in ("DB", "DF"),
+        rows=2 if _is_set(designation) else 1,
+        sealed=designation.sealed,
+    )
 
 
 def _is_set(designation: Designation | None) -> bool:
@@ -192,29 +203,6 @@ def _rows(entry: Mapping[str, Any], designation: Designation | None) -> list[str
         lines += ["[[rows]]", f"axial_position_mm = {position:g}", f'loaded_by = "{sense}"']
         lines += [f'preload_class = "{preload}"', ""]
     return lines
-
-
-def _capacity(entry: Mapping[str, Any]) -> float:
-    """C [N] as rated, or a rough value, Z^(2/3) D^1.8 times 50 (N, mm), to choose loads by."""
-    if "basic_dynamic_rating_kN" in entry:
-        return 1e3 * float(entry["basic_dynamic_rating_kN"])
-    return float(50.0 * entry["balls"] ** (2.0 / 3.0) * entry["ball_diameter_mm"] ** 1.8)
-
-
-def _typical(key: str, factor: float = 1.0) -> str:
-    """A typical value and its range, as a value of TOML with a comment."""
-    data = library_data(TYPICAL)[key]
-    low, high = data["range"]
-    value = float(f"{factor * data['value']:.3g}")
-    return f"{value!r}  # typical, {factor * low:.3g} to {factor * high:.3g}"
-
-
-def _rounded(value: float) -> float:
-    """To two digits."""
-    if value <= 0.0:
-        return 0.0
-    step = 10.0 ** (floor(log10(value)) - 1)
-    return round(value / step) * step
 
 
 def _escaped(text: str) -> str:

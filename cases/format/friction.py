@@ -119,6 +119,9 @@ OF_ONE_NAME = (
 )
 SHEAR_ASSUMED = "lubricant: the shear of the oil is assumed"
 
+# ways of lubrication whose oil balls have to push aside
+WITH_LEVEL = (Lubrication.OIL_BATH.value, Lubrication.OIL_JET.value)
+
 
 def _only_with(where: Where, *names: str) -> Iterator[Relation]:
     """Keys of [friction] without effect but with another one; their defaults may stay."""
@@ -196,6 +199,9 @@ def friction(
 ) -> FrictionInput:
     """What the friction models take: ratings [N], lengths [m]; `angular`: of angular contact."""
     si = bearing.si()
+    if table.lubrication in WITH_LEVEL and table.oil_level_mm == 0.0:
+        text = f"no oil_level_mm with lubrication = {shown(table.lubrication)}"
+        warnings.warn(f"friction.oil_level_mm: {text}: SKF's model has no drag", stacklevel=2)
     return FrictionInput(
         **table.si(*OF_ONE_NAME),
         sealed=_sealed(table, bearing),

@@ -12,10 +12,13 @@ import time
 import tomllib
 from pathlib import Path
 
+import numpy as np
 import pytest
 from rich.console import Group
 from typer.testing import CliRunner
 
+from bearing.library.bearings import load_catalogue_entry
+from bearing.library.lubricants import library_lubricant
 from cases import load_case
 from cases.cli import compute, output, terminal
 from cases.cli.main import app
@@ -389,6 +392,52 @@ def test_init_by_designation_or_size_writes_a_valid_case(options, tmp_path):
     assert load_case(str(tmp_path / "mine.toml")).bearing.balls > 5
 
 
+def written(folder, *options):
+    """Case file that `oilfilm init` writes, parsed."""
+    assert oilfilm("init", "new", *options).exit_code == 0
+    path = folder / "new.toml"
+    document = tomllib.loads(path.read_text(encoding="utf-8"))
+    path.unlink()
+    return document
+
+
+def test_a_new_case_is_laid_out_for_its_speed(tmp_path):
+    slow = written(tmp_path, "--bearing", "6208", "--speed", "3000")
+    fast = written(tmp_path, "--bearing", "6208", "--speed", "15000", "--radial", "500", "--axial", "200")
+    assert slow["friction"]["lubrication"] == "oil bath"
+    assert slow["friction"]["oil_level_mm"] == 0.5 * slow["bearing"]["ball_diameter_mm"]
+    assert fast["friction"]["lubrication"] == "oil jet"
+    assert [fast["operation"][key] for key in ("inner_speed_rpm", "radial_load_N", "axial_load_N")] == [15e3, 500, 200]
+    grades = [int(case["lubricant"]["name"].removeprefix("iso vg ")) for case in (slow, fast)]
+    assert grades[0] > grades[1]
+    assert {"friction.cooling_oil_mL_min", "friction.cooling_oil_C", "friction.oil_fraction"} <= set(fast["assumed"])
+    one, two = (
+        written(tmp_path, "--bearing", name, "--speed", "12000")["friction"]["cooling_oil_mL_min"]
+        for name in ("7014C", "7014CDB")
+    )
+    assert two == pytest.approx(2.0 * one, rel=0.05)
+    assert written(tmp_path, "--bearing", "7014C")["friction"]["lubrication"] == "oil jet"
+
+
+def test_the_flow_of_a_jet_takes_the_heat_of_palmgrens_viscous_torque(tmp_path):
+    """By hand: VG 22 at 70 C, f_0 6.6, d_m 90 mm, 12 000 r/min; 20 K."""
+    case = written(tmp_path, "--bearing", "7014C", "--speed", "12000")
+    assert case["lubricant"]["name"] == "iso vg 22"
+    oil = library_lubricant("iso vg 22", 343.15)
+    product = oil.viscosity / oil.density * 1e6 * 12000.0
+    heat = 6.6e-7 * product ** (2 / 3) * 90.0**3 * 1e-3 * 12000.0 * np.pi / 30.0
+    flow = heat / (oil.density * oil.thermal.specific_heat * 20.0)
+    assert case["friction"]["cooling_oil_mL_min"] == pytest.approx(flow * 6e7, rel=0.05)
+
+
+def test_a_new_case_has_normal_clearance_where_a_study_has_none(tmp_path):
+    assert load_catalogue_entry("6206")["diametral_clearance_um"] == 0.0
+    bearing = written(tmp_path, "--bearing", "6206")["bearing"]
+    assert (bearing["clearance_class"], bearing["diametral_clearance_um"]) == ("CN", 12.5)
+    assert written(tmp_path, "--bearing", "6206 C4")["bearing"]["clearance_class"] == "C4"
+    assert written(tmp_path, "--bearing", "7000C")["bearing"]["width_mm"] == 8.0
+
+
 def test_a_set_of_two_gives_off_heat_by_two_widths(tmp_path):
     oilfilm("init", "one", "--bearing", "7014C")
     oilfilm("init", "two", "--bearing", "7014CDB")
@@ -401,7 +450,15 @@ def test_a_set_of_two_gives_off_heat_by_two_widths(tmp_path):
 @pytest.mark.parametrize(
     ("options", "expected"),
     [
-        (("--bearing", "7208"), "'7208' is unknown"),
+        (("--bearing", "7208"), "'7208' is unknown: the letters of its contact angle"),
+        (("--bearing", "NU205"), "'NU205' is unknown: a cylindrical roller bearing"),
+        (("--bearing", "32008"), "'32008' is unknown: a tapered roller bearing"),
+        (("--bearing", "HS7010"), "a high-speed bearing with smaller balls"),
+        (("--bearing", "xyz"), "--bore 25 --outside 47 --width 8 [mm]"),
+        (("--bearing", "209"), "'209': its source gives no width; a bearing by its size"),
+        (("--bearing", "6205", "--speed", "-3"), "--speed: found -3; allowed: above 0"),
+        (("--bearing", "6205", "--axial", "nan"), "--axial: found nan; allowed: a finite number"),
+        (("--speed", "3000"), "--speed without --bearing or --bore"),
         (("--bore", "28"), "--bore without --outside, --width"),
         (("--bearing", "6205", "--from", "moes_20_10"), "--from and --bearing together"),
         (("--bearing", "6205", "--C", "12"), "--C without --bore"),

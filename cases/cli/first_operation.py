@@ -1,0 +1,191 @@
+"""Speed, loads, oil and cooling of a new case, chosen by its speed factor n d_m.
+
+Up to `BATH_SPEED_FACTOR` an oil bath to the middle of the lowest ball, or the grease of a sealed
+bearing; beyond it oil that circulates through a jet and takes the heat along. The oil is the grade
+whose viscosity at 70 C comes nearest to kappa = 2 of ISO 281.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import floor, log, log10, pi
+from typing import Any
+
+from bearing.library.lubricants import library_lubricant
+from bearing.library.names import library_data
+from bearing.rating.life import viscosity_ratio
+from bearing.torque.palmgren import palmgren_torque, viscous_factor
+from ehl.oil.lubricant import Lubricant
+from ehl.units import MILLIMETRE, RPM, from_si, to_si
+
+TYPICAL = "typical.toml"
+FIRST_SPEED_FACTOR = 1.5e5  # n d_m of a new case [mm/min]
+SPINDLE_SPEED_FACTOR = (
+    6.0e5  # of bearings of machine spindles, series 70 and 719 with 15 or 25 deg
+)
+# up to which a bath or a seal is usual [mm/min]: makers' limits lie at 3e5 to 6e5 (from memory)
+BATH_SPEED_FACTOR = 5.0e5
+RADIAL_SHARE = 0.05  # loads of a new case over C [-]
+RADIAL_SHARE_ANGULAR = 0.02
+AXIAL_SHARE = 0.04
+AIM_KAPPA = 2.0  # between 1 and 4, where ISO 281 counts films as separating [-]
+OIL_TEMPERATURE = to_si("oil_C", 70.0)
+GRADES = tuple(f"iso vg {grade}" for grade in (10, 15, 22, 32, 46, 68, 100, 150, 220))
+OIL_RISE = 20.0  # of the circulating oil, which sets its flow [K]; assumed
+SUPPLY_TEMPERATURE = 40.0  # of circulating oil [C]; assumed
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FirstOperation:
+    """What the user asks of a new case; what is None is chosen."""
+
+    speed: float | None = None  # of the inner ring [r/min]
+    radial_load: float | None = None  # [N]
+    axial_load: float | None = None  # [N]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BearingKind:
+    """What the choice depends on, beside the entry of the catalogue."""
+
+    angular: bool
+    spindle: bool  # of a series of machine spindles
+    pair: bool  # two bearings that carry axial load both ways
+    rows: int  # bearings side by side
+    sealed: bool
+
+
+def first_tables(
+    entry: Mapping[str, Any], kind: BearingKind, given: FirstOperation
+) -> dict[str, dict[str, str]]:
+    """[lubricant], [operation] and [friction] of a new case, values as TOML with a comment."""
+    speed = given.speed
+    if speed is None:
+        factor = SPINDLE_SPEED_FACTOR if kind.spindle else FIRST_SPEED_FACTOR
+        speed = two_digits(factor / entry["pitch_diameter_mm"])
+    circulating = speed * entry["pitch_diameter_mm"] > BATH_SPEED_FACTOR and not kind.sealed
+    grade = _grade(speed, entry["pitch_diameter_mm"])
+    return {
+        "lubricant": _lubricant(grade, sealed=kind.sealed),
+        "operation": _operation(entry, kind, given, speed),
+        "friction": {
+            **(_circulation(entry, kind, speed, grade) if circulating else _bath(entry, kind)),
+            **_surroundings(entry, kind),
+        },
+    }
+
+
+def _lubricant(grade: str, *, sealed: bool) -> dict[str, str]:
+    kind = {"grease": '"lithium mineral 100"'} if sealed else {"name": f'"{grade}"'}
+    return {**kind, "contamination_factor": typical("contamination_factor")}
+
+
+def _operation(
+    entry: Mapping[str, Any], kind: BearingKind, given: FirstOperation, speed: float
+) -> dict[str, str]:
+    """Speed and loads; an axial load keeps the balls of one bearing of angular contact rolling."""
+    capacity = _capacity(entry)
+    alone = kind.angular and not kind.pair
+    radial = RADIAL_SHARE_ANGULAR if alone else RADIAL_SHARE
+    loads = {"radial": two_digits(radial * capacity), "axial": 0.0}
+    if alone:
+        loads["axial"] = two_digits(AXIAL_SHARE * capacity)
+    loads |= {
+        name: load
+        for name, load in (("radial", given.radial_load), ("axial", given.axial_load))
+        if load is not None
+    }
+    return {
+        "inner_speed_rpm": f"{float(speed)!r}",
+        "radial_load_N": f"{float(loads['radial'])!r}",
+        "axial_load_N": f"{float(loads['axial'])!r}",
+        "temperature_C": "70.0  # where no heat balance is found",
+        "temperature": '"self-heated"',
+    }
+
+
+def _bath(entry: Mapping[str, Any], kind: BearingKind) -> dict[str, str]:
+    """Oil to the middle of the lowest ball, as makers advise; nothing of a sealed bearing."""
+    if kind.sealed:
+        return {}
+    level = 0.5 * entry["ball_diameter_mm"]
+    return {
+        "lubrication": '"oil bath"',
+        "oil_level_mm": f"{level:.3g}  # assumed: to the middle of the lowest ball",
+    }
+
+
+def _circulation(
+    entry: Mapping[str, Any], kind: BearingKind, speed: float, grade: str
+) -> dict[str, str]:
+    """A jet whose oil warms by `OIL_RISE` with the heat of Palmgren's viscous torque.
+
+    Share of oil in the cavity X = 1e5 W^0.37/(n d_m^1.7), W in cm^3/min, n in r/min, d_m in mm
+    (Parker, NASA TP-2275, 1984, for 0.8 to 8 L/min; read second hand).
+    """
+    oil = library_lubricant(grade, OIL_TEMPERATURE)
+    pitch = entry["pitch_diameter_mm"]
+    name = "angular contact" if kind.angular else "deep groove"
+    torque, _ = palmgren_torque(
+        pitch * MILLIMETRE,
+        speed * RPM,
+        oil.viscosity / oil.density,
+        viscous_factor(name, "oil jet"),
+        (0.0, 0.0),
+    )
+    flow = kind.rows * torque * speed * RPM / (_heat_capacity(oil) * OIL_RISE)
+    litres = two_digits(from_si("flow_mL_min", flow))
+    share = 1e5 * (litres / kind.rows) ** 0.37 / (speed * pitch**1.7)
+    return {
+        "lubrication": '"oil jet"',
+        "oil_fraction": f"{share:.2g}  # assumed: of the cavity, after Parker (1984)",
+        "cooling_oil_mL_min": f"{litres!r}  # assumed: {OIL_RISE:g} K with Palmgren's torque",
+        "cooling_oil_C": f"{SUPPLY_TEMPERATURE!r}  # assumed",
+    }
+
+
+def _surroundings(entry: Mapping[str, Any], kind: BearingKind) -> dict[str, str]:
+    """Heat that the seats take [W/K], by the surface of ISO 15312, and their temperature."""
+    width = entry["width_mm"] * kind.rows
+    area = pi * width * (entry["bore_mm"] + entry["outside_diameter_mm"]) * 1e-6
+    return {"heat_transfer_W_K": typical("heat_flow_W_m2_K", area), "ambient_C": "25.0"}
+
+
+def _grade(speed: float, pitch_diameter: float) -> str:
+    """Oil of the library nearest to `AIM_KAPPA` at `OIL_TEMPERATURE`; [r/min], [mm]."""
+
+    def distance(grade: str) -> float:
+        oil = library_lubricant(grade, OIL_TEMPERATURE)
+        viscosity = oil.viscosity / oil.density
+        kappa = viscosity_ratio(viscosity, abs(speed) * RPM, pitch_diameter * MILLIMETRE)
+        return abs(log(kappa / AIM_KAPPA))
+
+    return min(GRADES, key=distance)
+
+
+def _heat_capacity(oil: Lubricant) -> float:
+    """rho c [J/(m^3 K)]."""
+    assert oil.thermal is not None  # of the library
+    return oil.density * oil.thermal.specific_heat
+
+
+def _capacity(entry: Mapping[str, Any]) -> float:
+    """C [N] as rated, or a rough value, Z^(2/3) D^1.8 times 50 (N, mm), to choose loads by."""
+    if "basic_dynamic_rating_kN" in entry:
+        return 1e3 * float(entry["basic_dynamic_rating_kN"])
+    return float(50.0 * entry["balls"] ** (2.0 / 3.0) * entry["ball_diameter_mm"] ** 1.8)
+
+
+def typical(key: str, factor: float = 1.0) -> str:
+    """A typical value times a factor [-] and its range, as a value of TOML with a comment."""
+    data = library_data(TYPICAL)[key]
+    low, high = data["range"]
+    value = float(f"{factor * data['value']:.3g}")
+    return f"{value!r}  # typical, {factor * low:.3g} to {factor * high:.3g}"
+
+
+def two_digits(value: float) -> float:
+    """A positive value to two digits, zero otherwise [-]."""
+    if value <= 0.0:
+        return 0.0
+    step = 10.0 ** (floor(log10(value)) - 1)
+    return float(f"{round(value / step) * step:.6g}")
