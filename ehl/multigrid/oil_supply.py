@@ -7,6 +7,7 @@ from ..grid import unfolded
 from ..oil.lubricant import density
 from ..scaling import ScaledContact
 from ..solution import ContactSolution, OilSupply
+from .cycle import log_viscosity
 from .levels import Multigrid
 
 Array = NDArray[np.float64]
@@ -76,7 +77,7 @@ def oil_supply(
         flooded_minimum=flooded.film_minimum_dimensionless,
         inlet_ratio=ratio,
         meniscus=_meniscus(starved, fill.empty[0 if grid.symmetric else grid.ny // 2]),
-        rolling_moment_ratio=_moment(starved) / _moment(flooded),
+        rolling_moment_ratio=_moment(starved, levels) / _moment(flooded, levels),
         outlet_layer=outlet,
         filled=filled.T,
     )
@@ -92,7 +93,50 @@ def _meniscus(solution: ContactSolution, empty: NDArray[np.int8]) -> float | Non
     return float(solution.X[ahead[-1]] + 0.5 * (solution.X[1] - solution.X[0]))
 
 
-def _moment(solution: ContactSolution) -> float:
+def _moment(solution: ContactSolution, levels: Multigrid) -> float:
     """Of the pressure in the box about the centre [-]."""
-    cell = (solution.X[1] - solution.X[0]) * (solution.Y[1] - solution.Y[0])
-    return float(-(solution.X[:, None] * solution.P).sum() * cell)
+    return sum(pressure_moment(solution, levels.contact))
+
+
+def pressure_moment(solution: ContactSolution, contact: ScaledContact) -> tuple[float, float]:
+    """Moment of the pressure in the box about Y, and what makes it that by which the surfaces turn
+    as much power into heat as the flow does that the pressure drives [-].
+
+    Reynolds' equation times the integral of dP/rho, summed over the box, is the balance of power
+
+        -II P (u H_X + v H_Y) = II eps/rho |grad P|^2 - I P eps/rho dP/dn,
+
+    at a meniscus as at a rupture without terms of the edge, as P = 0 there. A half space pulls
+    neither force nor torque out of its own deflection, so that H is the rigid gap on the left: the
+    moment and, where the entrainment turns, further ones. The right side is a sum of squares that
+    the scheme keeps with the squared mesh; the left one is a small difference of the load's two
+    halves, on 257 points off by up to a third where little oil flows.
+    """
+    X = solution.X[:, None]
+    Y = solution.Y[None, :]
+    P = solution.P
+    cell = float((solution.X[1] - solution.X[0]) * (solution.Y[1] - solution.Y[0]))
+    moment = -float((X * P).sum()) * cell
+    # 1. power that the surfaces give by their motion over the rigid gap
+    c = contact
+    along = (c.velocity_x - c.rotation * Y) * (c.curvature_x * X + c.curvature_xy * Y)
+    across = (c.velocity_y + c.rotation * X) * (c.curvature_y * Y + c.curvature_xy * X)
+    power = -float((P * (along + across)).sum()) * cell
+    # 2. heat of the flow that the pressure drives, with what that flow takes over the edges
+    eps = solution.H**3 * np.exp(-log_viscosity(c, P)) / c.speed
+    heat = 0.0
+    for P_of, eps_of, X_of, Y_of in (
+        (P, eps, solution.X, solution.Y),
+        (P.T, eps.T, solution.Y, solution.X),
+    ):
+        lines = _flow_heat(P_of, eps_of, float(X_of[1] - X_of[0]))
+        heat += float(lines.sum()) * float(Y_of[1] - Y_of[0])
+    return moment, (heat - power) / (c.velocity_x * c.curvature_x + c.velocity_y * c.curvature_xy)
+
+
+def _flow_heat(P: Array, eps: Array, h: float) -> Array:
+    """Of the flow along the first axis, less what it takes over both ends, by lines [-]."""
+    faces = 0.5 * (eps[1:] + eps[:-1]) * (P[1:] - P[:-1]) ** 2 / h
+    first = (3.0 * P[0] - 4.0 * P[1] + P[2]) / (2.0 * h)
+    last = (3.0 * P[-1] - 4.0 * P[-2] + P[-3]) / (2.0 * h)
+    return np.asarray(faces.sum(axis=0) - P[0] * eps[0] * first - P[-1] * eps[-1] * last)

@@ -29,6 +29,7 @@ import numpy as np
 from ..arrays import Array
 from ..conditions import ContactConditions
 from ..multigrid.far_field import FarField, far_field
+from ..multigrid.oil_supply import pressure_moment
 from ..scaling import ScaledContact, scale_contact
 from ..solution import ContactSolution
 from .oil_extent import HALVINGS, PARABOLA_SHARE, ray_curvature, sections
@@ -115,18 +116,39 @@ def rolling_moment(solution: ContactSolution, layer: float | None = None) -> Rol
 def _behind_layer(
     solution: ContactSolution, conditions: ContactConditions, contact: ScaledContact, box: float
 ) -> RollingMoment:
-    """Of a film that was solved behind a layer: its pressure ends at its own meniscus."""
+    """Of a film that was solved behind a layer: its pressure ends at its own meniscus, and beyond
+    an open box that the layer floods where the gap is as wide as it.
+
+    box: by the integral of the pressure [N m]. The value is that by the heat of its flow; the
+    difference of both is the error bar: the value was off by up to 1.2 of it, mostly by less than
+    a half (five contacts, r of 0.2 to 2, on 129 and 257 points against 513).
+    """
     assert solution.supply is not None and conditions.inlet_layer is not None
-    meniscus = solution.supply.meniscus
     a = solution.semi_axis_x
-    note = "the layer at the inlet floods the box of the film, and the oil ends on its edge"
+    assert a is not None
+    layer = conditions.inlet_layer.central
+    scale = solution.hertz_pressure * a**3
+    change = scale * pressure_moment(solution, contact)[1]
+    extent = solution.supply.meniscus
+    beyond = 0.0
+    note = ""
+    if extent is None and solution.options.domain is None:
+        oil = _Oil(solution, contact, conditions.ball_radius, layer)
+        beyond = scale * oil.moment_beyond_box()
+        extent = -oil.meniscus_ahead()
+    elif extent is None:
+        note = "the layer at the inlet floods the box of the film, and the oil ends on its edge"
+    residual = solution.record.residual[-1] if solution.record.residual else 0.0
+    value = box + change + beyond
     return RollingMoment(
-        value=box,
-        uncertainty=_solution_error(solution, contact, box),
-        box=box,
-        layer=conditions.inlet_layer.central,
-        extent=None if meniscus is None or a is None else -a * meniscus,
-        note=note if meniscus is None else "",
+        value=value,
+        uncertainty=abs(change)
+        + RESIDUAL_ERROR * residual * abs(value)
+        + FAR_FIELD_ERROR * abs(beyond),
+        box=box + change,
+        layer=layer,
+        extent=None if extent is None else -a * extent,
+        note=note,
     )
 
 
