@@ -4,7 +4,15 @@ from operator import itemgetter
 from typing import Any
 
 from .bearing.contacts import CONTACT_QUANTITY
-from .bearing.quantities import HEATING, LIFE_RATING, SUPPLY, TORQUE, TORQUE_MODELS
+from .bearing.quantities import (
+    DECAY,
+    HEATING,
+    LIFE_RATING,
+    SUPPLY,
+    SUPPLY_BAND,
+    TORQUE,
+    TORQUE_MODELS,
+)
 from .quantities import CAGE_SPEED, Quantity, by_key
 
 CONTACT = ("load_N", "moes_M", "moes_L", "hertz_pressure_GPa")
@@ -99,7 +107,8 @@ def result_names(kind: str) -> tuple[str, ...]:
         for name, model in TORQUE_MODELS.items()
         for part in (*model.parts, "total")
     ]
-    blocks = [f"supply.{own.key}" for own in SUPPLY]
+    blocks = [f"supply.{own.key}" for own in (*SUPPLY, *SUPPLY_BAND)]
+    blocks += [f"decay.{own.key}" for own in DECAY]
     blocks += [f"self_heating.{own.key}" for own in HEATING]
     return (*names, "torque_N_mm.total", *torques, *blocks)
 

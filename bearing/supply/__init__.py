@@ -1,5 +1,7 @@
 """Oil supply and starved films.
 
+decay         - film of a bearing over the time after its oil supply has stopped
+oil_balance   - oil of the wetted grooves over the time: the best supply on paper
 side_flow     - oil that one pass presses sideways out of a severely starved contact
 starved_films - films of the contacts of a bearing that gets little oil
 supply        - oil supply, first order: the film that little oil leaves

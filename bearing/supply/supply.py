@@ -18,17 +18,20 @@ and the balls plough through a mixture of that density. Both numbers are inputs 
 constants of nature.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from math import inf, isfinite, pi
 
-from ehl.closed_form.starvation import starvation_exponent, starved_share
+from ehl.closed_form.starvation import starvation_shares, starved_share
+from ehl.conditions import ContactConditions, moes_groups
 from ehl.oil.lubricant import Lubricant, density
 
 from ..contacts.contact import BearingContact
 from ..geometry import Bearing
 from .side_flow import side_flow
-from .track import Track, added_layer, steady_share
+from .track import Law, Track, added_layer, steady_layer, steady_share
+
+CAPTURED = (0.1, 0.5)  # share of a jet that lands on the tracks, an estimate, second hand [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -40,18 +43,34 @@ class Supply:
     residence_time: float  # mean time that oil stays in the bearing [s]; assumed
     exponent: float | None = None  # gamma of the starved film [-]; None: by the ellipse
     loss: float = 0.0  # share of the layer on a track that is lost between two balls [-]; assumed
+    captured: tuple[float, float] = CAPTURED  # range that `track_share` may have [-]
 
     def __post_init__(self) -> None:
         if not (isfinite(self.flow) and self.flow >= 0.0):
             raise ValueError(f"flow must be zero or positive and finite, got {self.flow!r} m^3/s")
         if not 0.0 < self.track_share <= 1.0:
             raise ValueError(f"track_share must lie in (0, 1], got {self.track_share!r}")
+        low, high = self.captured
+        if not 0.0 < low <= high <= 1.0:
+            raise ValueError(f"captured must rise within (0, 1], got {self.captured!r}")
         if not 0.0 <= self.loss <= 1.0:
             raise ValueError(f"loss must lie in [0, 1], got {self.loss!r}")
         if not (isfinite(self.residence_time) and self.residence_time >= 0.0):
             raise ValueError(
                 f"residence_time must be zero or positive, got {self.residence_time!r} s"
             )
+
+    @property
+    def band(self) -> tuple["Supply", "Supply"]:
+        """The same flow with the least and the most of it on the tracks, of `captured` and
+        `track_share`.
+        """
+        low, high = self.captured
+        share = self.track_share
+        return (
+            replace(self, track_share=min(low, share)),
+            replace(self, track_share=max(high, share)),
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,30 +85,76 @@ class InletFilm:
             raise ValueError(f"layer must be zero or positive and finite, got {self.layer!r} m")
 
 
+AMPLE = InletFilm(layer=1.0)  # floods every contact
+
+
 def supplied_share(
     contact: BearingContact, flooded_film: float, supply: Supply | InletFilm, balls: int
 ) -> float:
-    """Central film of a contact over the flooded one [-].
+    """Central film of a contact over the flooded one [-]; 1 where no oil is entrained.
 
     `flooded_film`: central, solved or from a formula [m]; `supply`: a layer that is ample leaves
     the film as it was, to the last digit; `balls`: in one row [-].
     """
-    conditions = contact.conditions
-    hertz = contact.hertz
-    if conditions is None or hertz is None:
+    if contact.conditions is None or contact.hertz is None:
         return 1.0
-    compressed = flooded_film * compression(hertz.pressure, conditions.lubricant)
-    exponent = supply.exponent
-    if exponent is None:
-        exponent = starvation_exponent(hertz.semi_axis_y / hertz.semi_axis_x)
-    law = partial(starved_share, exponent=exponent)
+    track, unit = contact_track(contact, flooded_film, supply)
     if isinstance(supply, InletFilm):
-        return law(supply.layer / compressed)
-    track = Track(share=law, side_flow=compressed**2 * side_flow(contact), loss=supply.loss)
-    onto_it = 0.5 * supply.track_share * supply.flow  # half of it on each race
-    width = 2.0 * hertz.semi_axis_y
-    layer = added_layer(onto_it, width, conditions.entrainment_speed, balls)
-    return steady_share(track, layer / compressed)
+        return track.share(supply.layer / unit)
+    return steady_share(track, _added(contact, supply, balls) / unit)
+
+
+def inlet_layer(
+    contact: BearingContact, flooded_film: float, supply: Supply | InletFilm, balls: int
+) -> float:
+    """Layer of oil at the inlet of a contact in the steady state [m], as `supplied_share`; a flow
+    gives none where no oil is entrained.
+    """
+    if isinstance(supply, InletFilm):
+        return supply.layer
+    if contact.conditions is None or contact.hertz is None:
+        return 0.0
+    track, unit = contact_track(contact, flooded_film, supply)
+    return unit * steady_layer(track, _added(contact, supply, balls) / unit)
+
+
+def contact_track(
+    contact: BearingContact, flooded_film: float, supply: Supply | InletFilm | None = None
+) -> tuple[Track, float]:
+    """What a pass does to the layer that a contact finds, and the layer that counts as 1 there,
+    the oil of its flooded film rho_c h_cff [m]; `supply` gives loss and exponent, if any.
+
+    ValueError where no oil is entrained.
+    """
+    hertz = contact.hertz
+    if contact.conditions is None or hertz is None:
+        raise ValueError("no oil is entrained")
+    unit = flooded_film * compression(hertz.pressure, contact.conditions.lubricant)
+    if supply is None or supply.exponent is None:
+        law = _law(contact.conditions)
+    else:
+        law = partial(starved_share, exponent=supply.exponent)
+    loss = supply.loss if isinstance(supply, Supply) else 0.0
+    return Track(share=law, side_flow=unit**2 * side_flow(contact), loss=loss), unit
+
+
+def _law(conditions: ContactConditions) -> Law:
+    """R(r) of the central film."""
+    groups = moes_groups(conditions)
+    ratio = conditions.radius_x / conditions.radius_y
+
+    def share(layer: float) -> float:
+        return starvation_shares(*groups, ratio, layer).central.value
+
+    return share
+
+
+def _added(contact: BearingContact, supply: Supply, balls: int) -> float:
+    """Layer that a flow adds between two balls, half of what is captured on each race [m]."""
+    assert contact.conditions is not None and contact.hertz is not None
+    onto_it = 0.5 * supply.track_share * supply.flow
+    width = 2.0 * contact.hertz.semi_axis_y
+    return added_layer(onto_it, width, contact.conditions.entrainment_speed, balls)
 
 
 def compression(hertz_pressure: float, lubricant: Lubricant) -> float:

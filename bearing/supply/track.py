@@ -53,9 +53,22 @@ class Track:
         """Layer that a pass leaves of a layer, and the film over the flooded one [-]."""
         if layer <= 0.0:
             return 0.0
+        return min(self.share(layer), layer - self._pressed_out(layer))
+
+    def lost(self, layer: float) -> float:
+        """Layer less what a pass leaves of it [-], to rounding of the loss where that is the side
+        flow.
+        """
+        if layer <= 0.0:
+            return 0.0
+        return max(layer - self.share(layer), self._pressed_out(layer))
+
+    def _pressed_out(self, layer: float) -> float:
+        """By the side flow inside the contact [-]."""
         within = min(layer, 1.0)
-        pressed = within / (1.0 + self.side_flow * within**2) ** 0.5
-        return min(self.share(layer), pressed + (layer - within))
+        thinned = self.side_flow * within**2
+        root = (1.0 + thinned) ** 0.5
+        return within * thinned / (root * (1.0 + root))
 
 
 def after_passes(track: Track, layer: float, number: int, added: float = 0.0) -> Array:
@@ -80,7 +93,8 @@ def steady_layer(track: Track, added: float) -> float:
 
     def surplus(log_r: float) -> float:
         r = exp(log_r)
-        return log(max(r - (1.0 - track.loss) * track.left(r), 1e-300)) - log(added)
+        missing = track.lost(r) + track.loss * track.left(r)
+        return log(max(missing, 1e-300)) - log(added)
 
     # no less than what is added, and, as no film is thicker than the flooded one, one film more
     low = log(added) - 1e-9

@@ -11,6 +11,7 @@ shear_torque       - torque of the friction of all contacts under a hypothesis o
 skf                - SKF's friction model (2013)
 sliding            - sliding friction torque from the internal loads
 starved            - friction torque over the oil supply, first order
+supply_band        - films and torque over what a flow of oil may leave on the tracks
 """
 
 import lazy_loader

@@ -11,7 +11,7 @@ from pydantic import create_model
 from bearing.friction.resistance import Cage
 from bearing.library.bearings import named_designation
 from bearing.library.catalogue import nearest_series
-from bearing.supply.supply import InletFilm, Supply
+from bearing.supply.supply import CAPTURED, InletFilm, Supply
 from bearing.torque.inputs import FrictionInput
 from bearing.torque.skf import Lubrication, series_of
 from ehl import Lubricant
@@ -86,8 +86,15 @@ class FrictionTable(LawTable):
         0, 1e6, "for the model starved, with [surface], bearing.width_mm; or inlet_film_um"
     )
     supply_track_share: float = above(0, 1, "share on the tracks; assumed, no source", 0.5)
+    supply_track_share_least: float = above(
+        0, 1, "least of it, for the band of results; of jets by an estimate", CAPTURED[0]
+    )
+    supply_track_share_most: float = above(0, 1, "most of it, likewise", CAPTURED[1])
     supply_loss: float = between(0, 1, "share lost between balls; likewise assumed", 0.05)
     supply_residence_s: float = between(0, 1e6, "mean time in the bearing; likewise assumed", 20.0)
+    supply_decay_s: float | None = above(
+        0, 1e9, "time that the film is followed after the supply stops; block decay"
+    )
     heat_transfer_W_K: float | None = above(
         0, 1e5, "heat to the surroundings per kelvin; needed for the block self_heating"
     )
@@ -152,6 +159,8 @@ RELATIONS: tuple[Relation, ...] = (
     ),
     *_only_with(HEATED, "ambient_C", "cooling_oil_mL_min", "cooling_oil_C", "heating_torque"),
     *_only_with(SUPPLIED, "supply_track_share", "supply_loss", "supply_residence_s"),
+    *_only_with(SUPPLIED, "supply_track_share_least", "supply_track_share_most"),
+    Below("friction.supply_track_share_least", "friction.supply_track_share_most", *CAPTURED),
     Needs(
         "friction.supply_mL_min",
         STARVED,
@@ -256,6 +265,7 @@ def _supply(table: FrictionTable, lubricant: LubricantTable) -> Supply | InletFi
         track_share=si["supply_track_share"],
         loss=si["supply_loss"],
         residence_time=si["supply_residence"],
+        captured=(si["supply_track_share_least"], si["supply_track_share_most"]),
     )
 
 

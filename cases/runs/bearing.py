@@ -16,9 +16,13 @@ from bearing.friction.sources import FilmTraction
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.frequencies import bearing_frequencies
 from bearing.rating.life import bearing_life
+from bearing.supply.decay import film_decay
+from bearing.supply.starved_films import starved_films
+from bearing.supply.supply import AMPLE
 from bearing.torque.breakdown import TorqueBreakdown, torque_breakdown
 from bearing.torque.integrated import law_torque, solved_shear
 from bearing.torque.shear_torque import SolvedShear
+from bearing.torque.supply_band import supply_band
 from ehl import ContactSolution
 from postprocess.bearing.results import BearingResults
 
@@ -173,7 +177,34 @@ def _friction(
     if case.heating is not None:
         notify(0, 1, "self-heating")
     heating = self_heated(case) if state.converged else None
-    return {"tractions": tractions, "torque": torque, "heating": heating, "tensions": tensions}
+    return {
+        "tractions": tractions,
+        "torque": torque,
+        "heating": heating,
+        "tensions": tensions,
+        **_supply(case, state, contacts, solutions),
+    }
+
+
+def _supply(
+    case: Case,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    solutions: Sequence[ContactSolution | None],
+) -> dict[str, Any]:
+    """Band of the captured share of a flow, and the films after the supply has stopped."""
+    friction = case.friction
+    turning = state.operation.inner_speed != state.operation.outer_speed
+    if friction is None or not (state.converged and turning):
+        return {}
+    band = supply_band(state, contacts, case.lubricant, friction, solutions)
+    decay = None
+    duration = case.file.friction.si()["supply_decay"]
+    if duration is not None:
+        rough = friction.roughness
+        films = starved_films(contacts, AMPLE, state.bearing.balls, rough, solutions)
+        decay = film_decay(state, contacts, films, duration, friction.supply)
+    return {"supply_band": band, "decay": decay}
 
 
 def _tractions(

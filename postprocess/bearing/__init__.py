@@ -6,6 +6,7 @@ finite_bodies - the block `finite_bodies` of the summary: changes beside half-sp
 heating       - the block `self_heating` of the summary
 plots         - figures of the whole bearing: film or pressure of every ball over the azimuth
 plots_torque  - figures of the friction torque: all models side by side in their components
+plots_supply  - figure of the film after the supply stops
 plots_strength - figure of the strength of the inner ring over temperature and speed
 quantities    - quantities of ring, balls, frequencies, life, clearance, torque
 ratings       - rating life and clearance in the summary and in the terminal's table
@@ -14,7 +15,7 @@ rings         - elastic rings: seat, compliance, what they yield
 rows          - rows of balls and frequencies in the summary and in the terminal's table
 strength      - the block `strength` of the summary: hoop tension, tension in the contacts
 summary       - the summary of results: quantities in named units
-supply        - the block `supply` of the summary: films that are starved
+supply        - the blocks `supply` and `decay` of the summary: films that are starved
 table         - results as tables for a terminal of 80 columns
 torque        - the block `torque_N_mm` of the summary: friction torque by every model
 write         - files of a bearing run: contacts as CSV, fields as netCDF

@@ -36,6 +36,7 @@ from ..plot_style import (
 from ..quantities import Quantity
 from ..text import evenly_chosen, value_with_error
 from .plots_strength import draw_strength
+from .plots_supply import draw_decay
 from .plots_torque import draw_torque
 from .quantities import BALL_QUANTITY
 from .results import BearingResults, distinct_contacts
@@ -155,6 +156,8 @@ def _figures(results: BearingResults) -> Iterator[tuple[str, Callable[[Figure], 
         yield "plots/torque", partial(draw_torque, results=results)
     if results.strength is not None and results.strength.inner_map is not None:
         yield "plots/ring_strength", partial(draw_strength, results=results)
+    if results.decay is not None:
+        yield "plots/decay", partial(draw_decay, results=results)
     groups = distinct_contacts(results)
     for quantity in ("film", "pressure") if groups else ():
         draw = partial(draw_per_azimuth, results=results, quantity=quantity)

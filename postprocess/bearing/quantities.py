@@ -162,6 +162,39 @@ SUPPLY = quantities(
     *("film_share", "film_share_least", "lambda_least", "oil_fraction"),
     *("torque_N_mm", "flooded_torque_N_mm"),
 )
+SUPPLY_BAND = quantities(  # at the least and the most of a flow that lands on the tracks
+    "",
+    "the supply is no flow, or a torque lacks an input",
+    ("track_share_low", "least share of the flow on the tracks", "low.track_share"),
+    ("film_share_low", "film share with it", "low.film_share"),
+    ("film_share_least_low", "least film share with it", "low.film_share_least"),
+    ("lambda_least_low", "least lambda with it", "low.lambda_least"),
+    ("torque_low_N_mm", "torque with it", "low.total"),
+    ("track_share_high", "most of the flow on the tracks", "high.track_share"),
+    ("film_share_high", "film share with it", "high.film_share"),
+    ("film_share_least_high", "least film share with it", "high.film_share_least"),
+    ("lambda_least_high", "least lambda with it", "high.lambda_least"),
+    ("torque_high_N_mm", "torque with it", "high.total"),
+)
+DECAY = quantities(
+    "",
+    "it was not asked for, there is no film to begin with, or it does not come so far",
+    ("half_time_s", "half of the film at the start is left after"),
+    ("contact_time_s", "the central film is one roughness after"),
+    ("final_share", "share of the flooded film at the end"),
+    ("final_film_um", "central film at the end"),
+    ("loss", "share of the layer lost between two balls"),
+    ("pass_frequency_Hz", "balls over a place of the tracks", "passes"),
+)
+DECAY_COURSE = quantities(  # arrays
+    "",
+    "",
+    ("time_s", "time since the supply stopped"),
+    ("layer_um", "layer on both surfaces of the tracks"),
+    ("film_um", "central film"),
+    ("film_share", "share of the flooded film", "share"),
+    ("joined_um", "central film, closed forms joined, without loss"),
+)
 HEATING = quantities(
     "",
     "there is no balance of friction and cooling",

@@ -14,7 +14,9 @@ from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.duty_cycle import DutyCycle
 from bearing.rating.frequencies import Frequencies
 from bearing.rating.life import LifeRating
+from bearing.supply.decay import FilmDecay
 from bearing.torque.breakdown import TorqueBreakdown
+from bearing.torque.supply_band import SupplyBand
 from ehl import ContactSolution, Lubricant
 
 from ..results import Results
@@ -42,6 +44,8 @@ class BearingResults(Results):
     # of the contacts with films and a brittle body; empty is None for all
     tensions: tuple[SurfaceTension | None, ...] = ()
     duty_cycle: DutyCycle | None = None  # None where the case has no load cases
+    supply_band: SupplyBand | None = None  # None without a flow of oil
+    decay: FilmDecay | None = None  # None where it was not asked for, or no ball has a film
 
     @property
     def converged(self) -> bool:
@@ -60,8 +64,8 @@ class BearingResults(Results):
 
     @property
     def pictures(self) -> int:
-        """The most that are drawn [-]: five of the bearing, one of each distinct contact."""
-        return 5 + len(distinct_contacts(self))
+        """The most that are drawn [-]: six of the bearing, one of each distinct contact."""
+        return 6 + len(distinct_contacts(self))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -19,7 +19,7 @@ from .results import BearingResults, distinct_contacts
 from .rings import ring_blocks, ring_messages
 from .rows import kinematic_block, row_blocks, row_messages
 from .strength import strength_block, strength_messages
-from .supply import supply_block, supply_messages
+from .supply import decay_block, decay_messages, supply_block, supply_messages
 from .torque import rolling_messages, torque_block, torque_messages
 
 
@@ -48,6 +48,7 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
         "kinematic_frequencies_Hz": kinematic_block(results),
         "torque_N_mm": torque_block(results),
         "supply": supply_block(results),
+        "decay": decay_block(results),
         "self_heating": heating_block(results),
         "finite_bodies": finite_body_block(results),
         "timing_s": dict(results.timing),
@@ -84,4 +85,5 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
     yield from torque_messages(results)
     yield from rolling_messages(results)
     yield from supply_messages(results)
+    yield from decay_messages(results)
     yield from heating_messages(results)

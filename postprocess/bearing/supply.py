@@ -1,4 +1,6 @@
-"""The block `supply` of the summary: starved films, and which numbers are flooded ones."""
+"""The blocks `supply` and `decay` of the summary: starved films, which numbers are flooded ones,
+films after the supply stops.
+"""
 
 from collections.abc import Iterator
 from math import isfinite
@@ -7,7 +9,9 @@ from typing import Any
 from bearing.supply.starved_films import StarvedFilm, of_driven_balls
 from bearing.torque.breakdown import TorqueBreakdown
 
-from .quantities import SUPPLY
+from ..netcdf.groups import Group, Variables
+from ..quantities import values_of
+from .quantities import DECAY, DECAY_COURSE, SUPPLY, SUPPLY_BAND
 from .results import BearingResults
 
 FLOOD_MARGIN = 1.0e-3  # of the flooded film: with less missing a contact is reported flooded [-]
@@ -31,7 +35,12 @@ def supply_block(results: BearingResults) -> dict[str, Any]:
         None if starved is None else starved.flooded,
     )
     pairs = zip(SUPPLY, values, strict=True)
-    return {"kind": supply_kind(results)} | {own.key: own.in_unit(value) for own, value in pairs}
+    block = {own.key: own.in_unit(value) for own, value in pairs}
+    band = values_of(results.supply_band, SUPPLY_BAND)
+    finite = {
+        key: value if value is None or isfinite(value) else None for key, value in band.items()
+    }
+    return {"kind": supply_kind(results)} | block | finite
 
 
 def supply_kind(results: BearingResults) -> str:
@@ -67,10 +76,26 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
         yield "contacts.starved_film_...: null where no flooded film is known"
     if not any(isfinite(film.lambda_ratio) for film in films):
         yield "contacts.starved_lambda_ratio: null, and supply.lambda_least, there is no roughness"
+    yield from _band_messages(results)
     if torque.starved is None:
         yield "supply: torque and oil_fraction null as the model starved"
     if films and all(film.share > 1.0 - FLOOD_MARGIN for film in films):
         yield f"supply: ample, every contact keeps its flooded film to {FLOOD_MARGIN:.1%}"
+
+
+def _band_messages(results: BearingResults) -> Iterator[str]:
+    """What the band means, or why there is none."""
+    band = results.supply_band
+    if band is None:
+        yield "supply: ..._low and ..._high null, the supply is no flow"
+        return
+    low = band.low
+    high = band.high
+    yield (
+        f"supply: a band, {low.film_share:.3g} to {high.film_share:.3g} of the flooded films for "
+        f"{low.track_share:g} to {high.track_share:g} of the flow on the tracks, which is not "
+        "known; all else is at supply_track_share"
+    )
 
 
 def _layer_messages(results: BearingResults) -> Iterator[str]:
@@ -104,6 +129,59 @@ def _total_text(torque: TorqueBreakdown) -> str:
     return " (null, so the total is flooded)"
 
 
+def decay_block(results: BearingResults) -> dict[str, Any]:
+    """Contact, times and film at the end; None where it was not asked for."""
+    decay = results.decay
+    contact = None if decay is None else decay.contact
+    place = {
+        "ball": None if contact is None else contact.ball,
+        "race": None if contact is None else contact.race.value,
+    }
+    return place | values_of(decay, DECAY)
+
+
+def decay_messages(results: BearingResults) -> Iterator[str]:
+    """What the block is about, or why it is null."""
+    decay = results.decay
+    if decay is None:
+        asked = "supply_decay_s" in results.case.get("friction", ())
+        why = "there is no film to begin with" if asked else "the case gives no supply_decay_s"
+        yield f"decay: null, {why}"
+        return
+    end = float(decay.time[-1])
+    yield (
+        f"decay: ball {decay.contact.ball} {decay.contact.race.value}, {end:.4g} s after the "
+        "supply stops; no oil comes back from beside the tracks, which real bearings live by"
+    )
+    if decay.loss > 0.0:
+        yield (
+            f"decay: {decay.loss:.3g} of a layer is lost between two balls (supply_loss); without "
+            f"it the closed forms leave {float(decay.joined[-1] / decay.film[0]):.2g} of the film"
+        )
+    if decay.half_time is None:
+        yield "decay.half_time_s: null, more than half is left at the end"
+    if decay.contact_time is None:
+        why = "the film is thicker all the time" if decay.roughness else "there is no roughness"
+        yield f"decay.contact_time_s: null, {why}"
+
+
+def decay_group(results: BearingResults) -> Group | None:
+    """The course as a netCDF group, SI; None without one."""
+    decay = results.decay
+    if decay is None:
+        return None
+    variables: Variables = {
+        own.source: (
+            ("time",),
+            getattr(decay, own.source),
+            own.si_attributes | {"long_name": own.title},
+        )
+        for own in DECAY_COURSE
+    }
+    place = {"ball": decay.contact.ball, "race": decay.contact.race.value}
+    return Group(variables=variables, attributes=place)
+
+
 def supply_rows(results: BearingResults) -> dict[str, str]:
     """The supply for the terminal."""
     films = _driven(results)
@@ -112,6 +190,9 @@ def supply_rows(results: BearingResults) -> dict[str, str]:
     mean = sum(film.share for film in films) / len(films)
     least = min(film.lambda_ratio for film in films)
     text = f"{supply_kind(results)}: loaded films {100.0 * mean:.3g} % of flooded"
+    band = results.supply_band
+    if band is not None:
+        text += f" ({100.0 * band.low.film_share:.3g} to {100.0 * band.high.film_share:.3g} %)"
     return {"oil supply": text + (f", smallest λ {least:.3g}" if isfinite(least) else "")}
 
 

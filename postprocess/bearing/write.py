@@ -18,6 +18,7 @@ from ..results import STIFFNESS_ORDER
 from .contacts import CONTACT_QUANTITIES
 from .quantities import BALL_QUANTITY
 from .results import BearingResults
+from .supply import decay_group
 
 GEOMETRY = (
     *("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius"),
@@ -36,9 +37,9 @@ def write_contacts_csv(document: dict[str, Any], path: Path) -> None:
 def write_bearing_netcdf(results: BearingResults, path: Path, document: dict[str, Any]) -> None:
     """Write fields, input and numbers as one netCDF-4 file of groups, SI, float32 fields.
 
-    Groups: `/` (version, case, messages), `/ring`, `/balls`, `/contacts` with the columns of
-    contacts.csv in the units of their keys, and `/contacts/ball01/inner` ... with the fields of
-    each solved contact; `document` is the summary.
+    Groups: `/` (version, case, messages), `/ring`, `/balls`, `/decay` if the case asks for it,
+    `/contacts` with the columns of contacts.csv in the units of their keys, and
+    `/contacts/ball01/inner` ... with the fields of each solved contact; `document` is the summary.
     """
     groups = {
         "/": Group(attributes=root_attributes(document, "bearing")),
@@ -51,6 +52,9 @@ def write_bearing_netcdf(results: BearingResults, path: Path, document: dict[str
             fields = field_group(solution)
             placed = replace(fields, attributes=fields.attributes | _placement(contact))
             groups[f"/contacts/{contact_name(contact.ball, contact.race.value)}"] = placed
+    decay = decay_group(results)
+    if decay is not None:
+        groups["/decay"] = decay
     write_groups(groups, path)
 
 

@@ -1,0 +1,88 @@
+r"""Oil of the wetted grooves, balanced over the time: the supply of least friction on paper.
+
+Of a flow V the share phi reaches the grooves and leaves them after a mean time tau. Over their
+area A, with what the balls carry counted to the grooves that they roll on, it stands as the layer
+
+    dh/dt = phi V/A - h/tau,   in the steady state   h = phi V tau/A,
+
+that a contact finds on both surfaces together. A full film has three roughnesses sigma, and a
+contact that finds twice its film builds nearly all of it (docs/theory/starved_contact.md); more
+oil only stands in the way:
+
+    h = 6 sigma,   V = 6 sigma A/(phi tau).
+
+**A model with free numbers**: phi, tau and the wetted part of the grooves, of which only
+A/(phi tau) counts. One measured optimum fixes it, a second speed says how it goes with the speed;
+what is predicted is that the optimum does not depend on the load. That the layer at the optimum
+has six roughnesses is an assumption.
+"""
+
+from dataclasses import dataclass
+from math import acos, pi, sin
+
+from ..geometry import Bearing
+
+LAYERS = 6.0  # layer at the optimum over the roughness of both surfaces [-]; assumed
+SHOULDER_HEIGHT = 1.0 / 6.0  # of a groove without a shoulder's diameter, over the ball's [-]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OilBalance:
+    """Oil on the wetted grooves of a bearing."""
+
+    area: float  # A [m^2]
+    captured: float  # phi, share of the flow that reaches them [-]; assumed
+    residence: float  # tau, mean time that oil stays on them [s]; assumed
+
+    def __post_init__(self) -> None:
+        for name in ("area", "captured", "residence"):
+            if not getattr(self, name) > 0.0:
+                raise ValueError(f"{name} must be positive, got {getattr(self, name)!r}")
+
+    def layer(self, flow: float) -> float:
+        """Layer h that a contact finds in the steady state [m] at a flow [m^3/s]."""
+        return self.captured * flow * self.residence / self.area
+
+    def best_flow(self, roughness: float) -> float:
+        """Flow of least friction [m^3/s], V = 6 sigma A/(phi tau); `roughness`: root mean square
+        of race and ball together [m].
+        """
+        return LAYERS * roughness * self.area / (self.captured * self.residence)
+
+
+def retained_time(best_flow: float, roughness: float, area: float) -> float:
+    """phi tau = 6 sigma A/V [s] that a measured flow of least friction [m^3/s] asks for, by the
+    roughness [m] and the area [m^2].
+    """
+    return LAYERS * roughness * area / best_flow
+
+
+def groove_area(bearing: Bearing) -> float:
+    """Area of both grooves of a row, from shoulder to shoulder [m^2]; the height of a shoulder
+    whose diameter is not given is a sixth of the ball's diameter.
+    """
+    ball = bearing.ball_diameter
+    pitch = bearing.pitch_diameter
+    inner = outer = SHOULDER_HEIGHT * ball
+    if bearing.inner_shoulder_diameter is not None:
+        inner = 0.5 * (bearing.inner_shoulder_diameter - (pitch - ball))
+    if bearing.outer_shoulder_diameter is not None:
+        outer = 0.5 * (pitch + ball - bearing.outer_shoulder_diameter)
+    # curvature centres outside the inner bottom, inside the outer one
+    grooves = (
+        (bearing.inner_groove_radius, inner, 1.0),
+        (bearing.outer_groove_radius, outer, -1.0),
+    )
+    return sum(
+        _area(radius, height, 0.5 * (pitch - side * ball), side)
+        for radius, height, side in grooves
+    )
+
+
+def _area(radius: float, height: float, bottom: float, side: float) -> float:
+    """Of one groove [m^2]: arc of a radius and a height [m] turned about the axis, `bottom` its
+    radius about that [m], `side` 1 where it grows towards the shoulders, -1 where it falls.
+    """
+    half = acos(min(max(1.0 - height / radius, -1.0), 1.0))
+    # int (bottom + side radius (1 - cos t)) radius dt over the arc
+    return 4.0 * pi * radius * (bottom * half + side * radius * (half - sin(half)))

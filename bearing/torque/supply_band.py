@@ -1,0 +1,82 @@
+"""Films and torque over the range of what a flow of oil may leave on the tracks.
+
+The share of the oil that lands on the tracks decides the film and is not known: 0.1 to 0.5 of a
+jet by an estimate. A flow therefore gives a band, not a number.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from ehl import ContactSolution
+from ehl.oil.lubricant import Lubricant
+
+from ..contacts.contact import BearingContact
+from ..quasistatic.solution import QuasistaticSolution
+from ..supply.starved_films import least_lambda, mean_share, of_driven_balls, starved_films
+from ..supply.supply import Supply
+from .inputs import FrictionInput
+from .starved import StarvedTorque, starved_torque
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SupplyEnd:
+    """One end of the band."""
+
+    track_share: float  # of the flow that lands on the tracks [-]
+    film_share: float  # mean of the balls that both races load, of the flooded film [-]
+    film_share_least: float  # smallest of them [-]
+    lambda_least: float  # smallest lambda ratio of them [-]; infinite without roughness
+    torque: StarvedTorque | None  # None where the model lacks an input
+
+    @property
+    def total(self) -> float | None:
+        """Torque of the model starved [N m]; None where it lacks an input."""
+        return None if self.torque is None else self.torque.total
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SupplyBand:
+    """Both ends: least and most oil on the tracks."""
+
+    low: SupplyEnd
+    high: SupplyEnd
+
+
+def supply_band(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    lubricant: Lubricant,
+    friction: FrictionInput,
+    solutions: Sequence[ContactSolution | None] | None = None,
+) -> SupplyBand | None:
+    """Films and torque at both ends of the captured share [-]; None without a flow, or where no
+    ball that both races load has a film.
+
+    `solutions`: flooded films; formulas where one is missing or was solved behind a layer.
+    """
+    supply = friction.supply
+    if not isinstance(supply, Supply):
+        return None
+    flooded = [None if one is None or one.supply else one for one in solutions or ()]
+    ends = []
+    for end in supply.band:
+        films = starved_films(
+            contacts, end, solution.bearing.balls, friction.roughness, flooded or None
+        )
+        driven = of_driven_balls(solution, contacts, films)
+        if not driven:
+            return None
+        try:
+            torque = starved_torque(solution, contacts, lubricant, friction, end, flooded or None)
+        except ValueError:  # an input is missing: the model of the total says which
+            torque = None
+        ends.append(
+            SupplyEnd(
+                track_share=end.track_share,
+                film_share=mean_share(driven),
+                film_share_least=min(film.share for film in driven),
+                lambda_least=least_lambda(driven),
+                torque=torque,
+            )
+        )
+    return SupplyBand(low=ends[0], high=ends[1])
