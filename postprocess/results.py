@@ -5,6 +5,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 STIFFNESS_ORDER = ("x", "y", "z", "ty", "tz")  # directions of a ring
+STIFFNESS_HEADLINES = {"axial stiffness": 0, "radial stiffness": 1}  # place on the diagonal
 STIFFNESS_UNITS = [  # force and moment over shift and tilt
     *[["N/m"] * 3 + ["N/rad"] * 2 for _ in range(3)],
     *[["N m/m"] * 3 + ["N m/rad"] * 2 for _ in range(2)],

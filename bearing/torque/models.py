@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from math import cos, hypot, sin
 
+import numpy as np
+
 from ehl import Lubricant
 from ehl.units import MILLIMETRE, MILLION, RPM, from_si
 
@@ -149,11 +151,10 @@ def _coulomb(
     if not balance.converged:
         failure = f"does not hold the balls (residual {balance.residual:.1e} of mu Q)"
         return ModelTorque(note=f"Coulomb friction of {mu:.3g} {failure}")
-    k = balance.kinematics
-    f = balance.forces
-    spin, curvature = (-float((f[..., j] * k[..., j]).sum()) / speed for j in (2, 3))
-    slide = float(balance.power.sum()) / speed - spin - curvature
-    return summed({"sliding": slide, "spin": spin, "curvature": curvature})
+    powers = -(balance.forces * balance.kinematics)
+    powers = np.stack([powers[..., :2].sum(axis=-1), powers[..., 2], powers[..., 3]], axis=-1)
+    parts = sliding.spent_powers(powers.reshape(-1, 3)).sum(axis=0) / speed
+    return summed(dict(zip(("sliding", "spin", "curvature"), parts.tolist(), strict=True)))
 
 
 def skf_model(

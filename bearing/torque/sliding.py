@@ -18,7 +18,7 @@ from scipy.special import ellipe
 from ..contacts.contact import BearingContact
 from ..contacts.motion import ball_speeds, motion_map
 from ..contacts.shape import groove_curvature_radius
-from ..geometry import Race
+from ..geometry import Array, Race
 from ..quasistatic.solution import QuasistaticSolution
 from .pure_rolling_lines import rolling_lines
 
@@ -172,3 +172,15 @@ def houpert_torque(
         return 0.375 * friction * c.load * c.semi_axis * pivot, curvature
 
     return _torque(contacts, speed, moments)
+
+
+def spent_powers(powers: Array) -> Array:
+    """Parts of the friction power of contacts (N, 3) [W], none negative, sums as they are.
+
+    At one centre one motion may drive what another one resists, for example curvature slip a
+    ball's sliding: what it drives is taken from the other parts by their share.
+    """
+    resisting = np.maximum(powers, 0.0)
+    whole = resisting.sum(axis=1, keepdims=True)
+    share = powers.sum(axis=1, keepdims=True) / np.where(whole > 0.0, whole, 1.0)
+    return np.asarray(np.maximum(share, 0.0) * resisting, dtype=np.float64)

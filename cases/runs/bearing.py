@@ -30,7 +30,7 @@ from ..format.case import Case
 from ..format.contact import FilmModel
 from ..version import version
 from .equilibrium import case_equilibrium
-from .films import Progress, Solve, solve_contacts, wanted_contacts
+from .films import Progress, Solve, heat_message, solve_contacts, wanted_contacts
 from .heating import at_its_temperature, self_heated
 from .interrupt import interruptible
 from .load_cases import solve_load_cases
@@ -78,6 +78,7 @@ def run_case(
         raise Interrupted(None) from None
     timing = {"quasistatic": perf_counter() - start}
     wanted, messages = wanted_contacts(case, state, contacts)
+    messages += heat_message(case, state, contacts) if state.converged else ()
     start = perf_counter()
     solver = solve if case.films.model is FilmModel.NEWTONIAN else case.films.solve
     solutions, interrupted = solve_contacts(wanted, case.solver, workers, notify, solver)

@@ -1,7 +1,8 @@
 """Film thickness formulas from curve fits: starting guesses and comparisons, never oracles.
 
-All take the entrainment along the principal direction x, smooth surfaces, an isothermal Newtonian
-oil and a flooded inlet. Ranges of the fits: `docs/theory/contact.md`.
+All take the entrainment along the principal direction x, smooth surfaces, a Newtonian oil and a
+flooded inlet; isothermal, but for the reduction by heat. Ranges of the fits:
+`docs/theory/contact.md`.
 """
 
 from math import exp, log, sqrt
@@ -67,3 +68,35 @@ def moes_film_nijenbanning(
     isoviscous = rigid_isoviscous**1.5 + (elastic_isoviscous**-4 + edge**-4) ** (-3 / 8)
     piezoviscous = (rigid_piezoviscous**-8 + elastic_piezoviscous**-8) ** (-s / 8)
     return float((isoviscous ** (2 * s / 3) + piezoviscous) ** (1 / s))
+
+
+def thermal_loading(conditions: ContactConditions) -> float:
+    """L_T = eta_0 beta u_m^2/k, k the oil's conductivity [-]; `ValueError` if the lubricant has no
+    thermal properties.
+    """
+    oil = conditions.lubricant
+    if oil.thermal is None:
+        raise ValueError(
+            "thermal properties of the lubricant are needed for the thermal loading parameter"
+        )
+    slope = oil.thermal.viscosity_temperature
+    return oil.viscosity * slope * conditions.entrainment_speed**2 / oil.thermal.conductivity
+
+
+def film_reduction_gupta(pressure_ratio: float, loading: float, slide_roll_ratio: float) -> float:
+    """Film heated by the shear in its inlet over the isothermal one [-], Gupta, Cheng, Zhu,
+    Forster and Schrand (1992); fitted to line contacts.
+
+    [1 - 13.2 (p_h/E') L_T^0.42]/[1 + 0.213 (1 + 2.23 S^0.83) L_T^0.64]
+
+    Parameters
+    ----------
+    pressure_ratio : float
+        Hertz pressure over reduced modulus, p_h/E' [-].
+    loading : float
+        L_T [-].
+    slide_roll_ratio : float
+        S, its sign does not matter [-].
+    """
+    sliding = 1.0 + 2.23 * abs(slide_roll_ratio) ** 0.83
+    return (1.0 - 13.2 * pressure_ratio * loading**0.42) / (1.0 + 0.213 * sliding * loading**0.64)

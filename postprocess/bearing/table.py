@@ -7,10 +7,12 @@ from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
+from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactSolution
-from ehl.units import unit_symbol
+from ehl.units import from_si, unit_symbol
 
 from ..quantities import CAGE_SPEED, values_of
+from ..results import STIFFNESS_HEADLINES
 from ..table import facts_table, number_table
 from ..text import NOTHING, number, value_with_error
 from .contacts import CONTACT_QUANTITY, TERMINAL_COLUMNS, ContactRecord, contact_records
@@ -45,6 +47,8 @@ def _bearing_table(results: BearingResults) -> Table:
         "force_N": "x {:.1f}, y {:.1f}, z {:.1f} N".format(
             *(round(v, 1) + 0.0 for v in ring["force_N"])
         ),
+        "stiffness": _stiffness_text(state),
+        "temperature": f"{from_si('oil_C', state.operation.temperature):.1f} °C of the oil",
         "cage_speed_rpm": f"{ring['cage_speed_rpm']:.1f} r/min",
         "balls loaded": f"{int((state.inner_load > 0.0).sum())} of {len(state.azimuth)}",
         "equilibrium": f"residual {state.residual:.1e} after {state.iterations} iterations",
@@ -58,6 +62,15 @@ def _bearing_table(results: BearingResults) -> Table:
     rows |= frequency_lines(results) | rating_rows(results) | duty_cycle_rows(results)
     rows |= strength_rows(results)
     return facts_table(rows | torque_rows(results) | supply_rows(results))
+
+
+def _stiffness_text(state: QuasistaticSolution) -> str:
+    """Stiffness of the ring along the axis and along the load line [N/um]."""
+    numbers = {title: state.stiffness[at, at] for title, at in STIFFNESS_HEADLINES.items()}
+    return ", ".join(
+        f"{title.split()[0]} {from_si('stiffness_N_um', value):.4g} N/µm"
+        for title, value in numbers.items()
+    )
 
 
 def _contacts_table(results: BearingResults) -> Table:

@@ -4,9 +4,10 @@ from operator import itemgetter
 from typing import Any
 
 from bearing.library.bearings import estimated_fields
-from ehl.units import unit_symbol
+from ehl.units import from_si, unit_symbol
 
 from ..main_results import MAIN_QUANTITY, thinnest_film
+from ..results import STIFFNESS_HEADLINES
 from . import html
 
 ESTIMATED = (
@@ -40,11 +41,24 @@ def cards(summary: dict[str, Any]) -> str:
     numbers.insert(0, ("friction torque", torque.get("total"), "torque_N_mm"))
     for key in ("cage_speed_rpm", "load_N"):
         numbers.append((MAIN_QUANTITY[key].title, summary.get(key), key))
+    numbers += _operating_numbers(summary) if is_bearing else []
     for title, value, key in numbers:
         if value is not None:
             entries.append(html.card(title, html.number(value, 4), unit_symbol(key)))
     estimated = is_bearing and estimated_keys(summary["case"])
     return html.side_by_side(*entries, kind="cards") + (ESTIMATED if estimated else "")
+
+
+def _operating_numbers(summary: dict[str, Any]) -> list[tuple[str, float | None, str]]:
+    """Temperature of the oil and stiffness of the ring, where the ring is free to move."""
+    operation = summary["case"].get("operation") or {}
+    numbers = [("temperature of the oil", operation.get("temperature_C"), "temperature_C")]
+    stiffness = ((summary.get("ring") or {}).get("stiffness") or {}).get("matrix")
+    for title, place in STIFFNESS_HEADLINES.items() if stiffness else ():
+        value = stiffness[place][place]
+        if value is not None:
+            numbers.append((title, from_si("stiffness_N_um", value), "stiffness_N_um"))
+    return numbers
 
 
 def estimated_keys(case: dict[str, Any]) -> frozenset[str]:

@@ -9,12 +9,11 @@ import pytest
 from numpy.testing import assert_allclose
 
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
+from ehl.closed_form.film import film_reduction_gupta, thermal_loading
 from ehl.generalized.solver import solve_generalized
 from ehl.oil.lubricant import ThermalProperties
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.solid.heat import SolidThermal
-
-from ..reference.ehl.heat_formulas import film_reduction_gupta, thermal_loading
 
 HEAT = ThermalProperties(conductivity=0.14, specific_heat=2000.0, viscosity_temperature=0.04, expansion=7e-4)
 OIL = Lubricant(viscosity=0.04, pressure_viscosity=2e-8, temperature=313.15, thermal=HEAT)

@@ -24,6 +24,7 @@ from bearing.torque.sliding import (
     kakuta_torque,
     pure_rolling_line_torque,
     sliding_contacts,
+    spent_powers,
     spin_moment,
 )
 from ehl import ContactConditions, Lubricant
@@ -71,6 +72,15 @@ def test_radial_torque_grows_with_the_five_thirds_power():
     """Without clearance and hardly a centrifugal force: moments Q a^2, a from Q^(1/3), load zone unchanged."""
     torques = [pure_rolling_line_torque(solved(0.0, load, 10.0)[1], 1.0, 0.1).total for load in (500.0, 1000.0)]
     assert torques[1] / torques[0] == pytest.approx(2.0 ** (5 / 3), rel=1e-3)
+
+
+def test_parts_of_friction_are_never_negative_and_keep_their_sum():
+    powers = np.random.default_rng(3).normal((0.0, 0.5, 1.5), size=(40, 3))
+    powers = np.vstack([powers[powers.sum(axis=1) > 0.0], np.zeros(3), [-0.2, 0.0, 1.2], [2.0, 1.0, 0.0]])
+    parts = spent_powers(powers)
+    assert (parts >= 0.0).all()
+    np.testing.assert_allclose(parts.sum(axis=1), powers.sum(axis=1), atol=1e-14)
+    np.testing.assert_allclose(parts[-2:], [[0.0, 0.0, 1.0], [2.0, 1.0, 0.0]], atol=1e-14)
 
 
 def test_no_spin_under_radial_load():

@@ -11,6 +11,7 @@ import pytest
 
 import ehl
 from bearing import solve_quasistatic
+from bearing.library.lubricants import library_lubricant
 from cases import load_case, run_case, run_contact
 from cases.runs.bearing import Interrupted
 from cases.runs.films import equal_contacts
@@ -169,3 +170,24 @@ def test_the_lambda_ratio_of_a_case_with_roughness():
     assert lambda_ratio(outer, film, surface) == pytest.approx(5.0)
     assert lambda_ratio(inner, None, surface) is None
     assert lambda_ratio(inner, film, None) is None
+
+
+def test_isothermal_films_say_what_heat_in_the_inlet_leaves(solver):
+    """At 10000 r/min the share that Gupta's formula leaves of each film, computed here anew."""
+    plain = load_case(CASE)
+    oil = library_lubricant("iso vg 32", plain.operation.temperature)
+    case = dataclasses.replace(plain, lubricant=oil)
+    results = run_case(case)
+    text = next(message for message in results.messages if "isothermal" in message)
+    shares = []
+    for contact in results.contacts:
+        if contact.loaded and contact.load > 0.0:
+            speed = contact.conditions.entrainment_speed
+            loading = oil.viscosity * oil.thermal.viscosity_temperature * speed**2 / oil.thermal.conductivity
+            pressure = contact.hertz.pressure / contact.conditions.reduced_modulus
+            shares.append((1.0 - 13.2 * pressure * loading**0.42) / (1.0 + 0.213 * loading**0.64))
+    assert f"with it {min(shares):.2f} to {max(shares):.2f} of these" in text
+    assert "n d_m = 0.6 million" in text
+    assert "of these" not in next(message for message in run_case(plain).messages if "isothermal" in message)
+    slow = dataclasses.replace(case, operation=dataclasses.replace(case.operation, inner_speed=10.0))
+    assert not [message for message in run_case(slow).messages if "isothermal" in message]

@@ -14,6 +14,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from ehl import ContactConditions, Lubricant, ViscosityLaw
+from ehl.closed_form.film import film_reduction_gupta, thermal_loading
 from ehl.generalized import _heat_kernels as _kernels
 from ehl.generalized.film_heat import FilmHeat
 from ehl.generalized.section import curvature, film_section, wall_slopes
@@ -23,7 +24,6 @@ from ehl.oil.rheology import Rheology, kernel_rheology
 from ehl.solid.heat import SolidThermal, history_weights, response_factor
 
 from ...reference.ehl.heat_columns import HeatColumn, column_temperature
-from ...reference.ehl.heat_formulas import film_reduction_gupta, thermal_loading
 
 SECTION = film_section()
 DIFFERENCES = (*wall_slopes(SECTION), curvature(SECTION))

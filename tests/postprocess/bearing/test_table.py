@@ -24,6 +24,9 @@ def test_bearing_fits_80_columns(bearing_results):
     assert "…" not in text
     assert text.count("inner") == 9
     assert "1596." in text
+    stiffness = bearing_results.quasistatic.stiffness.diagonal() / 1e6
+    assert f"axial {stiffness[0]:.4g} N/µm, radial {stiffness[1]:.4g} N/µm" in text
+    assert f"{bearing_results.quasistatic.operation.temperature - 273.15:.1f} °C of the oil" in text
     assert "2.73" in text
 
 

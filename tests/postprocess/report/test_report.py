@@ -130,12 +130,17 @@ def test_headline_names_the_ball_and_stars_estimates(folder):
     document = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))
     document["case"]["bearing"] = load_catalogue_entry("6205-2RS C3")  # a designation with suffixes
     document["life"] = {"basic_reference_rating_h": 12345.0}
+    document["case"]["operation"] = {"temperature_C": 61.53}
     page = cards(document)
     thinnest = min((c for c in document["contacts"] if c["film_minimum_um"]), key=itemgetter("film_minimum_um"))
     assert f"minimum film, ball {thinnest['ball']}, {thinnest['race']} race" in page
     assert "1.234·10<sup>4</sup>" in page or "12340" in page or "12345" in page
     assert "estimated" in page
     assert "bearing.ball_diameter_mm" in estimated_keys(document["case"])
+    radial = document["ring"]["stiffness"]["matrix"][1][1] / 1e6
+    assert "<b>61.53 <small>°C</small></b><span>temperature of the oil" in page
+    assert "axial stiffness" in page
+    assert f"{radial:.4g}" in page
     document["case"]["bearing"]["ball_diameter_mm"] = 8.1
     assert "bearing.ball_diameter_mm" not in estimated_keys(document["case"])
     document["contacts"][0] |= {"converged": False, "film_minimum_um": None}
