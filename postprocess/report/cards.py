@@ -54,7 +54,9 @@ def _operating_numbers(summary: dict[str, Any]) -> list[tuple[str, float | None,
     operation = summary["case"].get("operation") or {}
     numbers = [("temperature of the oil", operation.get("temperature_C"), "temperature_C")]
     stiffness = ((summary.get("ring") or {}).get("stiffness") or {}).get("matrix")
-    for title, place in STIFFNESS_HEADLINES.items() if stiffness else ():
+    if stiffness is None:
+        return numbers
+    for title, place in STIFFNESS_HEADLINES.items():
         value = stiffness[place][place]
         if value is not None:
             numbers.append((title, from_si("stiffness_N_um", value), "stiffness_N_um"))
