@@ -23,7 +23,7 @@ def test_oil_of_a_thinned_film_is_conserved_once_the_cycles_go_on(slip):
     stopped = mass_drift(state)
     film = film_centre(state)
     cycle_on(state, 12)
-    assert 0.005 < abs(stopped.solver[-1]) < 0.07  # 1.6 and 2.5 %, up to 7 % where r = 2e-4
+    assert 0.001 < abs(stopped.solver[-1]) < 0.07  # 0.4 and 2.5 %, up to 7 % where r = 2e-4
     assert np.abs(mass_drift(state).solver).max() < 1e-5
     assert film_centre(state) == pytest.approx(film, rel=FILM_TOLERANCE[1])
     assert reversed_nodes(state) == 0
