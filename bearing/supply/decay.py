@@ -128,7 +128,7 @@ def film_decay(
     if start * unit <= THINNEST:
         return None
     layer = _layers(passing, length, start * unit, time)
-    share = np.array([track.left(one / unit) for one in layer])
+    share = np.array([track.share(one / unit) for one in layer])
     pressed = sum(one.speed * one.track.side_flow / one.unit**2 for one in passing) / speeds
     passes = 2.0 * speeds / length
     return FilmDecay(

@@ -22,7 +22,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 from math import inf, isfinite, pi
 
-from ehl.closed_form.starvation import starvation_shares, starved_share
+from ehl.closed_form.starvation import starvation_exponent, starvation_shares, starved_share
 from ehl.conditions import ContactConditions, moes_groups
 from ehl.oil.lubricant import Lubricant, density
 
@@ -130,12 +130,18 @@ def contact_track(
     if contact.conditions is None or hertz is None:
         raise ValueError("no oil is entrained")
     unit = flooded_film * compression(hertz.pressure, contact.conditions.lubricant)
-    if supply is None or supply.exponent is None:
-        law = _law(contact.conditions)
-    else:
-        law = partial(starved_share, exponent=supply.exponent)
-    loss = supply.loss if isinstance(supply, Supply) else 0.0
-    return Track(share=law, side_flow=unit**2 * side_flow(contact), loss=loss), unit
+    exponent = None if supply is None else supply.exponent
+    passing = partial(
+        starved_share,
+        exponent=exponent or starvation_exponent(hertz.semi_axis_y / hertz.semi_axis_x),
+    )
+    track = Track(
+        share=_law(contact.conditions) if exponent is None else passing,
+        passing=passing,
+        side_flow=unit**2 * side_flow(contact),
+        loss=supply.loss if isinstance(supply, Supply) else 0.0,
+    )
+    return track, unit
 
 
 def _law(conditions: ContactConditions) -> Law:

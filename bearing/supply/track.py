@@ -1,11 +1,12 @@
 r"""Oil on a track from ball to ball.
 
 Layers count over the oil that the flooded film takes along: r = h_oil/(rho_c h_cff). A contact
-that finds r builds the share R(r) of its flooded film, and what passes through it is the layer of
-the next ball: without supply r_n = R(r_(n-1)). Of two losses of one pass the larger one counts,
-never their sum, for R holds the side flow ahead of the contact, and `side_flow` that inside it:
+that finds r builds the share R(r) of its flooded film, and what passes through it, K(r), is the
+layer of the next ball: without supply r_n = K(r_(n-1)), after Chevalier and Damiens K = R = r/(1 +
+r^g)^(1/g). Of two losses of one pass the larger one counts, never their sum, for K holds the side
+flow ahead of the contact, and `side_flow` that inside it:
 
-    r_left = min(R(r), (r^-2 + d)^(-1/2)),
+    r_left = min(K(r), (r^-2 + d)^(-1/2)),
 
 with r = 1 in the second one beyond that, and what is beyond on top: more than the flooded film
 is no part of a film too thin to change its pressure. Between two balls a share l of the layer is
@@ -13,7 +14,7 @@ lost, and the supply adds D. In the steady state
 
     r - (1 - l) r_left(r) = D.
 
-For R = r/(1 + r^g)^(1/g) and d = 0, r_n = (r_0^-g + n)^(-1/g); where the side flow leads, r_n =
+For d = 0, r_n = (r_0^-g + n)^(-1/g); where the side flow leads, r_n =
 (r_0^-2 + n d)^(-1/2), and the steady r is (2 D/d)^(1/3) without loss.
 
 **Assumed**: every contact is fed by others like itself; layers do not flow between two balls
@@ -30,7 +31,7 @@ import scipy
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
-Law = Callable[[float], float]  # R(r)
+Law = Callable[[float], float]  # R(r), K(r)
 
 FLOODED_RATIO = 1.0e6  # inlet layer over film from which a contact counts as flooded [-]
 
@@ -39,7 +40,8 @@ FLOODED_RATIO = 1.0e6  # inlet layer over film from which a contact counts as fl
 class Track:
     """What one pass of a ball does to the layer of a track; layers over rho_c h_cff [-]."""
 
-    share: Law  # R(r), rises, R <= r and R <= 1
+    share: Law  # R(r), film over the flooded one
+    passing: Law  # K(r), layer that passes; rises, K <= r and K <= 1
     side_flow: float = 0.0  # d, r_left^-2 - r^-2 at the least of the film
     loss: float = 0.0  # l, of the layer between two balls
 
@@ -50,10 +52,10 @@ class Track:
             raise ValueError(f"loss must lie in [0, 1], got {self.loss!r}")
 
     def left(self, layer: float) -> float:
-        """Layer that a pass leaves of a layer, and the film over the flooded one [-]."""
+        """Layer that a pass leaves of a layer [-]."""
         if layer <= 0.0:
             return 0.0
-        return min(self.share(layer), layer - self._pressed_out(layer))
+        return min(self.passing(layer), layer - self._pressed_out(layer))
 
     def lost(self, layer: float) -> float:
         """Layer less what a pass leaves of it [-], to rounding of the loss where that is the side
@@ -61,7 +63,7 @@ class Track:
         """
         if layer <= 0.0:
             return 0.0
-        return max(layer - self.share(layer), self._pressed_out(layer))
+        return max(layer - self.passing(layer), self._pressed_out(layer))
 
     def _pressed_out(self, layer: float) -> float:
         """By the side flow inside the contact [-]."""
@@ -106,7 +108,7 @@ def steady_share(track: Track, added: float) -> float:
     """Film over the flooded one in the steady state [-]; exactly 1 with ample oil."""
     if added >= FLOODED_RATIO:
         return 1.0
-    return track.left(steady_layer(track, added)) if added > 0.0 else 0.0
+    return track.share(steady_layer(track, added)) if added > 0.0 else 0.0
 
 
 def added_layer(flow: float, width: float, speed: float, balls: int) -> float:

@@ -16,6 +16,7 @@ from bearing.material import Material
 from bearing.operation import BallKinematics, Operation, QuasistaticModel, RatingInput
 from bearing.rating.load_rating import capacity
 from bearing.rows import Row
+from bearing.supply.supply import Supply
 from bearing.torque.inputs import FrictionInput
 from ehl import ContactConditions, InletLayer, Lubricant, MoesConditions, SolverOptions
 from ehl.oil.rheology import Rheology
@@ -72,7 +73,8 @@ class Case(AnyCase):
     seats: fits.Seats  # of the rings, for their strength
     rows: tuple[Row, ...] | None = None  # None: a single one
     load_cases: tuple["LoadCaseInput", ...] = ()  # states of a duty cycle
-    inlet_layer: InletLayer | None = None  # that films are solved behind [m]; None: flooded
+    # that films are solved behind [m], or the flow that gives each contact its own; None: flooded
+    inlet_layer: InletLayer | Supply | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -190,7 +192,7 @@ def _bearing_case(file: BearingFile) -> Case:
         clearance=clearance,
         seats=fits.seats_of(seats, file.temperatures),
         rows=rows(file.rows, delivered, assumptions, lambda: capacity(delivered, rated)),
-        inlet_layer=_inlet_layer(file),
+        inlet_layer=_inlet_layer(file, torque),
     )
 
 
@@ -200,8 +202,10 @@ def _film_maps(file: BearingFile) -> str | tuple[float, ...]:
     return maps if isinstance(maps, str) else tuple(map(radians, maps))
 
 
-def _inlet_layer(file: BearingFile) -> InletLayer | None:
-    """Layer that films are solved behind [m]."""
+def _inlet_layer(file: BearingFile, torque: FrictionInput) -> InletLayer | Supply | None:
+    """Layer that films are solved behind [m], or the flow that gives each contact its own."""
+    if isinstance(torque.supply, Supply):
+        return torque.supply if file.ehl.starvation == contacts.Starvation.SOLVED.value else None
     return contacts.inlet_layer(contacts.starvation(file.ehl, file.lubricant), file.lubricant)
 
 

@@ -68,8 +68,8 @@ class GridTable(Table):
     )
 
     starvation: Annotated[str, OneOf(Starvation)] | None = described(
-        "with an inlet film: solved (a single contact untold), or none (a bearing untold): "
-        "flooded films, a share by formula beside them"
+        "with an inlet film, or a flow of oil: solved (a single contact untold), or none (a "
+        "bearing untold): flooded films, a share by formula beside them"
     )
 
     @model_validator(mode="before")

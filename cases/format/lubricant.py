@@ -141,10 +141,7 @@ RELATIONS: tuple[Relation, ...] = (
     Excludes("lubricant.inlet_film_um", "friction.supply_mL_min"),
     Excludes("lubricant.inlet_film_um", "contact.moes_M", "with dimensions"),
     OnlyWith("lubricant.inlet_film_dimensionless", (Where("contact.moes_M"),)),
-    OnlyWith(
-        "ehl.starvation",
-        (Where("lubricant.inlet_film_um"), Where("lubricant.inlet_film_dimensionless")),
-    ),
+    OnlyWith("ehl.starvation", (*SUPPLIED, Where("lubricant.inlet_film_dimensionless"))),
     Excludes("lubricant.flooded_layer_um", "contact.moes_M", "with dimensions"),
     OnlyWith("lubricant.supply", SUPPLIED, default="flooded"),
 )
@@ -205,12 +202,13 @@ def _layer_faults(values: CaseValues) -> Iterator[CaseFault]:
     by_default = chosen is None and values.given("contact") and newtonian
     if not (by_default or chosen == "solved"):
         return
-    for key in ("inlet_film_um", "inlet_film_dimensionless"):
-        if values.get("lubricant", key) == 0.0:
+    layers = [("lubricant", key) for key in ("inlet_film_um", "inlet_film_dimensionless")]
+    for key in (*layers, ("friction", "supply_mL_min")):
+        if values.get(*key) == 0.0:
             allowed = 'allowed: above 0, a dry inlet has no film; or starvation = "none"'
-            yield CaseFault(("lubricant", key), "found 0", allowed)
-        if values.given("lubricant", key) and values.get("ehl", "certify"):
-            found = f"found true with lubricant.{key}"
+            yield CaseFault(key, "found 0", allowed)
+        if values.given(*key) and values.get("ehl", "certify"):
+            found = f"found true with {'.'.join(key)}"
             yield CaseFault(("ehl", "certify"), found, 'allowed: false, or starvation = "none"')
 
 

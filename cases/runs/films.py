@@ -7,14 +7,18 @@ from math import degrees, isclose
 
 from bearing.contacts.contact import BearingContact
 from bearing.quasistatic.solution import QuasistaticSolution
+from bearing.supply.starved_films import starved_films
+from bearing.supply.supply import AMPLE, Supply, inlet_layer
 from ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
 from ehl.closed_form.film import film_reduction_gupta, thermal_loading
 from ehl.multigrid.threads import cores
+from ehl.oil.inlet_layer import InletLayer
 from ehl.thread_pool import film_threads
 from ehl.units import MILLIMETRE, MILLION, RPM
 
 from ..format.case import Case
 from ..format.contact import FilmModel
+from ..format.fields import rounded
 from ..format.rows import ball_at
 
 Solve = Callable[[ContactConditions, SolverOptions], ContactSolution]
@@ -39,8 +43,9 @@ def wanted_contacts(
     chosen = _chosen_balls(case, contacts)
     wanted = [c.conditions if c.ball in chosen else None for c in contacts]
     if case.inlet_layer is not None:
-        layer = case.inlet_layer
-        wanted = [own and replace(own, inlet_layer=layer) for own in wanted]
+        layers = _layers(case.inlet_layer, state, contacts)
+        pairs = zip(wanted, layers, strict=True)
+        wanted = [own and replace(own, inlet_layer=layer) for own, layer in pairs]
     return wanted, ()
 
 
@@ -80,6 +85,25 @@ def _left_by_heat(contact: BearingContact) -> float:
     assert own is not None and contact.hertz is not None  # loaded
     ratio = contact.hertz.pressure / own.reduced_modulus
     return max(film_reduction_gupta(ratio, thermal_loading(own), 0.0), 0.0)
+
+
+def _layers(
+    given: InletLayer | Supply, state: QuasistaticSolution, contacts: Sequence[BearingContact]
+) -> list[InletLayer | None]:
+    """Layer that each contact finds [m], of a flow that of its steady state by the flooded films
+    of formulas; None where nothing is lubricated, or no formula has a flooded film.
+    """
+    if isinstance(given, InletLayer):
+        return [given] * len(contacts)
+    balls = state.bearing.balls
+    layers: list[InletLayer | None] = []
+    for contact, film in zip(contacts, starved_films(contacts, AMPLE, balls), strict=True):
+        layer = 0.0
+        if film is not None:
+            layer = inlet_layer(contact, film.flooded_central, given, balls)
+        # equal contacts have equal layers, to rounding of their loads
+        layers.append(InletLayer(thickness=(rounded(layer),)) if layer > 0.0 else None)
+    return layers
 
 
 def _chosen_balls(case: Case, contacts: Sequence[BearingContact]) -> set[int]:

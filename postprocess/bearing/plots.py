@@ -51,7 +51,7 @@ COLUMNS = 6  # maps side by side at most
 FOOTNOTES = {
     "film": "Oil moves to the right; axes stretched; Hertz ellipse dashed; numbers: central and "
     "minimum film; grey: film beyond the colour scale;\ncontour lines at 0.8 ... 1.5 of each "
-    "contact's central film; error bars: uncertainty of the solution",
+    "contact's central film; error bars: uncertainty of the solution; dotted: filled with oil",
     "pressure": "Oil moves to the right; axes stretched; Hertz ellipse dashed; number: largest "
     "pressure; contour lines at 0.1, 0.3 ... 0.9 of it",
 }

@@ -101,10 +101,12 @@ def _band_messages(results: BearingResults) -> Iterator[str]:
 def _layer_messages(results: BearingResults) -> Iterator[str]:
     """Which numbers are starved where films were solved behind layers."""
     yield (
-        "supply: inlet film, films solved behind it: film_..., lambda_ratio, maps and the "
-        "integrated torque are starved, flooded_film_... the flooded films; the torque model "
-        "starved is of first order, all others are flooded"
+        f"supply: {supply_kind(results)}, films solved behind {_whose_layer(results)}: film_..., "
+        "lambda_ratio, maps and the integrated torque are starved, flooded_film_... the flooded "
+        "films; the torque model starved is of first order, all others are flooded"
     )
+    if supply_kind(results) == "flow":
+        yield from _band_messages(results)
     ahead = [
         f"ball {contact.ball} {contact.race.value}"
         for contact, film in zip(results.contacts, results.solutions, strict=True)
@@ -112,6 +114,12 @@ def _layer_messages(results: BearingResults) -> Iterator[str]:
     ]
     if ahead:
         yield f"contacts.meniscus_position: null, the layer floods the box ({', '.join(ahead)})"
+
+
+def _whose_layer(results: BearingResults) -> str:
+    if supply_kind(results) == "flow":
+        return "the layer that each contact finds in the steady state (by films of formulas)"
+    return "it"
 
 
 def _origin(films: list[StarvedFilm]) -> str:

@@ -24,7 +24,7 @@ ML_MIN = 1e-6 / 60.0  # [m^3/s]
 
 
 def law_of(exponent):
-    return partial(starved_share, exponent=exponent)
+    return dict.fromkeys(("share", "passing"), partial(starved_share, exponent=exponent))
 
 
 def test_starved_film():
@@ -47,13 +47,13 @@ def test_steady_film_is_where_many_balls_lead(exponent, loss):
         layer = 5.0
         for _ in range(20000):
             layer = (1.0 - loss) * starved_share(layer, exponent) + added
-        found = steady_share(Track(share=law_of(exponent), loss=loss), added)
+        found = steady_share(Track(**law_of(exponent), loss=loss), added)
         assert found == pytest.approx(starved_share(layer, exponent), rel=1e-6)
 
 
 @pytest.mark.parametrize("exponent", [3.0, 5.0, 15.0])
 def test_steady_film_at_the_ends(exponent):
-    track = Track(share=law_of(exponent))
+    track = Track(**law_of(exponent))
     assert steady_share(track, 0.0) == 0.0
     assert steady_share(track, 1e9) == 1.0
     few, many = steady_share(track, 1e-6), steady_share(track, 2e-6)

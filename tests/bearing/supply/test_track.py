@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
+from itertools import pairwise
 from math import exp, pi, sin
 
 import numpy as np
@@ -11,22 +13,25 @@ import scipy
 
 from bearing import Operation, contact_conditions, solve_quasistatic
 from bearing.supply.side_flow import barus_integral, side_flow, side_flow_integral
+from bearing.supply.solved_track import solved_passes
 from bearing.supply.track import Track, added_layer, after_passes, steady_layer, steady_share
-from ehl import Lubricant, ViscosityLaw
+from ehl import InletLayer, Lubricant, SolverOptions, ViscosityLaw, solve_contact
 from ehl.closed_form.starvation import starved_share
+from ehl.conditions import MoesConditions
 
 EXPONENTS = (3.0, 5.0, 15.0)
 
 
 def law(exponent: float):
-    return partial(starved_share, exponent=exponent)
+    """Of film and layer."""
+    return dict.fromkeys(("share", "passing"), partial(starved_share, exponent=exponent))
 
 
 @pytest.mark.parametrize("exponent", EXPONENTS)
 def test_passes_without_supply_follow_the_closed_form(exponent):
     """r_n = (r_0^-g + n)^(-1/g), exact."""
     for start in (0.3, 1.0, 20.0):
-        found = after_passes(Track(share=law(exponent)), start, 400)
+        found = after_passes(Track(**law(exponent)), start, 400)
         count = np.arange(1, 401)
         assert found == pytest.approx((start**-exponent + count) ** (-1.0 / exponent), rel=1e-11)
 
@@ -34,7 +39,7 @@ def test_passes_without_supply_follow_the_closed_form(exponent):
 @pytest.mark.parametrize("side", [1e-3, 5e-3, 0.05])
 def test_severe_starvation_follows_van_zoelen(side):
     """Where the side flow inside the contact is the larger loss, r_n^-2 = r_0^-2 + n d, exact."""
-    found = after_passes(Track(share=law(15.0), side_flow=side), 0.3, 1000)
+    found = after_passes(Track(**law(15.0), side_flow=side), 0.3, 1000)
     assert found == pytest.approx((0.3**-2 + side * np.arange(1, 1001)) ** -0.5, rel=1e-11)
 
 
@@ -42,7 +47,7 @@ def test_severe_starvation_follows_van_zoelen(side):
 def test_the_larger_of_two_losses_counts_and_never_their_sum(exponent):
     """Early the law, late the side flow; at no pass more is lost than by the larger one."""
     side = 5e-3
-    track = Track(share=law(exponent), side_flow=side)
+    track = Track(**law(exponent), side_flow=side)
     layers = np.concatenate([[2.0], after_passes(track, 2.0, 3000)])
     for before, after in zip(layers[:-1], layers[1:], strict=True):
         by_law, by_side = starved_share(before, exponent), (before**-2 + side) ** -0.5
@@ -55,7 +60,7 @@ def test_the_larger_of_two_losses_counts_and_never_their_sum(exponent):
 def test_ample_oil_floods_whatever_the_side_flow():
     """The side flow of a light contact, d above 1, does not keep it from its flooded film."""
     for side in (0.0, 0.5, 9.0, 1e6):
-        track = Track(share=law(5.0), side_flow=side)
+        track = Track(**law(5.0), side_flow=side)
         assert track.left(1e4) == starved_share(1e4, 5.0)
         assert steady_share(track, 1e9) == 1.0
         layers = np.geomspace(1e-6, 1e3, 400)
@@ -68,28 +73,28 @@ def test_ample_oil_floods_whatever_the_side_flow():
 @pytest.mark.parametrize("side", [0.0, 0.005, 0.1])
 def test_steady_layer_balances_what_is_added_and_lost(loss, side):
     """In the steady state a pass loses exactly what the supply adds, over twelve decades of it."""
-    track = Track(share=law(8.0), side_flow=side, loss=loss)
+    track = Track(**law(8.0), side_flow=side, loss=loss)
     for added in np.geomspace(1e-9, 1e3, 25):
         layer = steady_layer(track, added)
         kept = (1.0 - loss) * track.left(layer)
         assert layer - kept == pytest.approx(added, rel=1e-9 * max(1.0, layer / added))
-        assert steady_share(track, added) == pytest.approx(track.left(layer), rel=1e-12)
+        assert steady_share(track, added) == pytest.approx(track.share(layer), rel=1e-12)
     shares = [steady_share(track, added) for added in np.geomspace(1e-9, 1e3, 25)]
     assert np.all(np.diff(shares) >= 0.0)
 
 
 def test_many_passes_lead_to_the_steady_layer():
-    track = Track(share=law(8.0), side_flow=0.01, loss=0.02)
+    track = Track(**law(8.0), side_flow=0.01, loss=0.02)
     for start in (0.0, 5.0):
         layers = after_passes(track, start, 5000, added=0.01)
-        assert layers[-1] == pytest.approx(steady_share(track, 0.01), rel=1e-9)
+        assert layers[-1] == pytest.approx(track.left(steady_layer(track, 0.01)), rel=1e-9)
 
 
 def test_steady_film_of_severe_starvation():
     """r = (2 D/d)^(1/3): in layers of one surface s = r/2 and per pass, (3 S/F)^(1/3) with S = D/2, F = 6 d/4."""
     side = 0.01
     for added in (1e-9, 1e-8):
-        layer = steady_layer(Track(share=law(15.0), side_flow=side), added)
+        layer = steady_layer(Track(**law(15.0), side_flow=side), added)
         assert layer == pytest.approx((2.0 * added / side) ** (1.0 / 3.0), rel=2e-3)
 
 
@@ -134,4 +139,29 @@ def test_added_layer_conserves_the_flow():
 @pytest.mark.parametrize(("key", "value"), [("side_flow", -1.0), ("side_flow", np.inf), ("loss", 1.5)])
 def test_what_a_track_is(key, value):
     with pytest.raises(ValueError, match=key):
-        Track(share=law(3.0), **{key: value})
+        Track(**law(3.0), **{key: value})
+
+
+def test_solved_passes_hand_their_layer_on():
+    """Each pass is solved behind the layer that the last one left: no oil is made or lost, ridges pile up beside the
+    track, and the film falls as the passes of Damiens' law, faster by up to a quarter."""
+    oil = Lubricant(viscosity=0.04, pressure_viscosity=22e-9)
+    contact = MoesConditions(
+        load_parameter=20.0, lubricant_parameter=10.0, lubricant=oil, inlet_layer=InletLayer(thickness=(0.3,))
+    )
+    passes = solved_passes(contact, SolverOptions(points=65), 4, solve_contact)
+    assert len(passes) == 4
+    assert all(one.solution.converged for one in passes)
+    for before, after in pairwise(passes):
+        assert after.inlet == pytest.approx(before.outlet, rel=1e-12)
+        assert before.kept == pytest.approx(1.0, abs=1e-3)
+    middle = passes[-1].outlet.size // 2
+    assert passes[-1].outlet.max() > 3.0 * passes[-1].outlet[middle]
+    films = [one.share for one in passes]
+    assert all(b < a for a, b in pairwise(films))
+    chain = after_passes(Track(**law(3.0)), passes[0].ratio, 4)
+    assert films == pytest.approx(chain.tolist(), rel=0.25)
+    halved = solved_passes(contact, SolverOptions(points=65), 2, solve_contact, loss=0.5, added=0.01)
+    assert halved[1].inlet == pytest.approx(0.5 * halved[0].outlet + 0.01, rel=1e-12)
+    with pytest.raises(ValueError, match="inlet_layer"):
+        solved_passes(replace(contact, inlet_layer=None), SolverOptions(points=65), 1, solve_contact)
