@@ -37,12 +37,13 @@ def contact_traction(
     film: ContactSolution,
     rheology: Rheology,
     motion: BallMotion | None = None,
+    resistance: float | None = None,
 ) -> ContactTraction:
-    """Forces and moments of one contact, integrated over its film on at most `TRACTION_POINTS`;
-    the rolling moment is that of all nodes and of its oil up to the meniscus.
+    """Forces and moments of one contact, integrated over its film on at most `TRACTION_POINTS`.
 
     `film` is that of the contact's conditions [m], [Pa]; `motion` that of the ball [rad/s], None:
-    that of the equilibrium.
+    that of the equilibrium; `resistance`: moment that resists rolling [N m], None: that of its oil
+    up to the meniscus.
     """
     kinematics = bearing_kinematics(solution, contact, motion)
     result = integrate_traction(
@@ -50,6 +51,6 @@ def contact_traction(
         kinematics,
         rheology,
         temperature=solution.operation.temperature,
-        rolling_resistance=rolling_moment(film).value,
+        rolling_resistance=rolling_moment(film).value if resistance is None else resistance,
     )
     return ContactTraction(contact=contact, kinematics=kinematics, result=result)

@@ -21,10 +21,17 @@ from ..contacts.shape import groove_curvature_radius
 from ..geometry import Array
 from ..quasistatic.kinematics import ball_mass
 from ..quasistatic.solution import QuasistaticSolution
-from .cage import CageBalance, balance_cage, driven_cage_speed, orbit_velocities
+from .cage import (
+    CageBalance,
+    balance_cage,
+    orbit_velocities,
+    rubbing_speeds,
+    taken_pocket_power,
+    with_land,
+)
 from .law import TINY, ContactLaw
-from .newton import BALANCE_TOLERANCE, MotionProblem, contacts_of
-from .resistance import NO_RESISTANCE, Resistance
+from .newton import BALANCE_TOLERANCE, MotionProblem, contacts_of, pocket_friction
+from .resistance import NO_RESISTANCE, Resistance, ResistedPower
 
 # sliding over entrainment from which a ball counts as driven by the cage [-]; of 160 balls of ten
 # random bearings whose oil resists rolling the same 7 are with 0.15 and 0.6
@@ -46,8 +53,7 @@ class BalancedFriction:
     ball_rolling: Array  # part of the rolling speed from the ball's own rotation [rad/s]
     power: Array  # friction power [W]
     shaft_power: float  # power that the two rings feed in, moments on them times their speeds [W]
-    # power that the balls give to the oil around them and to the cage's guidance [W]
-    resisted: float
+    resisted: ResistedPower  # beside the contacts [W]
     # largest force or moment (over the ball's radius) left on a ball, over the friction mu Q [-]
     residual: float
     # push of the cage that the motion requires less the one applied, over the push [-]
@@ -62,7 +68,7 @@ class BalancedFriction:
     @property
     def energy_error(self) -> float:
         """Shaft power less friction power and what drag and cage take, over these [-]."""
-        total = float(self.power.sum()) + self.resisted
+        total = float(self.power.sum()) + self.resisted.of_balls
         return (self.shaft_power - total) / total if total > 0.0 else 0.0
 
 
@@ -170,6 +176,8 @@ def _problem(
         gyroscopic_matrix=np.zeros((balls, 4, 4)),
         cage_force=np.zeros(balls),
         drag=np.zeros(balls),
+        pocket=np.zeros(balls),
+        rubbing=rubbing_speeds(solution),
         free=free,
         reference_slip=curvature_slip(solution, contacts, start).reshape(shape).max(axis=1),
         reference_force=law.reference_force.reshape(shape).max(axis=1),
@@ -214,10 +222,6 @@ def _result(
     ball_rolling = np.einsum("cj,cj->c", kinematics.by_rotation[:, 3], rotation[kinematics.ball])
     loaded = problem.reference_force > 0.0
     worst = float(residual[loaded].max(initial=0.0))
-    load = np.where(problem.driven, solution.inner_load, 0.0)
-    resisted = float((problem.drag * (orbit_velocities(solution) + z[:, 0])).sum())
-    if load.any():
-        resisted += resistance.cage_power(solution, driven_cage_speed(solution, load, z))
     motions = zip(orbit.tolist(), rotation, strict=True)
     return BalancedFriction(
         motions=tuple(BallMotion(orbit_speed=speed, rotation=turn) for speed, turn in motions),
@@ -226,7 +230,7 @@ def _result(
         ball_rolling=ball_rolling.reshape(shape),
         power=power,
         shaft_power=-float(np.einsum("bck,bck->", forces, problem.ring_motion)),
-        resisted=resisted,
+        resisted=_resisted(solution, problem, z, resistance),
         residual=worst,
         cage_change=change,
         driven=problem.driven,
@@ -239,3 +243,15 @@ def _result(
             and change <= CAGE_TOLERANCE
         ),
     )
+
+
+def _resisted(
+    solution: QuasistaticSolution, problem: MotionProblem, z: Array, resistance: Resistance
+) -> ResistedPower:
+    """Beside the contacts at the unknowns z [m/s], in [W]."""
+    load = np.where(problem.driven, solution.inner_load, 0.0)
+    pocket = pocket_friction(z, problem, np.arange(load.size)).power.sum()
+    pocket += taken_pocket_power(solution, problem, z, resistance).sum()
+    drag = float((problem.drag * (orbit_velocities(solution) + z[:, 0])).sum())
+    power = ResistedPower(drag=drag, pocket=float(pocket))
+    return with_land(power, solution, resistance, z, load) if load.any() else power

@@ -13,12 +13,15 @@ from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 from .law import TINY
 from .newton import BALANCE_TOLERANCE, MotionProblem, contacts_of, solve_with_couple_steps
-from .resistance import Resistance
+from .resistance import Resistance, ResistedPower
 
 CAGE_STEPS = 20  # rounds of the push of the cage
 CAGE_TARGET = 1.0e-8  # change to stop at [-]
 # slope of the required over the applied push above which a secant is not taken [-]
 MAX_SECANT_SLOPE = 0.5
+# orbit speed over that of the ball's surface below which the cage takes no ball along [-]: rings
+# that turn against each other
+STILL_ORBIT = 1.0e-2
 
 
 class CageBalance(NamedTuple):
@@ -42,7 +45,7 @@ def balance_cage(
     """
     # 1. start with the cage at the mean speed of the balls that drive it
     z = _cage_driven_motion(solution, problem.driven, start)
-    problem = replace(problem, cage_force=_cage_force(solution, problem, z, resistance))
+    problem = _pushed(problem, _cage_force(solution, problem, z, resistance), resistance)
     last: tuple[Array, Array] | None = None  # push applied and required in the last round [N]
     for _ in range(CAGE_STEPS):
         # 2. balance of the race-driven balls under the push
@@ -57,9 +60,14 @@ def balance_cage(
         if change <= CAGE_TARGET or failed:
             break
         # 4. next push by a secant
-        problem = replace(problem, cage_force=_secant_cage_force(applied, required, last))
+        problem = _pushed(problem, _secant_cage_force(applied, required, last), resistance)
         last = applied, required
-    return CageBalance(replace(problem, cage_force=applied), z, residual, change)
+    return CageBalance(_pushed(problem, applied, resistance), z, residual, change)
+
+
+def _pushed(problem: MotionProblem, push: Array, resistance: Resistance) -> MotionProblem:
+    """The balance under a push into the cage [N], and the friction in the pockets with it."""
+    return replace(problem, cage_force=push, pocket=resistance.pocket * np.abs(push))
 
 
 def _secant_cage_force(applied: Array, required: Array, last: tuple[Array, Array] | None) -> Array:
@@ -81,18 +89,42 @@ def orbit_velocities(solution: QuasistaticSolution) -> Array:
     return solution.orbit_speed * 0.5 * solution.bearing.pitch_diameter
 
 
-def resisted_power(solution: QuasistaticSolution, resistance: Resistance) -> float:
-    """Power that the balls give to the oil around them and to the cage at the motion of an
-    equilibrium [W].
+def resisted_power(solution: QuasistaticSolution, resistance: Resistance) -> ResistedPower:
+    """Power into the oil around the balls, pockets and the cage's land at the motion of an
+    equilibrium [W]; the cage is pushed by the loaded balls alone.
     """
     speed = orbit_velocities(solution)
     load = solution.inner_load
-    power = float((resistance.drag(speed) * speed).sum())
-    if load.any():
-        power += resistance.cage_power(
-            solution, driven_cage_speed(solution, load, np.zeros((load.size, 4)))
-        )
-    return power
+    drag = float((resistance.drag(speed) * speed).sum())
+    if not load.any():
+        return ResistedPower(drag=drag)
+    still = np.zeros((load.size, 4))
+    pushed = resistance.cage_power(solution, driven_cage_speed(solution, load, still))
+    push = pushed / max(abs(float((load * speed).sum())), TINY) * load
+    surface = np.hypot(*rubbing_speeds(solution).T)
+    pocket = float((resistance.pocket * np.abs(push) * surface).sum())
+    return with_land(ResistedPower(drag=drag, pocket=pocket), solution, resistance, still, load)
+
+
+def with_land(
+    power: ResistedPower,
+    solution: QuasistaticSolution,
+    resistance: Resistance,
+    z: Array,
+    load: Array,
+) -> ResistedPower:
+    """With that of the cage's land [W], at unknowns z (balls, 4) [m/s], the cage driven by the
+    balls with a load [N].
+    """
+    cage = driven_cage_speed(solution, load, z)
+    guiding = resistance.guiding_power(solution, cage)
+    return replace(power, land=resistance.cage_power(solution, cage) + guiding, guiding=guiding)
+
+
+def rubbing_speeds(solution: QuasistaticSolution) -> Array:
+    """Of the balls' surfaces in their pockets along e_x and e_r, (balls, 2) [m/s]."""
+    radius = 0.5 * solution.bearing.ball_diameter
+    return np.asarray(radius * ball_speeds(solution)[1][:, :2])
 
 
 def _cage_force(
@@ -111,12 +143,39 @@ def _cage_force(
     power = resistance.cage_power(solution, driven_cage_speed(solution, load, z))
     others = np.flatnonzero(~driving)
     if others.size:
-        k = problem.start[others] + np.einsum("bckj,bj->bck", problem.slopes[others], z[others])
-        gradient = problem.law.evaluate(k.reshape(-1, 4), contacts_of(others)).gradient
-        # heat less what the rings feed in [W]
-        heat = float((gradient.reshape(k.shape) * (k - problem.ring_motion[others])).sum())
-        power += heat + float((problem.drag * speed)[others].sum())
+        needed = _driven_power(solution, problem, z)[others]
+        power += float(needed.sum() + taken_pocket_power(solution, problem, z, resistance).sum())
     return load * power / max(abs(driving_power), TINY) * np.sign(driving_power)
+
+
+def _driven_power(solution: QuasistaticSolution, problem: MotionProblem, z: Array) -> Array:
+    """Heat less what the rings feed in, and drag, of balls that the cage drives, (balls,) [W];
+    zero of the others.
+    """
+    others = np.flatnonzero(~problem.driven)
+    speed = orbit_velocities(solution) + z[:, 0]
+    power = np.zeros(problem.driven.size)
+    k = problem.start[others] + np.einsum("bckj,bj->bck", problem.slopes[others], z[others])
+    gradient = problem.law.evaluate(k.reshape(-1, 4), contacts_of(others)).gradient
+    heat = (gradient.reshape(k.shape) * (k - problem.ring_motion[others])).sum(axis=(1, 2))
+    power[others] = heat + (problem.drag * speed)[others]
+    return power
+
+
+def taken_pocket_power(
+    solution: QuasistaticSolution, problem: MotionProblem, z: Array, resistance: Resistance
+) -> Array:
+    """Rubbed in the pockets of balls that the cage drives, mu times the push that takes them
+    along times the speed of their surface, (balls,) [W]; nothing where the cage hardly moves.
+    """
+    others = np.flatnonzero(~problem.driven)
+    if resistance.pocket == 0.0 or not others.size:
+        return np.zeros(problem.driven.size)
+    speed = np.abs(orbit_velocities(solution) + z[:, 0])
+    surface = np.hypot(*(problem.rubbing + z[:, 1:3]).T)
+    moving = speed > STILL_ORBIT * surface
+    push = np.abs(_driven_power(solution, problem, z)) / np.where(moving, speed, 1.0)
+    return np.where(moving, resistance.pocket * push * surface, 0.0)
 
 
 def driven_cage_speed(solution: QuasistaticSolution, load: Array, z: Array) -> float:

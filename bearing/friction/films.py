@@ -1,15 +1,12 @@
 """Friction law of solved films, and the balance of balls under it."""
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ehl.oil.rheology import Rheology, shear_stress
-from ehl.solution import ContactSolution
-from ehl.traction.rolling_moment import rolling_moment
 from ehl.traction.shear import (
     Cavitation,
     dimensional_grid,
@@ -23,13 +20,13 @@ from ehl.traction.shear import (
 from ..contacts.contact import BearingContact
 from ..contacts.motion import bearing_kinematics
 from ..contacts.traction import TRACTION_POINTS
-from ..geometry import Array, Race
+from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
-from .asperities import asperity_share
 from .balance import BalancedFriction, balance_balls, balance_driven_balls
 from .coulomb import contact_ellipses, coulomb_dissipation
 from .law import REFERENCE_TRACTION, TINY, ContactLaw, Dissipation
 from .resistance import NO_RESISTANCE, Resistance
+from .running_films import RunningFilm, RunningFilms
 
 FilmLaw = Callable[[Array, float], tuple[Array, Array]]
 # Half and double of each change the integrated torque of 6206_combined_1000N by 6e-13 at most.
@@ -40,41 +37,22 @@ REFERENCE_SLIDE_RATIO = 1.0e-2  # sliding over entrainment at which nodes are we
 MIN_SLIDING = 1.0e-12  # [m/s] below which the stress counts as proportional to it
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Asperities:
-    """What asperities that touch need: rms roughness of ball and race together [m], their friction
-    mu_b [-].
-    """
-
-    inner_roughness: float
-    outer_roughness: float
-    boundary: float
-
-    def share(self, contact: BearingContact, film: ContactSolution) -> float:
-        """Part of a contact's load that they carry, by the minimum film [-]."""
-        roughness = self.inner_roughness if contact.race is Race.INNER else self.outer_roughness
-        if roughness <= 0.0 or film.film_minimum is None:
-            return 0.0
-        return asperity_share(max(film.film_minimum, 0.0) / roughness)
-
-
 def film_balance(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: Sequence[ContactSolution | None],
+    films: RunningFilms,
     rheology: Rheology,
-    asperities: Asperities | None = None,
     resistance: Resistance = NO_RESISTANCE,
 ) -> BalancedFriction:
     """Motion of all balls in which the shear of their films balances itself, at given loads; the
     forces contain the hydrodynamic rolling moment.
 
     `contacts`: inner then outer, ball by ball; `films`: one per contact, None without load;
-    `asperities`: None: full films; `resistance`: what holds the balls back beside the races.
+    `resistance`: what holds the balls back beside the races.
     """
     # 1. which balls the inner race drives, and their motion, with the nodes that matter most
     coarse, exact = (
-        film_law(solution, contacts, films, rheology, asperities, left_out=left_out)
+        film_law(solution, contacts, films, rheology, left_out=left_out)
         for left_out in (COARSE_SHARE_LEFT_OUT, 0.0)
     )
     first = balance_driven_balls(solution, contacts, coarse, resistance)
@@ -88,9 +66,8 @@ def film_balance(
 def film_law(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: Sequence[ContactSolution | None],
+    films: RunningFilms,
     rheology: Rheology,
-    asperities: Asperities | None = None,
     *,
     left_out: float = 0.0,
     scale: Array | None = None,
@@ -105,12 +82,9 @@ def film_law(
         None if film is None else _film_law(solution, c, film, rheology, left_out)
         for c, film in pairs
     ]
-    share = np.array(
-        [0.0 if f is None or asperities is None else asperities.share(c, f) for c, f in pairs]
-    )
-    rubbing = contact_ellipses(
-        solution, contacts, share * (0.0 if asperities is None else asperities.boundary)
-    )
+    share = np.array([0.0 if film is None else film.asperity_share for film in films])
+    boundary = np.array([0.0 if film is None else film.boundary for film in films])
+    rubbing = contact_ellipses(solution, contacts, share * boundary)
     load_ratio = np.ones(len(laws)) if scale is None else scale
 
     def evaluate(motion: Array, indices: NDArray[np.int64]) -> Dissipation:
@@ -136,7 +110,7 @@ def film_law(
 def _film_law(
     solution: QuasistaticSolution,
     contact: BearingContact,
-    film: ContactSolution,
+    film: RunningFilm,
     rheology: Rheology,
     left_out: float,
 ) -> FilmLaw:
@@ -176,13 +150,12 @@ class _FilmNodes(NamedTuple):
 def _film_nodes(
     solution: QuasistaticSolution,
     contact: BearingContact,
-    film: ContactSolution,
+    running: RunningFilm,
     rheology: Rheology,
     left_out: float,
 ) -> _FilmNodes:
     """As `_film_law` takes them."""
-    resistance = rolling_moment(film).value
-    film = with_outlet(film.thinned(TRACTION_POINTS))
+    film = with_outlet(running.film.thinned(TRACTION_POINTS))
     film_x, film_y, thickness = dimensional_grid(film)
     x, y = np.broadcast_arrays(film_x[:, None], film_y[None, :])
     width = sheared_width(thickness, film.pressure, Cavitation.STRIATED)
@@ -197,7 +170,9 @@ def _film_nodes(
     temperature = inlet[chosen] if isinstance(inlet, np.ndarray) else inlet
     x, y = x[chosen], y[chosen]
     zeros, ones = np.zeros_like(x), np.ones_like(x)
-    moment = resistance * np.array([0.5 * kinematics.curvature_difference, 0.0, 0.0, 1.0])
+    moment = running.rolling_moment * np.array(
+        [0.5 * kinematics.curvature_difference, 0.0, 0.0, 1.0]
+    )
     strips = (area * width)[chosen], gap[chosen], eta[chosen], film.pressure[chosen]
     return _FilmNodes(
         shear=(*strips, temperature),

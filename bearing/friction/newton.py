@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..geometry import Array
-from .law import TINY, ContactLaw
+from .law import TINY, ContactLaw, Dissipation
 
 # Measured on Coulomb friction of 25 random bearings: each halved and doubled leaves all balls
 # balanced and the friction power equal to 2e-11, in 1421 to 1664 evaluations (1444 as they are).
@@ -32,6 +32,11 @@ class MotionProblem:
     gyroscopic_matrix: Array  # (balls, 4, 4) its change with z [N s/m]
     cage_force: Array  # (balls,) push of the cage against the orbit of balls that drive it [N]
     drag: Array  # (balls,) force of the oil against the orbit, along e_t [N]
+    # (balls,) friction of the pocket, mu times the push of the cage, against the ball's rotation
+    # [N]
+    pocket: Array
+    # (balls, 2) of a ball's surface in its pocket along e_x and e_r at the start [m/s]
+    rubbing: Array
     free: NDArray[np.bool_]  # (balls, 4)
     reference_slip: Array  # (balls,) largest curvature slip of a ball's contacts [m/s]
     reference_force: Array  # (balls,) friction that the residual is measured against [N]
@@ -52,16 +57,37 @@ def evaluate(
     shape = k.shape[:2]
     along_orbit = (problem.cage_force + problem.drag)[balls, None] * np.eye(4)[0]
     fixed = problem.gyroscopic_couple[balls] + along_orbit
+    pocket = pocket_friction(z, problem, balls)
     power = friction.power.reshape(shape).sum(axis=1) + np.einsum("bj,bj->b", fixed, z)
+    power += pocket.power
     gradient = np.einsum("bckj,bck->bj", slopes, friction.gradient.reshape(*shape, 4)) + fixed
+    gradient[:, 1:3] += pocket.gradient
     gradient += np.einsum("bij,bj->bi", problem.gyroscopic_matrix[balls], z)
     curvature = friction.curvature.reshape(*shape, 4, 4)
     hessian = (slopes.swapaxes(2, 3) @ curvature @ slopes).sum(axis=1)
     hessian = hessian + problem.gyroscopic_matrix[balls]
+    hessian[:, 1:3, 1:3] += pocket.curvature
     return (
         power,
         np.where(free, gradient, 0.0),
         np.where(free[:, :, None] & free[:, None, :], hessian, 0.0),
+    )
+
+
+def pocket_friction(z: Array, problem: MotionProblem, balls: NDArray[np.int64]) -> Dissipation:
+    """Coulomb's friction of balls in their pockets, power (n,) [W], gradient (n, 2) [N] and
+    curvature (n, 2, 2) [N s/m] by the scaled rotations along e_x and e_r.
+
+    The pocket touches the ball ahead or behind on its orbit, where its surface moves by its
+    rotation in the frame of the orbit; that turns with the cage.
+    """
+    slide = problem.rubbing[balls] + z[:, 1:3]
+    speed = np.hypot(slide[:, 0], slide[:, 1]) + TINY
+    along = slide / speed[:, None]
+    force = problem.pocket[balls]
+    across = np.eye(2) - along[:, :, None] * along[:, None, :]
+    return Dissipation(
+        force * speed, force[:, None] * along, (force / speed)[:, None, None] * across
     )
 
 
@@ -123,7 +149,9 @@ def minimise(problem: MotionProblem, start: Array) -> tuple[Array, Array]:
         new = evaluate(trial, problem, at)
         # 3. accepted where the power falls (at round-off: where the residual does)
         noise = 1e-13 * np.abs(power[at])
-        flatter = np.abs(new[1]).max(axis=1) < residual[at] * friction[at]
+        # where the friction is monotone, the length of the force left falls in small steps; its
+        # largest component may not
+        flatter = np.linalg.norm(new[1], axis=1) < np.linalg.norm(gradient[at], axis=1)
         lower = (new[0] < power[at] - noise) | ((new[0] <= power[at] + noise) & flatter)
         better = lower if descent else flatter
         accepted = at[better]

@@ -37,6 +37,7 @@ class Resistance:
     ball: float = 0.0  # drag of the oil over the square of a ball's speed [N s^2/m^2]
     land: float = 0.0  # torque of the cage's guiding land over its slip, Petroff (1883) [N m s]
     outer_guided: bool = True  # the land runs on the outer ring, else on the inner one
+    pocket: float = 0.0  # Coulomb's mu of ball against pocket [-]
 
     def drag(self, speed: Array) -> Array:
         """Of each ball against its motion along the orbit at a speed [m/s], in [N]."""
@@ -46,12 +47,43 @@ class Resistance:
         """Power [W] that the balls give to a cage that turns at a speed [rad/s] against the drag
         of its land.
         """
+        return self.land * (cage_speed - self.guiding_speed(solution)) * cage_speed
+
+    def guiding_power(self, solution: QuasistaticSolution, cage_speed: float) -> float:
+        """Power [W] that the guiding ring gives to the land of a cage at a speed [rad/s]."""
+        ring = self.guiding_speed(solution)
+        return self.land * (ring - cage_speed) * ring
+
+    def guiding_speed(self, solution: QuasistaticSolution) -> float:
+        """Of the ring that the land runs on [rad/s]."""
         operation = solution.operation
-        ring = operation.outer_speed if self.outer_guided else operation.inner_speed
-        return self.land * (cage_speed - ring) * cage_speed
+        return operation.outer_speed if self.outer_guided else operation.inner_speed
 
 
 NO_RESISTANCE = Resistance()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ResistedPower:
+    """Power that goes into heat beside the contacts [W]."""
+
+    drag: float = 0.0  # from the balls into the oil around them
+    pocket: float = 0.0  # from the balls into their pockets
+    land: float = 0.0  # into the oil between the land and its ring
+    guiding: float = 0.0  # of the land's, what its ring feeds in; the balls push the rest
+
+    @property
+    def of_balls(self) -> float:
+        """What the balls give [W]."""
+        return self.drag + self.pocket + self.land - self.guiding
+
+    @property
+    def heat(self) -> float:
+        """All of it [W]."""
+        return self.drag + self.pocket + self.land
+
+
+NOTHING_RESISTED = ResistedPower()
 
 
 def resistance_of(
@@ -62,14 +94,15 @@ def resistance_of(
     oil_fraction: float | None,
 ) -> Resistance:
     """Drag of the balls as `churning_power` has it, of the land as `land_power`, by viscosity
-    [Pa s], density [kg/m^3] and share in the cavity [-] of the oil; friction in the pockets is
-    left out.
+    [Pa s], density [kg/m^3] and share in the cavity [-] of the oil, and friction in the pockets.
     """
     ball = ball_drag(bearing, density, oil_fraction or 0.0)
     if cage is None:
         return Resistance(ball=ball)
     land = land_drag(cage, viscosity)
-    return Resistance(ball=ball, land=land, outer_guided=cage.outer_guided)
+    return Resistance(
+        ball=ball, land=land, outer_guided=cage.outer_guided, pocket=cage.pocket_friction
+    )
 
 
 def ball_drag(bearing: Bearing, density: float, oil_fraction: float) -> float:

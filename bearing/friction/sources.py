@@ -13,14 +13,17 @@ from ehl.oil.rheology import Rheology
 from ehl.solution import ContactSolution
 from ehl.traction.coefficient_kernels import Coefficient
 from ehl.traction.laws import EllipseLaw, FrictionLaw
+from ehl.traction.table.table import TractionTable
 
 from ..contacts.contact import BearingContact
 from ..contacts.shape import contact_shape
 from ..geometry import Bearing, Race
 from ..quasistatic.solution import QuasistaticSolution
+from .asperities import Asperities
 from .coulomb import coulomb_law
-from .films import Asperities, film_law
+from .films import film_law
 from .law import ContactLaw, Refreshed, TractionLaw
+from .running_films import running_films
 from .tables import contact_law
 
 SolveFilms = Callable[[Sequence[ContactConditions | None]], Sequence[ContactSolution | None]]
@@ -45,6 +48,9 @@ class LawTraction(RaceTraction):
     """A friction law for each race: traction tables, or any other of `ehl.traction`."""
 
     laws: Mapping[Race, FrictionLaw]
+    # of the rolling moment of the tables' flooded, isothermal films that inlet heating and
+    # replenishment leave [-]
+    rolling_factor: float = 1.0
 
     @property
     def description(self) -> str:
@@ -55,6 +61,17 @@ class LawTraction(RaceTraction):
         """The law of a race, the same at all angles [rad]."""
         del bearing, angle
         return self.laws[race]
+
+    def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
+        """The laws at the loads [N] of an equilibrium, with what is left of the rolling moment."""
+        del solution
+        laws = {race: _with_rolling(law, self.rolling_factor) for race, law in self.laws.items()}
+        return contact_law(contacts, [laws[contact.race] for contact in contacts])
+
+
+def _with_rolling(law: FrictionLaw, factor: float) -> FrictionLaw:
+    """A law with a share of its hydrodynamic moment [-]; laws that know none as they are."""
+    return law.with_rolling(factor) if isinstance(law, TractionTable) else law
 
 
 @dataclass(frozen=True)
@@ -100,6 +117,9 @@ class FilmTraction(TractionLaw):
     rheology: Rheology
     # what carries part of the loads [N] where the films are thin; None: full films
     asperities: Asperities | None = None
+    # of the rolling moment of flooded, isothermal films that inlet heating and replenishment leave
+    # [-]
+    rolling_factor: float = 1.0
     # empty before `refresh`
     films: tuple[ContactSolution | None, ...] = ()
     loads: tuple[float, ...] = ()  # that the films were solved at [N]
@@ -134,9 +154,8 @@ class FilmTraction(TractionLaw):
         """
         pairs = zip(contacts, self.loads, strict=True)
         scale = np.array([contact.load / load if load > 0.0 else 0.0 for contact, load in pairs])
-        return film_law(
-            solution, contacts, self.films, self.rheology, self.asperities, scale=scale
-        )
+        running = running_films(contacts, self.films, self.asperities, self.rolling_factor)
+        return film_law(solution, contacts, running, self.rheology, scale=scale)
 
     def load_change(self, contacts: Sequence[BearingContact]) -> float:
         """Largest change of a load since the films were solved, over the largest load [-]."""

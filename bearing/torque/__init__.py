@@ -1,6 +1,8 @@
 """Friction torque of a ball bearing, by several models side by side.
 
 breakdown          - all models of the friction torque of one bearing, side by side
+films_torque       - the recommended torque: films as the bearing is lubricated
+inlet              - inlet heating and replenishment in the rolling moment
 inputs             - what the models take beyond the loads
 integrated         - friction torque from the shear of solved films, and from a law or table
 models             - every model of the friction torque, brought to one form

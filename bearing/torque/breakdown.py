@@ -9,10 +9,10 @@ from ..contacts.contact import BearingContact
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.starved_films import StarvedFilm, starved_films
 from ..supply.supply import Supply
+from .inlet import InletFactors
 from .models import (
     FrictionInput,
     ModelTorque,
-    cage_and_drag,
     coulomb_coefficient,
     line_models,
     palmgren_model,
@@ -52,18 +52,27 @@ class TorqueBreakdown:
     shear: SolvedShear | None = None
     films: tuple[StarvedFilm | None, ...] = ()  # of the contacts, where a supply is given
     starved: StarvedTorque | None = None  # at that supply
-    for_supply: bool = False  # the torque wanted is that at the supply
     behind_layers: bool = False  # films, and with them the integrated model, are at the supply
+    inlet: InletFactors | None = None  # in the rolling part; None without an integrated torque
 
     @property
     def chosen(self) -> str | None:
-        """The model taken for the torque: at a supply that of it, else the integrated one, else
-        SKF's, else none.
-        """
-        for name in (*(STARVED,) * self.for_supply, INTEGRATED, SKF):
+        """The model taken for the torque: the integrated one, else SKF's, else none."""
+        for name in (INTEGRATED, SKF):
             if self.models[name].total is not None:
                 return name
         return None
+
+    @property
+    def flooded_isothermal(self) -> float | None:
+        """Of the integrated model with the whole rolling moment of flooded films without inlet
+        heating, a bound [N m].
+        """
+        flooded = None if self.shear is None else self.shear.flooded
+        if flooded is None:
+            return None
+        seal = self.models[INTEGRATED].components.get("seal", 0.0)
+        return flooded.total + seal
 
     @property
     def total(self) -> float | None:
@@ -78,22 +87,26 @@ def torque_breakdown(
     friction: FrictionInput,
     shear: SolvedShear | None = None,
     solutions: Sequence[ContactSolution | None] | None = None,
+    inlet: InletFactors | None = None,
 ) -> TorqueBreakdown:
     """Friction torque [N m] by every model; at rest every model is left out.
 
     `shear`: of every lubricated contact, without it there is no integrated model; `solutions`:
-    flooded films that a supply takes its share of, formulas where one is missing.
+    flooded films that a supply takes its share of, formulas where one is missing; `inlet`: what
+    the shear has of its rolling part [-].
     """
     speed = solution.operation.shaft_speed
     if speed == 0.0:
         stationary = ModelTorque(note="the rings do not turn against each other")
         return TorqueBreakdown(models=dict.fromkeys(NAMES, stationary), coefficient=0.0)
     mu = coulomb_coefficient(solution, lubricant, friction)
-    asperities = None if shear is None else shear.asperity_share
+    rough = shear is not None and friction.roughness is not None
+    asperities = shear.asperity_share if shear is not None and rough else None
+    by_skf = skf_model(solution, lubricant, friction, asperities)
     models = {
-        INTEGRATED: _integrated(solution, lubricant, friction, shear, speed),
+        INTEGRATED: _integrated(shear, by_skf[SKF]),
         **line_models(solution, contacts, mu, speed),
-        **skf_model(solution, lubricant, friction, asperities),
+        **by_skf,
         "palmgren": palmgren_model(solution, lubricant, friction),
         "yao": yao_model(solution, contacts, lubricant, friction, mu),
     }
@@ -113,8 +126,8 @@ def torque_breakdown(
         shear=shear,
         films=films,
         starved=starved,
-        for_supply=friction.supply is not None and not (friction.flooded or behind_layers),
         behind_layers=behind_layers,
+        inlet=None if shear is None else inlet,
     )
 
 
@@ -139,18 +152,14 @@ def model_torque(
     return models[name]() if name in models else line_models(solution, contacts, mu, speed)[name]
 
 
-def _integrated(
-    solution: QuasistaticSolution,
-    lubricant: Lubricant,
-    friction: FrictionInput,
-    shear: SolvedShear | None,
-    speed: float,
-) -> ModelTorque:
-    """Heat of the sheared films over the shaft's speed by its parts, cage and churning."""
+def _integrated(shear: SolvedShear | None, by_skf: ModelTorque) -> ModelTorque:
+    """Heat of the sheared films over the shaft's speed by its parts, with cage and drag of the
+    balls, and contact seals as SKF's model has them.
+    """
     if shear is None:
         return ModelTorque(note=NO_FILMS)
-    resistance = cage_and_drag(solution, lubricant, friction, speed)
-    return summed(shear.torque.parts | resistance, shear.note)
+    seal = by_skf.components.get("seal", 0.0)
+    return summed(shear.torque.parts | {"seal": seal}, shear.note)
 
 
 def _starved(

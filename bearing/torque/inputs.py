@@ -2,8 +2,10 @@
 
 from dataclasses import dataclass
 
+from ..friction.asperities import Asperities
 from ..friction.resistance import Cage
-from ..supply.supply import InletFilm, Supply
+from ..geometry import Bearing
+from ..supply.supply import InletFilm, Supply, cavity_volume, oil_fraction
 from . import skf
 
 
@@ -47,3 +49,24 @@ class FrictionInput:
     def film_friction(self) -> float:
         """mu_EHL [-]."""
         return skf.FULL_FILM_FRICTION[self.oil] if self.full_film is None else self.full_film
+
+    @property
+    def asperities(self) -> Asperities | None:
+        """What asperities that touch need [m], [-]; None without a roughness."""
+        if self.roughness is None:
+            return None
+        inner, outer = self.roughness
+        return Asperities(inner_roughness=inner, outer_roughness=outer, boundary=self.boundary)
+
+    def oil_share(self, bearing: Bearing) -> float | None:
+        """Share of the cavity of a bearing that oil fills [-]: by the flow, else as given; None:
+        without churning.
+        """
+        if isinstance(self.scarce, Supply) and bearing.width is not None:
+            return oil_fraction(self.scarce, cavity_volume(bearing))
+        return self.oil_fraction
+
+    @property
+    def scarce(self) -> Supply | InletFilm | None:
+        """The supply that the torque is wanted at [m^3/s], [m]; None where it is flooded."""
+        return None if self.flooded else self.supply

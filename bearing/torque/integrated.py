@@ -15,17 +15,17 @@ from dataclasses import replace
 import numpy as np
 
 from ehl.oil.rheology import Rheology
-from ehl.solution import ContactSolution
 
 from ..contacts.contact import BearingContact
 from ..contacts.motion import MotionMap, ball_speeds, motion_map
 from ..contacts.traction import ContactTraction, contact_traction
-from ..friction.balance import BalancedFriction, balance_driven_balls
+from ..friction.balance import BalancedFriction, balance_balls, balance_driven_balls
 from ..friction.cage import resisted_power
 from ..friction.coulomb import contact_ellipses, coulomb_dissipation
-from ..friction.films import Asperities, film_balance
+from ..friction.films import film_balance, film_law
 from ..friction.law import ContactLaw
 from ..friction.resistance import NO_RESISTANCE, Resistance
+from ..friction.running_films import RunningFilm, RunningFilms
 from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 from .shear_torque import (
@@ -51,39 +51,82 @@ NO_ASPERITIES = (
 def solved_shear(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: Sequence[ContactSolution | None],
+    films: RunningFilms,
     rheology: Rheology,
-    asperities: Asperities | None = None,
     resistance: Resistance = NO_RESISTANCE,
 ) -> SolvedShear:
-    """Torque [N m] of solved films under the hypothesis and in traction equilibrium; arguments as
-    in `film_balance`, films of all lubricated contacts.
+    """Torque [N m] of films under the hypothesis and in traction equilibrium, there flooded and
+    isothermal, too; arguments as in `film_balance`, films of all lubricated contacts.
     """
     pairs = [(c, film) for c, film in zip(contacts, films, strict=True) if film is not None]
-    shares = [0.0 if asperities is None else asperities.share(c, film) for c, film in pairs]
-    boundary = 0.0 if asperities is None else asperities.boundary
     loads = sum(c.load for c, _ in pairs)
-    mean = None
-    if asperities is not None and loads > 0.0:
-        mean = sum(s * c.load for s, (c, _) in zip(shares, pairs, strict=True)) / loads
-    assumed = tuple(contact_traction(solution, c, film, rheology) for c, film in pairs)
+    mean = sum(film.asperity_share * c.load for c, film in pairs) / loads if loads > 0.0 else 0.0
+    assumed = _tractions(solution, pairs, rheology)
     hypothesis = replace(
-        integrated_torque(solution, assumed, shares, boundary),
-        resisted=resisted_power(solution, resistance),
+        integrated_torque(solution, assumed, [film for _, film in pairs]),
+        resistance=resisted_power(solution, resistance),
     )
-    balance = film_balance(solution, contacts, films, rheology, asperities, resistance)
+    balance = film_balance(solution, contacts, films, rheology, resistance)
     if not balance.converged:
         note = no_balance_message(balance)
         return SolvedShear(
             hypothesis=hypothesis, asperity_share=mean, tractions=assumed, note=note
         )
-    motions = balance.motions
-    tractions = tuple(
-        contact_traction(solution, c, film, rheology, motions[c.ball - 1]) for c, film in pairs
-    )
-    torque = integrated_torque(solution, tractions, shares, boundary)
+    tractions = _tractions(solution, pairs, rheology, balance)
+    torque = integrated_torque(solution, tractions, [film for _, film in pairs])
     shear = _balanced_shear(solution, hypothesis, torque, balance)
-    return replace(shear, asperity_share=mean, tractions=tractions)
+    flooded = shear.balanced
+    if any(film.rolling_factor != 1.0 for _, film in pairs):
+        flooded = _flooded_torque(solution, contacts, films, rheology, resistance, balance)
+    return replace(shear, asperity_share=mean, tractions=tractions, flooded=flooded)
+
+
+def _tractions(
+    solution: QuasistaticSolution,
+    pairs: Sequence[tuple[BearingContact, RunningFilm]],
+    rheology: Rheology,
+    balance: BalancedFriction | None = None,
+) -> tuple[ContactTraction, ...]:
+    """Shear of films [N], [N m] on the nodes that balls are balanced on; without a balance at the
+    motion of the equilibrium.
+    """
+    return tuple(
+        contact_traction(
+            solution,
+            contact,
+            film.film,
+            rheology,
+            None if balance is None else balance.motions[contact.ball - 1],
+            film.rolling_moment,
+        )
+        for contact, film in pairs
+    )
+
+
+def _flooded_torque(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    films: RunningFilms,
+    rheology: Rheology,
+    resistance: Resistance,
+    near: BalancedFriction,
+) -> IntegratedTorque | None:
+    """With the whole rolling moment of flooded, isothermal films [N m], in its own balance, begun
+    at one nearby.
+    """
+    whole = [film and film.flooded() for film in films]
+    law = film_law(solution, contacts, whole, rheology)
+    balance = balance_balls(
+        solution, contacts, law, driven=near.driven, initial_guess=near, resistance=resistance
+    )
+    if not balance.converged:
+        balance = film_balance(solution, contacts, whole, rheology, resistance)
+    if not balance.converged:
+        return None
+    pairs = [(c, film) for c, film in zip(contacts, whole, strict=True) if film is not None]
+    tractions = _tractions(solution, pairs, rheology, balance)
+    torque = integrated_torque(solution, tractions, [film for _, film in pairs])
+    return replace(torque, resistance=balance.resisted)
 
 
 def law_torque(
@@ -91,16 +134,19 @@ def law_torque(
     contacts: Sequence[BearingContact],
     law: ContactLaw,
     resistance: Resistance = NO_RESISTANCE,
+    whole: ContactLaw | None = None,
 ) -> SolvedShear:
     """Torque [N m] by the friction of all contacts, inner then outer, ball by ball, under the
     hypothesis and in balance; the rings turn against each other.
+
+    whole: the law with the rolling moment of flooded, isothermal films, where it is another.
     """
     kinematics = motion_map(solution, contacts)
     motion = kinematics.motion(*ball_speeds(solution))
     forces = -law.evaluate(motion, np.arange(len(contacts))).gradient
     hypothesis = replace(
         _law_torque(solution, kinematics, law, motion, forces),
-        resisted=resisted_power(solution, resistance),
+        resistance=resisted_power(solution, resistance),
     )
     missing = {"rolling": NO_ROLLING_RESISTANCE, "asperity": NO_ASPERITIES}
     if law.has_rolling_resistance:
@@ -109,11 +155,26 @@ def law_torque(
     if not balance.converged:
         note = no_balance_message(balance)
         return SolvedShear(hypothesis=hypothesis, note=note, missing_components=missing)
+    torque = _balanced_law(solution, kinematics, law, balance)
+    shear = _balanced_shear(solution, hypothesis, torque, balance)
+    flooded = shear.balanced
+    if whole is not None:
+        other = balance_driven_balls(solution, contacts, whole, resistance)
+        flooded = _balanced_law(solution, kinematics, whole, other) if other.converged else None
+    return replace(shear, missing_components=missing, flooded=flooded)
+
+
+def _balanced_law(
+    solution: QuasistaticSolution,
+    kinematics: MotionMap,
+    law: ContactLaw,
+    balance: BalancedFriction,
+) -> IntegratedTorque:
+    """Torque of a law at the motion that balances it [N m]."""
     motion = balance.kinematics.reshape(-1, 4)
     forces = balance.forces.reshape(-1, 4)
     torque = _law_torque(solution, kinematics, law, motion, forces)
-    shear = _balanced_shear(solution, hypothesis, torque, balance)
-    return replace(shear, missing_components=missing)
+    return replace(torque, resistance=balance.resisted)
 
 
 def _balanced_shear(
@@ -123,7 +184,7 @@ def _balanced_shear(
     balance: BalancedFriction,
 ) -> SolvedShear:
     """Both torques, with what the drag takes from the balls in balance."""
-    balanced = replace(torque, resisted=balance.resisted)
+    balanced = replace(torque, resistance=balance.resisted)
     return SolvedShear(
         hypothesis=hypothesis,
         balanced=balanced,
@@ -154,16 +215,15 @@ def _law_torque(
 def integrated_torque(
     solution: QuasistaticSolution,
     tractions: Sequence[ContactTraction],
-    shares: Sequence[float] | None = None,
-    boundary: float = 0.0,
+    films: Sequence[RunningFilm],
 ) -> IntegratedTorque:
-    """Torque [N m] of the shear of all lubricated contacts at the motion of their tractions.
-
-    `shares`: part of each contact's load on asperities [-], the oil's sliding stress counts for
-    the rest; `boundary`: friction of the asperities, mu_b [-].
+    """Torque [N m] of the shear of all lubricated contacts at the motion of their tractions, and
+    of the asperities of their films; the oil's sliding stress counts for the rest of the load.
     """
-    pairs = zip(tractions, shares or [0.0] * len(tractions), strict=True)
-    rows = [_film_powers(solution, traction, share, boundary) for traction, share in pairs]
+    rows = [
+        _film_powers(solution, traction, film)
+        for traction, film in zip(tractions, films, strict=True)
+    ]
     powers = np.array([power for power, _ in rows]).reshape(-1, 5)
     forces = np.array([force for _, force in rows]).reshape(-1, 4)
     kinematics = motion_map(solution, [traction.contact for traction in tractions])
@@ -171,7 +231,7 @@ def integrated_torque(
 
 
 def _film_powers(
-    solution: QuasistaticSolution, traction: ContactTraction, share: float, boundary: float
+    solution: QuasistaticSolution, traction: ContactTraction, film: RunningFilm
 ) -> tuple[Array, Array]:
     """Powers (5,) [W] of pumping, sliding, spin, curvature and asperities, and all forces (4,) on
     the ball [N], [N m].
@@ -180,8 +240,9 @@ def _film_powers(
     r = traction.result
     motion = np.array([k.sliding_x, k.sliding_y, k.spin, k.rolling])
     shear = np.array([r.sliding_force_x, r.sliding_force_y, r.spin_moment, r.curvature_moment])
+    share = film.asperity_share
     force = (1.0 - share) * shear
-    asperity = _asperity_force(solution, traction.contact, motion, share * boundary)
+    asperity = _asperity_force(solution, traction.contact, motion, share * film.boundary)
     pumped = np.array([0.5 * k.curvature_difference, 0.0, 0.0, 1.0]) * r.hydrodynamic_moment
     slide = -force[:2] @ motion[:2]
     rubbed = -asperity @ motion
@@ -221,4 +282,5 @@ def _torque_of_powers(
         shaft_power=float(sums[5]),
         heat=float(sums[:5].sum()),
         per_ball=per_ball.astype(np.float64),
+        speed=speed,
     )

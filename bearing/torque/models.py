@@ -26,6 +26,7 @@ from ..quasistatic.solution import QuasistaticSolution
 from ..rating.load_rating import dynamic_rating, static_equivalent_load, static_rating
 from ..shoulder_diameter import shoulder_diameter
 from . import palmgren, skf, sliding
+from .inlet import bearing_kind, mean_diameter
 from .inputs import FrictionInput
 
 ROUND_OFF = 1.0e-8  # of one load over the other below which there is none [-]
@@ -50,13 +51,6 @@ def summed(components: dict[str, float], note: str = "") -> ModelTorque:
     return ModelTorque(components=components, total=sum(components.values()), note=note)
 
 
-def mean_diameter(bearing: Bearing) -> float:
-    """(d + D)/2 where both are known, else the pitch diameter [m]."""
-    if bearing.bore is None or bearing.outside_diameter is None:
-        return bearing.pitch_diameter
-    return 0.5 * (bearing.bore + bearing.outside_diameter)
-
-
 def coulomb_coefficient(
     solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput
 ) -> float:
@@ -69,10 +63,6 @@ def coulomb_coefficient(
     mean = mean_diameter(solution.bearing)
     viscosity = lubricant.viscosity / lubricant.density
     return skf.sliding_friction(speed, viscosity, mean, friction.film_friction, friction.boundary)
-
-
-def _kind(bearing: Bearing) -> skf.Series:
-    return skf.Series.ANGULAR_CONTACT if bearing.angular_contact else skf.Series.DEEP_GROOVE
 
 
 def ring_loads(solution: QuasistaticSolution) -> tuple[float, float]:
@@ -225,7 +215,7 @@ def _skf_inputs(
     if friction.series is None or bearing.bore is None or bearing.outside_diameter is None:
         return "needs bearing.skf_series, bore_mm and outside_diameter_mm"
     radial, axial = ring_loads(solution)
-    kind = _kind(bearing)
+    kind = bearing_kind(bearing)
     try:
         constants = skf.skf_constants(kind, friction.series)
     except ValueError as error:
@@ -324,7 +314,7 @@ def palmgren_model(
     solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput
 ) -> ModelTorque:
     """Palmgren's model."""
-    kind = _kind(solution.bearing).value.replace("_", " ")
+    kind = bearing_kind(solution.bearing).value.replace("_", " ")
     radial, axial = ring_loads(solution)
     factor = friction.load_factor
     if factor is None:

@@ -7,7 +7,7 @@ give, and what twice the layer adds, at the same motion.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ehl.solution import ContactSolution
 from ehl.traction.rolling_moment import RollingMoment, rolling_moment
@@ -26,6 +26,11 @@ class RollingExtent:
     doubling: float  # what twice the layer adds [N m]
     layer: float  # of oil at the inlets, as wide as the gap at the meniscus [m]
     notes: tuple[str, ...] = ()  # contacts whose oil ends elsewhere, or does not flood them
+
+    def scaled(self, factor: float) -> "RollingExtent":
+        """The same of what inlet heating and replenishment leave of the moments [-]."""
+        names = ("within_extent", "uncertainty", "box", "doubling")
+        return replace(self, **{name: factor * getattr(self, name) for name in names})
 
 
 def rolling_moments(

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..contacts.traction import ContactTraction
 from ..friction.balance import BalancedFriction
+from ..friction.resistance import NOTHING_RESISTED, ResistedPower
 from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 
@@ -33,9 +34,9 @@ class IntegratedTorque:
     # of asperities that touch [N m]; the oil's shear is then the rest. None where the friction has
     # no share of them
     asperity: float | None = 0.0
-    # what the balls give to the oil around them and to the cage's land where these are in the
-    # balance [W]
-    resisted: float = 0.0
+    # what goes into the oil around the balls, their pockets and the cage's land [W]
+    resistance: ResistedPower = NOTHING_RESISTED
+    speed: float = 0.0  # of the rings against each other [rad/s]
 
     @property
     def total(self) -> float:
@@ -43,16 +44,46 @@ class IntegratedTorque:
         return sum(self.parts.values())
 
     @property
-    def parts(self) -> dict[str, float]:
-        """Those of the five that the friction distinguishes, by name [N m]."""
+    def contacts(self) -> dict[str, float]:
+        """Parts of the contacts that the friction distinguishes, by name [N m]."""
         names = ("rolling", "sliding", "spin", "curvature", "asperity")
         return {name: getattr(self, name) for name in names if getattr(self, name) is not None}
+
+    @property
+    def parts(self) -> dict[str, float]:
+        """Those of the contacts, cage with its pockets, and drag of the balls [N m]."""
+        if self.speed == 0.0:
+            return self.contacts
+        cage = self.cage_power / self.speed
+        return {**self.contacts, "cage": cage, "drag": self.resistance.drag / self.speed}
+
+    @property
+    def cage_power(self) -> float:
+        """Heat of the cage's land and pockets [W]."""
+        return self.resistance.land + self.resistance.pocket
+
+    @property
+    def rings_power(self) -> float:
+        """What the rings feed into contacts and the cage's land [W]."""
+        return self.shaft_power + self.resistance.guiding
+
+    @property
+    def resisted(self) -> float:
+        """What the balls give beside the contacts [W]."""
+        return self.resistance.of_balls
 
     @property
     def imbalance(self) -> float:
         """Rings' power less heat and drag, over the heat [-]; it speeds up the balls."""
         left = self.shaft_power - self.heat - self.resisted
         return left / self.heat if self.heat > 0.0 else 0.0
+
+    @property
+    def relative_error(self) -> float:
+        """Torque times speed less what the rings feed in, over the larger, magnitude [-]."""
+        spent = self.total * abs(self.speed)
+        largest = max(abs(spent), abs(self.rings_power))
+        return abs(spent - self.rings_power) / largest if largest > 0.0 else 0.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -64,6 +95,8 @@ class SolvedShear:
     hypothesis: IntegratedTorque  # at the motion that the equilibrium of the loads assumed
     # in traction equilibrium; None where it was not sought or not found
     balanced: IntegratedTorque | None = None
+    # of the same films, flooded and isothermal, in traction equilibrium; None as `balanced`
+    flooded: IntegratedTorque | None = None
     # part of the sum of all loads on asperities [-]; None without roughness
     asperity_share: float | None = None
     # numbers of balls, from 1, loaded at the inner race, which cannot drive them, so that the cage
@@ -71,6 +104,9 @@ class SolvedShear:
     cage_driven: tuple[int, ...] = ()
     # of every contact with a film, at the motion of `torque`
     tractions: tuple[ContactTraction, ...] = ()
+    # contacts of all lubricated ones whose film is that of a formula [-]
+    by_formula: int = 0
+    lubricated: int = 0
     note: str = ""  # why there is no balanced one, or why it does not count as one
     # why parts of the torque are None, by name
     missing_components: dict[str, str] = field(default_factory=dict)

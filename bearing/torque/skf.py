@@ -171,9 +171,13 @@ def skf_torque(bearing: SkfBearing, operation: SkfOperation) -> SkfTorque:
     n = abs(operation.speed) / RPM
     nu = from_si("viscosity_mm2_s", operation.viscosity)
     rolling, sliding = _load_factors(bearing, operation, mean, n)
-    inlet = 1.0 / (1.0 + 1.84e-9 * (n * mean) ** 1.28 * nu**0.64)
-    slenderness = sqrt(bearing.constants.geometry / (2.0 * (outside - d)))
-    replenished = exp(-STARVATION[operation.lubrication] * nu * n * (d + outside) * slenderness)
+    inlet = inlet_shear_factor(operation.speed, operation.viscosity, mean * MILLIMETRE)
+    replenished = replenishment_factor(
+        bearing.constants.geometry,
+        operation.lubrication,
+        operation.speed * operation.viscosity,
+        (bearing.bore, bearing.outside_diameter),
+    )
     film = operation.full_film_friction
     if film is None:
         film = FULL_FILM_FRICTION[operation.oil]
@@ -193,6 +197,35 @@ def skf_torque(bearing: SkfBearing, operation: SkfOperation) -> SkfTorque:
         replenishment_factor=replenished,
         friction_coefficient=friction,
     )
+
+
+def inlet_shear_factor(speed: float, viscosity: float, mean_diameter: float) -> float:
+    """phi_ish = 1/(1 + 1.84e-9 (n d_m)^1.28 nu^0.64), what the heat of the shear in the inlets
+    leaves of the rolling moment [-]; [rad/s], [m^2/s], [m].
+    """
+    path = abs(speed) / RPM * mean_diameter / MILLIMETRE
+    nu = from_si("viscosity_mm2_s", viscosity)
+    return float(1.0 / (1.0 + 1.84e-9 * path**1.28 * nu**0.64))
+
+
+def replenishment_factor(
+    geometry: float, lubrication: Lubrication, product: float, diameters: tuple[float, float]
+) -> float:
+    """phi_rs = exp(-K_rs nu n (d + D) sqrt(K_Z/(2 (D - d)))), what displaced oil that is not yet
+    back leaves of the rolling moment [-].
+
+    geometry: K_Z [-]; product: of speed and kinematic viscosity [m^2/s^2]; diameters: bore and
+    outside diameter [m].
+    """
+    bore, outside = (diameter / MILLIMETRE for diameter in diameters)
+    slenderness = sqrt(geometry / (2.0 * (outside - bore)))
+    rate = from_si("viscosity_mm2_s", abs(product) / RPM)
+    return exp(-STARVATION[lubrication] * rate * (bore + outside) * slenderness)
+
+
+def geometry_factor(kind: Series) -> float:
+    """K_Z of a kind of bearing [-]."""
+    return float(library_data(DATA)[kind.value]["K_Z"])
 
 
 def boundary_share(speed: float, viscosity: float, mean_diameter: float) -> float:

@@ -17,6 +17,7 @@ from bearing.operation import BallKinematics, Operation, QuasistaticModel, Ratin
 from bearing.rating.load_rating import capacity
 from bearing.rows import Row
 from bearing.supply.supply import Supply
+from bearing.torque.inlet import NO_LOSS, InletFactors, inlet_factors
 from bearing.torque.inputs import FrictionInput
 from ehl import ContactConditions, InletLayer, Lubricant, MoesConditions, SolverOptions
 from ehl.oil.rheology import Rheology
@@ -66,6 +67,7 @@ class Case(AnyCase):
     film_maps: str | tuple[float, ...]  # "all", "loaded", "none", or azimuths of balls [rad]
     file: BearingFile  # the tables as checked, in the units of the file
     friction: FrictionInput | None = None  # what the friction torque models need
+    inlet: InletFactors = NO_LOSS  # of the rolling moment of its films [-]
     heating: HeatingInput | None = None  # the heat balance, where the case has one
     rating: RatingInput | None = None  # what the rating life needs beyond the loads
     # where fits or temperatures change it; `bearing` has the operating one
@@ -172,10 +174,8 @@ def _bearing_case(file: BearingFile) -> Case:
     bodies = (bearing.ball_material, bearing.inner_ring_material)
     films = case_films(file.ehl, rheology(oil, fluid), bodies)
     torque = _friction(file, delivered)
-    balanced = assumptions.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
-    traction = None
-    if balanced or file.friction.traction is not None:
-        traction = ball_traction(file.friction, torque, bearing, fluid, films)
+    inlet = _inlet(file, bearing, fluid, torque)
+    source = (file.friction, torque, bearing, fluid, films, inlet)
     return Case(
         **_common(file, films),
         document=_bearing_document(file, fluid, library, assumptions),
@@ -183,17 +183,24 @@ def _bearing_case(file: BearingFile) -> Case:
         lubricant=fluid,
         operation=at,
         model=assumptions,
-        traction=traction,
+        traction=ball_traction(*source) if _has_traction(file, assumptions) else None,
         film_maps=_film_maps(file),
         file=file,
         rating=rated,
         friction=torque,
+        inlet=inlet,
         heating=fits.heating(file.friction, file.temperatures, oil, fluid, delivered, seats),
         clearance=clearance,
         seats=fits.seats_of(seats, file.temperatures),
         rows=rows(file.rows, delivered, assumptions, lambda: capacity(delivered, rated)),
         inlet_layer=_inlet_layer(file, torque),
     )
+
+
+def _has_traction(file: BearingFile, assumptions: QuasistaticModel) -> bool:
+    """Whether the motion of the balls, or the case by name, takes friction of balls on races."""
+    balanced = assumptions.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
+    return balanced or file.friction.traction is not None
 
 
 def _film_maps(file: BearingFile) -> str | tuple[float, ...]:
@@ -218,6 +225,22 @@ def _friction(file: BearingFile, delivered: Bearing) -> FrictionInput:
         cage_friction(file.cage),
         file.surface,
         angular=delivered.angular_contact,
+    )
+
+
+def _inlet(
+    file: BearingFile, bearing: Bearing, oil: Lubricant, friction: FrictionInput
+) -> InletFactors:
+    """What inlet heating and replenishment leave of the rolling moment [-]."""
+    speed = abs(operation(file.operation).shaft_speed)
+    supplied = friction.supply is not None and not friction.flooded
+    return inlet_factors(
+        bearing,
+        speed,
+        oil.viscosity / oil.density,
+        friction.lubrication,
+        heated=contacts.FilmModel(file.ehl.film_model) is contacts.FilmModel.THERMAL,
+        layered=supplied or _inlet_layer(file, friction) is not None,
     )
 
 

@@ -6,7 +6,6 @@ from math import isclose
 from pathlib import Path
 from typing import Any
 
-from bearing.friction.films import Asperities
 from bearing.friction.law import BallTraction, TractionLaw
 from bearing.friction.race_tables import Solids, Tables
 from bearing.friction.resistance import resistance_of
@@ -18,6 +17,7 @@ from bearing.friction.sources import (
 )
 from bearing.friction.table_files import load_tables
 from bearing.geometry import Bearing, contact_modulus, reduced_radii
+from bearing.torque.inlet import InletFactors
 from bearing.torque.inputs import FrictionInput
 from ehl import Lubricant
 from ehl.oil.rheology import Rheology
@@ -40,13 +40,16 @@ def ball_traction(
     bearing: Bearing,
     oil: Lubricant,
     films: CaseFilms,
+    inlet: InletFactors,
 ) -> BallTraction:
     """Friction of balls on races and drag on the balls, SI; `UnfitKey` if the file of a table
     cannot be read, or is of another bearing or oil.
     """
-    share = friction.oil_fraction
+    share = friction.oil_share(bearing)
     resistance = resistance_of(friction.cage, bearing, oil.viscosity, oil.density, share)
     source = _law(table, bearing, oil, films.films) or _films(friction, films)
+    if isinstance(source, LawTraction | FilmTraction):
+        source = replace(source, rolling_factor=inlet.rolling)
     return BallTraction(source=source, lubricant=oil, resistance=resistance)
 
 
@@ -82,16 +85,10 @@ def _films(friction: FrictionInput, films: CaseFilms) -> FilmTraction:
     """Films on a coarser grid than those of the results."""
     points = min(films.options.most_points, FILM_POINTS)
     options = replace(films.options, points=points, tolerance=None)
-    asperities = None
-    if friction.roughness is not None:
-        inner, outer = friction.roughness
-        asperities = Asperities(
-            inner_roughness=inner, outer_roughness=outer, boundary=friction.boundary
-        )
     rheology = films.films.rheology
     assert rheology is not None  # of every bearing case
     solve = replace(films, options=options)
-    return FilmTraction(solve=solve, rheology=rheology, asperities=asperities)
+    return FilmTraction(solve=solve, rheology=rheology, asperities=friction.asperities)
 
 
 SAME_RTOL = 1.0e-6  # relative difference up to which a table is for this bearing [-]

@@ -10,9 +10,7 @@ from bearing.contacts.contact import BearingContact
 from bearing.contacts.contacts import contact_conditions
 from bearing.contacts.finite_bodies import FiniteBodies, finite_bodies, with_finite_bodies
 from bearing.contacts.traction import ContactTraction, contact_traction
-from bearing.friction.films import Asperities
-from bearing.friction.resistance import NO_RESISTANCE
-from bearing.friction.sources import FilmTraction
+from bearing.friction.sources import FilmTraction, LawTraction
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.frequencies import bearing_frequencies
 from bearing.rating.life import bearing_life
@@ -20,7 +18,8 @@ from bearing.supply.decay import film_decay
 from bearing.supply.starved_films import starved_films
 from bearing.supply.supply import AMPLE
 from bearing.torque.breakdown import TorqueBreakdown, torque_breakdown
-from bearing.torque.integrated import law_torque, solved_shear
+from bearing.torque.films_torque import films_torque
+from bearing.torque.integrated import law_torque
 from bearing.torque.shear_torque import SolvedShear
 from bearing.torque.supply_band import supply_band
 from ehl import ContactSolution
@@ -241,7 +240,13 @@ def _torque(
     if state.operation.inner_speed != state.operation.outer_speed:
         shear = _law_shear(case, state, contacts) or _film_shear(case, state, contacts, solutions)
     return torque_breakdown(
-        state, contacts, case.lubricant, case.friction, shear=shear, solutions=solutions
+        state,
+        contacts,
+        case.lubricant,
+        case.friction,
+        shear=shear,
+        solutions=solutions,
+        inlet=case.inlet,
     )
 
 
@@ -252,8 +257,12 @@ def _law_shear(
     traction = case.traction
     if traction is None or isinstance(traction.source, FilmTraction):
         return None
-    law = traction.source.at(state, contacts)
-    return law_torque(state, contacts, law, traction.resistance)
+    source = traction.source
+    whole = None
+    if isinstance(source, LawTraction):
+        whole = replace(source, rolling_factor=1.0).at(state, contacts)
+    law = source.at(state, contacts)
+    return law_torque(state, contacts, law, traction.resistance, whole)
 
 
 def _film_shear(
@@ -262,16 +271,9 @@ def _film_shear(
     contacts: Sequence[BearingContact],
     solutions: Sequence[ContactSolution | None],
 ) -> SolvedShear | None:
-    """Torque by the shear of the films; None unless those of all lubricated contacts converged."""
-    solved = [film is not None and film.converged for film in solutions]
-    complete = all(solved[i] for i, contact in enumerate(contacts) if contact.loaded)
-    if not (complete and any(solved)) or case.rheology is None or case.friction is None:
+    """Torque by the shear of the films, of formulas where none converged."""
+    if case.rheology is None or case.friction is None:
         return None
-    asperities = None
-    if case.friction.roughness is not None:
-        inner, outer = case.friction.roughness
-        asperities = Asperities(
-            inner_roughness=inner, outer_roughness=outer, boundary=case.friction.boundary
-        )
-    resistance = NO_RESISTANCE if case.traction is None else case.traction.resistance
-    return solved_shear(state, contacts, solutions, case.rheology, asperities, resistance)
+    return films_torque(
+        state, contacts, solutions, case.friction, case.inlet, case.rheology, case.lubricant
+    )

@@ -9,6 +9,7 @@ from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.duty_cycle import DutyCycle, LoadCase, duty_cycle
 from bearing.rating.life import bearing_life
 from bearing.torque.breakdown import torque_breakdown
+from bearing.torque.films_torque import films_torque
 
 from ..format.case import Case, LoadCaseInput
 from .equilibrium import case_equilibrium, without_traction_equilibrium
@@ -24,7 +25,8 @@ HALF_AND_HALF = (
 def solve_load_cases(case: Case, notify: Progress) -> DutyCycle | None:
     """Life, torque and energy over the duty cycle of a case; None where it has none.
 
-    Every state has its own equilibrium, clearance and oil; the torque is that without films.
+    Every state has its own equilibrium, clearance and oil; its torque is that of films of
+    formulas.
     """
     if not case.load_cases:
         return None
@@ -65,10 +67,14 @@ def _load_case(state: LoadCaseInput) -> LoadCase:
 def _torque(
     case: Case, solution: QuasistaticSolution, contacts: tuple[BearingContact, ...]
 ) -> tuple[float | None, str | None]:
-    """Friction torque without films [N m], and its model."""
+    """Friction torque with films of formulas [N m], and its model."""
     if case.friction is None or not solution.converged:
         return None, None
     if not solution.operation.shaft_speed:
         return 0.0, None
-    found = torque_breakdown(solution, contacts, case.lubricant, case.friction)
+    shear = None
+    if case.rheology is not None:
+        arguments = (case.friction, case.inlet, case.rheology, case.lubricant)
+        shear = films_torque(solution, contacts, (None,) * len(contacts), *arguments)
+    found = torque_breakdown(solution, contacts, case.lubricant, case.friction, shear=shear)
     return found.total, found.chosen

@@ -210,6 +210,10 @@ POWER_BALANCE = quantities(
     ("shaft_W", "power of the rings", "torque.shaft_power"),
     ("heat_W", "heat of the contacts", "torque.heat"),
     ("resisted_W", "power against resistances", "torque.resisted"),
+    ("cage_W", "heat of cage and pockets", "torque.cage_power"),
+    ("drag_W", "power into the oil around the balls", "torque.resistance.drag"),
+    ("rings_W", "power of the rings with the cage's land", "torque.rings_power"),
+    ("relative_error", "torque times speed against the rings' power", "torque.relative_error"),
     ("imbalance", "", "torque.imbalance"),
     ("traction_equilibrium", "", "closed"),
     ("hypothesis_torque_N_mm", "torque under the hypothesis", "hypothesis.total"),
@@ -233,7 +237,8 @@ class TorqueModel(NamedTuple):
 AS_PRINTED = "skf_as_printed"  # only where a case asks for it
 TORQUE_MODELS = {
     "integrated": TorqueModel(
-        "integrated films", ("rolling", "sliding", "spin", "curvature", "asperity", "cage", "drag")
+        "integrated films",
+        ("rolling", "sliding", "spin", "curvature", "asperity", "cage", "drag", "seal"),
     ),
     "pure_rolling_lines": TorqueModel("pure rolling lines", ("spin", "rotation", "orbit")),
     "skf": TorqueModel("SKF", ("rolling", "sliding", "seal", "drag")),

@@ -7,7 +7,6 @@ from math import isfinite
 from typing import Any
 
 from bearing.supply.starved_films import StarvedFilm, of_driven_balls
-from bearing.torque.breakdown import TorqueBreakdown
 
 from ..netcdf.groups import Group, Variables
 from ..quantities import values_of
@@ -69,7 +68,7 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
         return
     yield (
         f"supply: {kind}; starved are starved_film_... of the contacts (flooded films "
-        f"{_origin(films)}), supply, and the torque model starved{_total_text(torque)}; film_..., "
+        f"{_origin(films)}), supply, the torque model starved{_total_text(results)}; film_..., "
         "lambda_ratio, maps and the other torque models are flooded"
     )
     if len(films) < len(torque.films):
@@ -129,12 +128,12 @@ def _origin(films: list[StarvedFilm]) -> str:
     return f"solved for {solved}, else formulas" if solved else "of formulas"
 
 
-def _total_text(torque: TorqueBreakdown) -> str:
-    if torque.chosen == "starved":
-        return ", which is the total"
-    if not torque.for_supply:
+def _total_text(results: BearingResults) -> str:
+    if results.case.get("lubricant", {}).get("supply") == "flooded":
         return " (lubricant.supply keeps the total flooded)"
-    return " (null, so the total is flooded)"
+    if results.torque is not None and results.torque.chosen == "integrated":
+        return " and the total, whose films and rolling moments are those at the supply"
+    return ""
 
 
 def decay_block(results: BearingResults) -> dict[str, Any]:

@@ -51,9 +51,14 @@ def torque_block(results: BearingResults) -> dict[str, Any]:
     shear = None if torque is None else torque.shear
     hypothesis = None if shear is None else results.quasistatic.model.ball_kinematics.value
     extent = _extent(results)
+    inlet = None if torque is None else torque.inlet
     return {
         "total": TORQUE.value(torque),
         "model": None if torque is None else torque.chosen,
+        "flooded_isothermal": None if torque is None else _flooded(torque),
+        "parts": _parts(torque),
+        "inlet_shear_heating_factor": None if inlet is None else inlet.shear_heating,
+        "replenishment_factor": None if inlet is None else inlet.replenishment,
         "coulomb_coefficient": None if torque is None else torque.coefficient,
         "models": {name: _model(torque, name) for name in shown_models(results)},
         "power_balance": {**values_of(shear, POWER_BALANCE), "hypothesis": hypothesis},
@@ -63,6 +68,19 @@ def torque_block(results: BearingResults) -> dict[str, Any]:
             "layer_um": None if extent is None else from_si("layer_um", extent.layer),
         },
     }
+
+
+def _flooded(torque: TorqueBreakdown) -> float | None:
+    flooded = torque.flooded_isothermal
+    return None if flooded is None else TORQUE.in_unit(flooded)
+
+
+def _parts(torque: TorqueBreakdown | None) -> dict[str, float | None] | None:
+    """Components of the total [N mm]; None without one."""
+    if torque is None or torque.chosen is None:
+        return None
+    parts = _model(torque, torque.chosen)
+    return {name: value for name, value in parts.items() if name != "total"}
 
 
 def _model(torque: TorqueBreakdown | None, name: str) -> dict[str, float | None]:
@@ -95,18 +113,14 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
         yield "torque_N_mm.total: null, neither the integrated model nor SKF's applies"
     else:
         yield f"torque_N_mm.total: the {_total_text(results, torque)}"
+        yield from _inlet_messages(torque)
         yield from _seal_message(torque)
 
 
 def _total_text(results: BearingResults, torque: TorqueBreakdown) -> str:
     """What the total is, and what is null beside it."""
     if torque.chosen == "integrated" and torque.shear is not None:
-        return f"integrated model{_balance_text(results, torque.shear)}"
-    if torque.chosen == "starved":
-        flooded = None if torque.starved is None else TORQUE.in_unit(torque.starved.flooded)
-        ample = "" if flooded is None else f", {flooded:.4g} N mm if flooded"
-        others = "null without films" if torque.shear is None else "those of flooded films"
-        return f"model starved, at the supply{ample}; power_balance and per_ball_N_mm {others}"
+        return f"integrated model{_films_text(torque.shear)}{_balance_text(results, torque.shear)}"
     text = f"model {torque.chosen}; power_balance and per_ball_N_mm null without films"
     maps = results.case.get("ehl", {}).get("film_maps")
     if maps == "all":
@@ -116,13 +130,37 @@ def _total_text(results: BearingResults, torque: TorqueBreakdown) -> str:
     )
 
 
+def _films_text(shear: SolvedShear) -> str:
+    """Where films of formulas stand in for solved ones."""
+    if not shear.by_formula:
+        return ""
+    return (
+        f", films of formulas at {shear.by_formula} of {shear.lubricated} contacts (central film "
+        "to 20 %, rolling moment to 10 % above M = 300 and 33 % at M = 50)"
+    )
+
+
+def _inlet_messages(torque: TorqueBreakdown) -> Iterator[str]:
+    """What is left of the rolling moment, and the bound without that."""
+    inlet = torque.inlet
+    if torque.chosen != "integrated" or inlet is None:
+        return
+    flooded = TORQUE.in_unit(torque.flooded_isothermal)
+    bound = "no balance of its own" if flooded is None else f"{flooded:.4g} N mm"
+    yield (
+        f"torque_N_mm.total: of the rolling moment inlet heating leaves {inlet.shear_heating:.3g} "
+        f"({inlet.heating_source}), replenishment {inlet.replenishment:.3g} "
+        f"({inlet.replenishment_source}); flooded_isothermal, without both, {bound}"
+    )
+
+
 def _seal_message(torque: TorqueBreakdown) -> Iterator[str]:
     """The torque of contact seals, which SKF's model alone has."""
     seal = torque.models["skf"].components.get("seal")
     if seal and torque.chosen != "skf":
         yield (
-            f"torque_N_mm.total: without the contact seals, {TORQUE.in_unit(seal):.3g} N mm more "
-            "by SKF's model"
+            f"torque_N_mm.total: with the contact seals, {TORQUE.in_unit(seal):.3g} N mm by SKF's "
+            "model"
         )
 
 
@@ -168,7 +206,7 @@ def rolling_messages(results: BearingResults) -> Iterator[str]:
     if extent is None:
         yield (
             "torque_N_mm.rolling_extent: null, there is no integrated torque, or it is not of "
-            "solved films"
+            "solved films alone"
         )
         return
     yield from (f"torque_N_mm.rolling_extent: {note}" for note in extent.notes)
@@ -187,8 +225,9 @@ def rolling_messages(results: BearingResults) -> Iterator[str]:
         )
         yield (
             f"torque_N_mm: the rolling part, {within} N mm with an uncertainty of {uncertainty}, "
-            f"is that of flooded contacts with a layer of {layer:g} um at their inlets "
-            f"(lubricant.flooded_layer_um); twice the layer adds {doubling}, the boxes of the "
+            "is what inlet heating and replenishment leave of that of contacts with a layer of "
+            f"{layer:g} um at their inlets (lubricant.flooded_layer_um); twice the layer adds "
+            f"{doubling}, the boxes of the "
             f"films alone have {box}"
         )
 
@@ -197,4 +236,10 @@ def _extent(results: BearingResults) -> RollingExtent | None:
     torque = results.torque
     if torque is None or torque.shear is None or not torque.shear.tractions:
         return None
-    return rolling_extent(results.quasistatic, results.tractions, results.solutions)
+    rolling = torque.shear.torque.rolling
+    if torque.shear.by_formula or rolling is None:
+        return None
+    extent = rolling_extent(results.quasistatic, results.tractions, results.solutions)
+    if extent is None or extent.within_extent == 0.0:
+        return extent
+    return extent.scaled(rolling / extent.within_extent)

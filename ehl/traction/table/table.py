@@ -16,7 +16,7 @@ splines, too. The mirror image in y halves the table: with slide_y and spin reve
 are. All are cubic B-splines.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from math import inf, isfinite, log
 
@@ -192,6 +192,14 @@ class TractionTable:
         flag = _kernels.table_lookup(*self.kernel_arguments(), *motion, out)
         outside = tuple(name for bit, name in enumerate(FLAGS) if flag >> bit & 1)
         return TractionForces._make((*map(float, out), outside))
+
+    def with_rolling(self, factor: float) -> "TractionTable":
+        """The table with a share of its hydrodynamic moment [-]: a shift of its logarithm."""
+        if factor == 1.0:
+            return self
+        scalars = self.scalars.copy()
+        scalars[..., _kernels.HYDRODYNAMIC] += log(factor)
+        return replace(self, scalars=scalars)
 
     def largest(self, load: float, speed: float) -> Array:
         """Largest force [N] and moments about n, y [N m] by sliding at load [N], speed [m/s]."""

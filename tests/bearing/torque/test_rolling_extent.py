@@ -11,6 +11,7 @@ from numpy.testing import assert_allclose
 from bearing import Operation, contact_conditions, solve_quasistatic
 from bearing.contacts.traction import contact_traction
 from bearing.friction.films import film_law
+from bearing.friction.running_films import running_films
 from bearing.torque.integrated import integrated_torque
 from bearing.torque.rolling_extent import rolling_extent, rolling_moments
 from ehl import Lubricant, SolverOptions, solve_contact
@@ -43,12 +44,14 @@ def test_integrated_torque_has_the_oil_up_to_its_meniscus(rolling):
     state, tractions, films = rolling
     found = rolling_extent(state, tractions, films)
     known = [traction for traction in tractions if traction is not None]
-    assert found.within_extent == pytest.approx(integrated_torque(state, known).rolling, rel=1e-9)
+    contacts = [c for c in contact_conditions(state, OIL) if c.ball in (1, 4)]
+    running = [film for film in running_films(contacts, films) if film]
+    assert found.within_extent == pytest.approx(integrated_torque(state, known, running).rolling, rel=1e-9)
     boxes = [
         replace(t, result=integrate_traction(film, t.kinematics, Rheology()))
         for t, film in zip(known, [film for film in films if film], strict=True)
     ]
-    assert found.box == pytest.approx(integrated_torque(state, boxes).rolling, rel=1e-9)
+    assert found.box == pytest.approx(integrated_torque(state, boxes, running).rolling, rel=1e-9)
     assert abs(found.box - found.within_extent) > 0.03 * found.box
     assert found.layer == FLOODED_LAYER
     assert 0.0 < found.uncertainty < 0.3 * found.within_extent  # 65 points
@@ -68,7 +71,7 @@ def test_balls_balance_with_the_moment_of_the_torque(rolling, bearings):
     """A film law pulls with the same rolling moment as the traction of its contact."""
     state, tractions, films = rolling
     contacts = [c for c in contact_conditions(state, OIL) if c.ball in (1, 4)]
-    law = film_law(state, contacts, films, Rheology())
+    law = film_law(state, contacts, running_films(contacts, films), Rheology())
     for n, traction in enumerate(tractions):
         if traction is not None:
             k = traction.kinematics
@@ -110,7 +113,7 @@ def test_balance_and_torque_sum_the_same_nodes(rolling, monkeypatch):
         monkeypatch.setattr(f"{module}.TRACTION_POINTS", 33)
     state, _, films = rolling
     contacts = [c for c in contact_conditions(state, OIL) if c.ball in (1, 4)]
-    law = film_law(state, contacts, films, Rheology())
+    law = film_law(state, contacts, running_films(contacts, films), Rheology())
     for number, (contact, film) in enumerate(zip(contacts, films, strict=True)):
         if film is None:
             continue

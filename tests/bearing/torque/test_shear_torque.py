@@ -12,8 +12,10 @@ from numpy.testing import assert_allclose
 from bearing import Operation, contact_conditions, solve_quasistatic
 from bearing.friction import balance as balancing
 from bearing.friction import cage
-from bearing.friction.films import COARSE_SHARE_LEFT_OUT, Asperities, film_balance, film_law
+from bearing.friction.asperities import Asperities
+from bearing.friction.films import COARSE_SHARE_LEFT_OUT, film_balance, film_law
 from bearing.friction.resistance import NO_RESISTANCE, Cage, resistance_of
+from bearing.friction.running_films import running_films
 from bearing.torque.integrated import solved_shear
 from bearing.torque.shear_torque import POWER_TOLERANCE, SolvedShear
 from ehl import Lubricant, SolverOptions, solve_contact
@@ -40,20 +42,26 @@ def light(bearings):
     state = solve_quasistatic(bearings.b6208, Operation(inner_speed=10000.0 * bearings.rpm, force=(0.0, 400.0, 0.0)))
     contacts = contact_conditions(state, OIL)
     assert (state.inner_load == 0.0).sum() == 6
-    return state, contacts, films_of(contacts), EYRING
+    return state, contacts, running_films(contacts, films_of(contacts)), EYRING
 
 
 def test_power_balances_where_the_cage_takes_balls_along(light):
     """The push of the cage is that at the motion found: power to 1e-8 in place of 6e-4, with and without its land."""
     state, contacts, films, rheology = light
     land = resistance_of(
-        Cage(pocket_friction=0.0, land_diameter=0.068, land_width=6e-3, land_clearance=2e-4),
+        Cage(pocket_friction=0.1, land_diameter=0.068, land_width=6e-3, land_clearance=2e-4),
         state.bearing, OIL.viscosity, OIL.density, 0.02,
     )  # fmt: skip
     for resistance, asperities in ((NO_RESISTANCE, ROUGH), (land, None)):
-        shear = solved_shear(state, contacts, films, rheology, asperities, resistance)
+        solved = [film and film.film for film in films]
+        running = running_films(contacts, solved, asperities, 0.6)
+        shear = solved_shear(state, contacts, running, rheology, resistance)
         assert shear.closed and not shear.note
         assert shear.torque.imbalance == pytest.approx(0.0, abs=1e-8)
+        assert shear.torque.relative_error == pytest.approx(0.0, abs=1e-8)
+        assert shear.flooded is not None
+        assert shear.flooded.relative_error == pytest.approx(0.0, abs=1e-8)
+        assert shear.torque.rolling == pytest.approx(0.6 * shear.flooded.rolling, rel=0.03)
     assert shear.torque.resisted > 0.1 * shear.torque.heat
 
 

@@ -98,7 +98,7 @@ def test_what_a_law_does_not_tell_apart_is_none_with_a_reason(axial):
     laws = {"curvature": {race: random_table(rng) for race in Race}, "rolling": coulomb_laws(state, contacts, 1e-3)}
     for missing, law in laws.items():
         shear = tabulated_torque(state, contacts, law)
-        parts = shear.torque.parts
+        parts = shear.torque.contacts
         assert set(shear.missing_components) == {missing, "asperity"}
         assert set(parts) == {"rolling", "sliding", "spin", "curvature"} - {missing}
         assert sum(parts.values()) == pytest.approx(shear.torque.heat / state.operation.shaft_speed, rel=1e-12)

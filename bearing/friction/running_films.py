@@ -1,0 +1,154 @@
+"""Films as the friction of a running bearing takes them.
+
+A film is solved flooded or behind a layer, isothermal or with heat. What is not in the solution
+comes as a factor of its part of the friction: inlet shear heating and replenishment on the rolling
+moment, starvation on that and on the gap that shears, asperities on the load that the oil carries.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+from ehl.closed_form.starvation import starvation_shares
+from ehl.conditions import moes_groups
+from ehl.solution import ContactSolution
+from ehl.traction.rolling_moment import rolling_moment
+
+from ..contacts.contact import BearingContact
+from ..supply.supply import InletFilm, Supply, contact_track, inlet_layer, supplied_share
+from .asperities import Asperities
+from .formula_films import FormulaFilm, formula_film, with_gap
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RunningFilm:
+    """Film of one contact as it shears, what resists rolling, and the load on asperities."""
+
+    film: ContactSolution
+    whole: ContactSolution  # the same with the gap that a flooded inlet gives it
+    central: float  # as it runs [m]
+    minimum: float | None  # [m]; None where no formula has it
+    flooded_central: float  # central film with a flooded inlet [m]
+    flooded_moment: float  # that resists rolling, flooded and isothermal [N m]
+    rolling_factor: float = 1.0  # of it that is left [-]
+    asperity_share: float = 0.0  # of the load [-]
+    flooded_share: float = 0.0  # the same of the flooded film [-]
+    formula: bool = False  # whether the film is not solved
+    boundary: float = 0.0  # friction of asperities, mu_b [-]
+
+    @property
+    def rolling_moment(self) -> float:
+        """Moment that resists rolling [N m]."""
+        return self.rolling_factor * self.flooded_moment
+
+    def flooded(self) -> "RunningFilm":
+        """With the whole rolling moment [N m], in the flooded film."""
+        share = self.flooded_share
+        return replace(self, film=self.whole, rolling_factor=1.0, asperity_share=share)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OilAtInlets:
+    """Oil that the contacts of a bearing get."""
+
+    oil: Supply | InletFilm
+    balls: int  # in one row [-]
+
+
+RunningFilms = Sequence[RunningFilm | None]
+
+
+def running_films(
+    contacts: Sequence[BearingContact],
+    films: Sequence[ContactSolution | None],
+    asperities: Asperities | None = None,
+    rolling_factor: float = 1.0,
+    supply: OilAtInlets | None = None,
+) -> tuple[RunningFilm | None, ...]:
+    """Films of contacts as they run, those of formulas where none is solved, None without oil.
+
+    rolling_factor: of the rolling moment, that of all contacts [-]; supply: oil that flooded films
+    get, None: flooded.
+    """
+    solved = {
+        id(film): rolling_moment(film).value
+        for film in films
+        if film is not None and film.converged
+    }
+    found: list[RunningFilm | None] = []
+    for contact, film in zip(contacts, films, strict=True):
+        if film is not None and film.converged:
+            running = _solved(film, solved[id(film)])
+        else:
+            running = _by_formula(formula_film(contact))
+        if running is not None:
+            running = replace(running, rolling_factor=rolling_factor)
+            if supply is not None and film_is_flooded(running.film):
+                running = _starved(running, contact, supply)
+            running = _with_asperities(running, contact, asperities)
+        found.append(running)
+    return tuple(found)
+
+
+def film_is_flooded(film: ContactSolution) -> bool:
+    """Whether a film was solved without a layer at its inlet [-]."""
+    return film.supply is None
+
+
+def _solved(film: ContactSolution, moment: float) -> RunningFilm | None:
+    """A film that converged, with its rolling moment [N m]."""
+    central = film.film_central
+    assert central is not None
+    return RunningFilm(
+        film=film,
+        whole=film,
+        central=central,
+        minimum=film.film_minimum,
+        flooded_moment=moment,
+        flooded_central=film.flooded_central or central,
+    )
+
+
+def _by_formula(found: FormulaFilm | None) -> RunningFilm | None:
+    if found is None:
+        return None
+    return RunningFilm(
+        film=found.film,
+        whole=found.film,
+        central=found.central,
+        minimum=found.minimum,
+        flooded_moment=found.moment,
+        flooded_central=found.central,
+        formula=True,
+    )
+
+
+def _starved(film: RunningFilm, contact: BearingContact, supply: OilAtInlets) -> RunningFilm:
+    """What a supply leaves of a flooded film, the minimum film as the central one."""
+    own = contact.conditions
+    assert own is not None  # there is a film
+    share = supplied_share(contact, film.central, supply.oil, supply.balls)
+    layer = inlet_layer(contact, film.central, supply.oil, supply.balls)
+    _, unit = contact_track(contact, film.central)
+    groups = (*moes_groups(own), own.radius_x / own.radius_y)
+    left = starvation_shares(*groups, layer / unit).rolling_moment.value
+    return replace(
+        film,
+        film=with_gap(film.film, share),
+        central=share * film.central,
+        minimum=None if film.minimum is None else share * film.minimum,
+        rolling_factor=film.rolling_factor * left,
+    )
+
+
+def _with_asperities(
+    film: RunningFilm, contact: BearingContact, asperities: Asperities | None
+) -> RunningFilm:
+    """With the load that asperities carry, in the film as it runs and flooded."""
+    if asperities is None:
+        return film
+    return replace(
+        film,
+        asperity_share=asperities.share(contact.race, film.central),
+        flooded_share=asperities.share(contact.race, film.flooded_central),
+        boundary=asperities.boundary,
+    )
