@@ -33,6 +33,9 @@ STEPS = 100  # of Newton on each mesh
 PRESSURE_STEP = 0.3
 LARGEST_FILM_LOSS = 0.7  # of the film at a node in a step
 TOLERANCE = 1e-5  # of the last change of pressure [-]
+# likewise where a node at the edge of the cavity alternates, so that changes fall no more, at M 5,
+# L 10 from 2.7e-5 on; what the film changes by then is part of its error bar
+ALTERNATING = 5e-4
 LINEAR_TOLERANCE = 1e-3  # of each Newton step
 # Time steps, in units of a/u_m, of the transient through which the steady film is reached where a
 # step of Newton would change the pressure by more than `PRESSURE_STEP`
@@ -100,24 +103,26 @@ def newton(level: Level, progress: Progress) -> tuple[bool, str]:
     """
     time_step = inf
     at_rest = 0
+    size = inf
     for _ in range(STEPS):
         miss = level.film - level.H
         try:
             change, rise = _step(level, miss, progress, 1.0 / time_step)
         except LinearSolverError as error:
             return False, f"the linear system was not solved: {error}; {ADVICE} or a smaller load"
-        size = float(np.abs(change).max())
+        last, size = size, float(np.abs(change).max())
         time_step = next_time_step(time_step, size)
         _advance(level, change, rise, miss, progress)
-        if size < TOLERANCE and time_step == inf:
+        tolerance = ALTERNATING if size > 0.5 * last else TOLERANCE
+        if size < tolerance and time_step == inf:
             overlap = float(np.abs(miss).max())
             at_rest += 1
             if overlap < TOLERANCE * level.contact.film_guess:
                 return True, "converged"
             if at_rest > STALLED:
                 return False, f"not converged: the bodies overlap between nodes; {ADVICE}"
-    last = f"in the last of {STEPS} Newton steps"
-    return False, f"not converged: pressure changed by {size:.1e} {last}; {ADVICE}"
+    steps = f"in the last of {STEPS} Newton steps"
+    return False, f"not converged: pressure changed by {size:.1e} {steps}; {ADVICE}"
 
 
 def next_time_step(time_step: float, size: float) -> float:
