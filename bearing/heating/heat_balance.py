@@ -14,7 +14,11 @@ from math import isfinite
 
 import scipy
 
-LARGEST_RISE = 300.0  # above the equilibrium without friction that is searched [K]
+from ehl.units import ZERO_CELSIUS
+
+# beyond which no balance counts [K]: 150 C, where mineral oils near their flash points (about 150
+# C for light ones) and the oils' data end; assumed
+HIGHEST_TEMPERATURE = 423.15
 FIRST_RISE = 10.0  # of the search; doubled until the cooling exceeds the friction [K]
 TOLERANCE = 1.0e-4  # of the temperature [K]
 
@@ -72,7 +76,7 @@ def heat_balance(torque: Callable[[float], float], speed: float, cooling: Coolin
 
     `torque`: friction torque [N m] at a temperature [K]; `speed`: of the shaft [rad/s].
 
-    Not `converged` where friction exceeds the cooling up to `LARGEST_RISE`.
+    Not `converged` where friction exceeds the cooling up to `HIGHEST_TEMPERATURE`.
     """
     torques: dict[float, float] = {}
 
@@ -82,21 +86,22 @@ def heat_balance(torque: Callable[[float], float], speed: float, cooling: Coolin
 
     # 1. bracket: from the temperature without friction up, in doubling steps
     coldest = cooling.frictionless_temperature
+    hottest = max(coldest, HIGHEST_TEMPERATURE)
     low = high = temperature = coldest
     rise = FIRST_RISE
     excess = surplus(low)
     message = "converged" if excess > 0.0 else "converged: no friction to speak of"
-    while excess > 0.0 and high < coldest + LARGEST_RISE:
+    while excess > 0.0 and high < hottest:
         low = high
-        high = min(coldest + rise, coldest + LARGEST_RISE)
+        high = min(coldest + rise, hottest)
         rise = 2.0 * rise
         excess = surplus(high)
     # 2. root in the bracket, Brent (1973)
     if excess > 0.0:
         temperature = high
         message = (
-            f"no balance: friction exceeds the cooling up to {LARGEST_RISE:g} K above the "
-            "temperature without friction"
+            "no balance: friction exceeds the cooling up to "
+            f"{hottest - ZERO_CELSIUS:.0f} C, beyond the range of lubricants"
         )
     elif high > low:
         temperature = float(scipy.optimize.brentq(surplus, low, high, xtol=TOLERANCE))

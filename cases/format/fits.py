@@ -22,12 +22,13 @@ from bearing.operation import Operation
 from bearing.rings.elastic_ring import ElasticRing, ElasticRings, elastic_ring
 from bearing.shoulder_diameter import shoulder_diameter
 from ehl import Lubricant
+from ehl.oil.rheology import Rheology
 from ehl.solid.bodies.ring_profile import Seat
 from ehl.units import to_si
 
 from .bearing import BearingTable
 from .fields import LENGTH_MAXIMUM, Name, Table, between, described, length, within
-from .friction import FrictionTable
+from .friction import FrictionTable, rheology
 from .lubricant import Oil, lubricant
 from .problems import CaseFault, UnfitKey, shown
 from .rules import CaseValues, Excludes, Needs, Where, bounded
@@ -300,6 +301,7 @@ class HeatingInput:
 
     delivered: Bearing  # with its clearance before mounting, where there are fits or temperatures
     oil: Callable[[float], Lubricant]  # at a temperature [K]
+    rheology: Callable[[Lubricant], Rheology]  # how an oil shears
     cooling: Cooling
     model: str  # of the friction torque
     fit: Fit | None = None
@@ -329,6 +331,7 @@ def heating(
     return HeatingInput(
         delivered=delivered,
         oil=lambda temperature: lubricant(oil, temperature),
+        rheology=lambda fluid: rheology(oil, fluid),
         cooling=_cooling(table, at_operation),
         model=table.heating_torque,
         fit=fit,

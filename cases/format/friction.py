@@ -102,8 +102,15 @@ class FrictionTable(LawTable):
     cooling_oil_mL_min: float | None = between(0, 1e7, "oil that cools it; else supply_mL_min")
     cooling_oil_C: float | None = between(-100, 300, "temperature as it comes; else ambient_C")
     heating_torque: Literal[
-        "skf", "palmgren", "houpert", "yao", "starved", "pure_rolling_lines", "coulomb"
-    ] = described("torque model that heats the bearing", "skf")
+        "integrated",
+        "skf",
+        "palmgren",
+        "houpert",
+        "yao",
+        "starved",
+        "pure_rolling_lines",
+        "coulomb",
+    ] = described("torque that heats the bearing; integrated: the total", "integrated")
     palmgren_viscous_factor: float | None = between(0, 100, "f_0; else by bearing and lubrication")
     palmgren_load_factor: float | None = between(0, 1, "f_1; else by the load, unverified")
     as_printed: bool = described(

@@ -17,7 +17,7 @@ from bearing.rating.life import bearing_life
 from bearing.supply.decay import film_decay
 from bearing.supply.starved_films import starved_films
 from bearing.supply.supply import AMPLE
-from bearing.torque.breakdown import TorqueBreakdown, torque_breakdown
+from bearing.torque.breakdown import INTEGRATED, TorqueBreakdown, torque_breakdown
 from bearing.torque.films_torque import films_torque
 from bearing.torque.integrated import law_torque
 from bearing.torque.shear_torque import SolvedShear
@@ -27,15 +27,18 @@ from postprocess.bearing.results import BearingResults
 
 from ..format.case import Case
 from ..format.contact import FilmModel
+from ..format.operation import SELF_HEATED
 from ..version import version
 from .equilibrium import case_equilibrium
 from .films import Progress, Solve, heat_message, solve_contacts, wanted_contacts
-from .heating import at_its_temperature, self_heated
+from .heating import Printed, at_its_balance, at_its_temperature, self_heated
 from .interrupt import interruptible
 from .load_cases import solve_load_cases
 from .strength import case_strength, contact_tensions
 from .traction_films import traction_messages, with_workers
 
+WARM_ROUNDS = 5  # of films solved anew at the temperature that their torque asks for
+WARM_TOLERANCE = 0.1  # of that temperature [K]
 STOPPED = "interrupted: films that were not finished, friction and self-heating are null"
 
 
@@ -66,6 +69,42 @@ def run_case(
         Takes the place of `ehl.solve_contact`: a batch looks up what it has solved before.
     """
     notify = progress or (lambda done, total, state: None)
+    how = (workers, notify, solve)
+    if case.file.operation.temperature != SELF_HEATED:
+        return _run(case, *how)
+    warmed = at_its_temperature(case)
+    for _ in range(WARM_ROUNDS):
+        results = _run(warmed, *how)
+        heating = results.heating
+        if heating is None or heating.balance is None or not heating.converged:
+            return results
+        found = heating.balance.temperature
+        if abs(found - warmed.operation.temperature) <= WARM_TOLERANCE:
+            break
+        warmed = at_its_temperature(case, heating)
+    return _in_balance(results, warmed)
+
+
+def _in_balance(results: BearingResults, case: Case) -> BearingResults:
+    """The results of a case at its own temperature with the balance of their own torque; not
+    converged where the last rounds still moved the temperature.
+    """
+    heating = results.heating
+    assert heating is not None and heating.balance is not None
+    integrated = heating.model == INTEGRATED
+    if not integrated or results.torque is None or results.torque.total is None:
+        return results
+    at = case.operation.temperature
+    moved = abs(heating.balance.temperature - at)
+    if moved > WARM_TOLERANCE:
+        note = f"the temperature still moves by {moved:.2g} K after {WARM_ROUNDS} rounds of films"
+        balance = replace(heating.balance, converged=False, message=note)
+        return replace(results, heating=replace(heating, balance=balance, note=note))
+    return replace(results, heating=at_its_balance(heating, case, results.torque.total))
+
+
+def _run(case: Case, workers: int | None, notify: Progress, solve: Solve | None) -> BearingResults:
+    """As `run_case`, at the temperature of the case."""
     notify(0, 1, "equilibrium of the bearing")
     start = perf_counter()
     case = _prepared(case, workers, notify, solve)
@@ -107,10 +146,7 @@ def run_case(
 
 
 def _prepared(case: Case, workers: int | None, notify: Progress, solve: Solve | None) -> Case:
-    """The case at its own temperature, where it asks for that, and its films as they are solved
-    here.
-    """
-    case = at_its_temperature(case)
+    """The case with its films as they are solved here."""
     if case.traction is None:
         return case
     return replace(case, traction=with_workers(case.traction, workers, notify, solve))
@@ -176,7 +212,11 @@ def _friction(
     timing["strength"] = perf_counter() - start - timing["torque"]
     if case.heating is not None:
         notify(0, 1, "self-heating")
-    heating = self_heated(case) if state.converged else None
+    printed = None
+    if torque is not None and torque.total is not None:
+        seal = torque.models[INTEGRATED].components.get("seal", 0.0)
+        printed = Printed(state, contacts, torque.total, seal)
+    heating = self_heated(case, printed) if state.converged else None
     return {
         "tractions": tractions,
         "torque": torque,

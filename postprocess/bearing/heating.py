@@ -54,9 +54,22 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
     else:
         balanced = from_si("temperature_C", heating.balance.temperature)
         given = from_si("temperature_C", results.quasistatic.operation.temperature)
-        yield (
-            f"self_heating: friction ({heating.model}) and cooling agree at {balanced:.1f} C; all "
-            f"else was computed at operation.temperature_C = {given:.4g}"
-        )
+        if abs(balanced - given) > AGREEMENT:
+            yield (
+                f"self_heating: friction ({heating.model}) and cooling agree at {balanced:.1f} C; "
+                f"all else was computed at operation.temperature_C = {given:.4g}"
+            )
+        else:
+            yield f"self_heating: friction ({heating.model}) and cooling agree at {balanced:.1f} C"
+        if heating.model == "integrated" and abs(balanced - given) > AGREEMENT:
+            yield (
+                "self_heating: its torque is that of films of formulas, scaled to the total at "
+                'temperature_C; operation.temperature = "self-heated" solves the films there'
+            )
+        elif heating.model != "integrated":
+            yield (
+                f"self_heating: heats with the torque of {heating.model} "
+                "(friction.heating_torque), which is not the total"
+            )
         if heating.note:
             yield f"self_heating: {heating.note}"

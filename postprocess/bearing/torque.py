@@ -120,7 +120,8 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
 def _total_text(results: BearingResults, torque: TorqueBreakdown) -> str:
     """What the total is, and what is null beside it."""
     if torque.chosen == "integrated" and torque.shear is not None:
-        return f"integrated model{_films_text(torque.shear)}{_balance_text(results, torque.shear)}"
+        films = _films_text(results, torque.shear)
+        return f"integrated model{films}{_balance_text(results, torque.shear)}"
     text = f"model {torque.chosen}; power_balance and per_ball_N_mm null without films"
     maps = results.case.get("ehl", {}).get("film_maps")
     if maps == "all":
@@ -130,13 +131,15 @@ def _total_text(results: BearingResults, torque: TorqueBreakdown) -> str:
     )
 
 
-def _films_text(shear: SolvedShear) -> str:
+def _films_text(results: BearingResults, shear: SolvedShear) -> str:
     """Where films of formulas stand in for solved ones."""
     if not shear.by_formula:
         return ""
+    maps = results.case.get("ehl", {}).get("film_maps")
+    hint = "" if maps == "all" else '; [ehl] film_maps = "all" solves them'
     return (
         f", films of formulas at {shear.by_formula} of {shear.lubricated} contacts (central film "
-        "to 20 %, rolling moment to 10 % above M = 300 and 33 % at M = 50)"
+        f"to 20 %, rolling moment to 10 % above M = 300 and 33 % at M = 50{hint})"
     )
 
 

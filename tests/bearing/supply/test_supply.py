@@ -11,7 +11,7 @@ import pytest
 
 from bearing import Operation, contact_conditions, solve_quasistatic
 from bearing.friction.asperities import asperity_share
-from bearing.heating.heat_balance import LARGEST_RISE, Cooling, heat_balance
+from bearing.heating.heat_balance import HIGHEST_TEMPERATURE, Cooling, heat_balance
 from bearing.supply.starved_films import least_lambda, mean_share, of_driven_balls, starved_films
 from bearing.supply.supply import InletFilm, Supply, cavity_volume, compression, oil_fraction, supplied_share
 from bearing.supply.track import Track, steady_share
@@ -166,6 +166,6 @@ def test_oil_cools_and_a_hot_bearing_is_told():
     assert wet.torque > dry.torque  # colder oil is thicker
     burning = heat_balance(lambda t: 10.0, 500.0, Cooling(conductance=1.0, ambient=300.0))
     assert not burning.converged
-    assert burning.temperature == 300.0 + LARGEST_RISE
+    assert burning.temperature == HIGHEST_TEMPERATURE
     with pytest.raises(ValueError, match="conductance and oil_flow"):
         Cooling(conductance=0.0, ambient=300.0)

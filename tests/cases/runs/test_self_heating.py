@@ -45,16 +45,16 @@ def test_friction_and_cooling_agree():
     warm, document = found(TEXT)
     assert document["converged"]
     assert warm["converged"]
-    assert warm["torque_model"] == "skf"
+    assert warm["torque_model"] == "integrated"
     assert warm["temperature_C"] > 40.0
     assert warm["power_W"] == pytest.approx(1.0 * (warm["temperature_C"] - 20.0), abs=1e-3)
     assert warm["power_W"] == pytest.approx(1e-3 * warm["torque_N_mm"] * 6000.0 * pi / 30.0, rel=1e-9)
     assert warm["oil_W"] == 0.0
-    assert warm["torque_N_mm"] < document["torque_N_mm"]["models"]["skf"]["total"]
+    assert warm["torque_N_mm"] < document["torque_N_mm"]["total"]
     assert warm["clearance_um"] == pytest.approx(document["clearance"]["operating_um"])
     assert any("agree at" in message for message in document["messages"])
     at_it, again = found(TEXT.replace("temperature_C = 40.0", f"temperature_C = {warm['temperature_C']!r}"))
-    assert again["torque_N_mm"]["models"]["skf"]["total"] == pytest.approx(warm["torque_N_mm"], rel=1e-5)
+    assert again["torque_N_mm"]["total"] == pytest.approx(warm["torque_N_mm"], rel=1e-5)
     assert at_it["temperature_C"] == pytest.approx(warm["temperature_C"], abs=1e-3)
 
 
@@ -75,7 +75,7 @@ def test_fits_and_rings_of_different_temperature_take_clearance_as_it_warms():
     assert warm["clearance_um"] != pytest.approx(document["clearance"]["operating_um"], abs=1e-6)
 
 
-@pytest.mark.parametrize("model", ["palmgren", "houpert", "pure_rolling_lines", "coulomb"])
+@pytest.mark.parametrize("model", ["skf", "palmgren", "houpert", "pure_rolling_lines", "coulomb"])
 def test_other_models_heat_the_bearing(model):
     warm, _ = found(TEXT + f'heating_torque = "{model}"\npalmgren_load_factor = 0.0005\n')
     assert warm["converged"]

@@ -111,7 +111,33 @@ def test_a_case_can_be_computed_at_the_temperature_of_its_balance():
     assert result["messages"][0].startswith("operation.temperature: computed at")
     balanced = result["self_heating"]["temperature_C"]
     assert result["case"]["operation"]["temperature_C"] == pytest.approx(balanced, abs=0.01)
-    assert result["torque_N_mm"]["total"] == pytest.approx(result["self_heating"]["torque_N_mm"], rel=1e-3)
+    warm = result["self_heating"]
+    assert warm["torque_model"] == result["torque_N_mm"]["model"] == "integrated"
+    assert result["torque_N_mm"]["total"] == warm["torque_N_mm"]
+    # within a tenth of a kelvin
+    assert warm["power_W"] == pytest.approx(1.2 * (balanced - 25.0), abs=0.1 * 1.2)
+
+
+def test_films_are_solved_at_the_temperature_that_their_own_torque_asks_for():
+    """The total of solved films is the torque that heats: within 0.1 K, and films, clearance and life are of it."""
+    own = CASE.replace("temperature_C = 70.0", 'temperature = "self-heated"').replace(
+        'film_maps = "none"', "points = 33"
+    )
+    result = found(own + HEATED)
+    warm = result["self_heating"]
+    assert result["converged"] and warm["converged"]
+    assert result["torque_N_mm"]["total"] == warm["torque_N_mm"]
+    assert result["case"]["operation"]["temperature_C"] == pytest.approx(warm["temperature_C"], abs=1e-6)
+    assert warm["power_W"] == pytest.approx(1.2 * (warm["temperature_C"] - 25.0), abs=0.15 * 1.2)
+    assert any(message.startswith("operation.temperature: computed at") for message in result["messages"])
+
+
+def test_no_balance_below_150_degrees_is_none():
+    own = CASE.replace("temperature_C = 70.0", 'temperature = "self-heated"').replace("3000.0", "30000.0")
+    result = found(own + HEATED.replace("1.2", "0.05"))
+    assert not result["converged"] and result["self_heating"]["converged"] is False
+    assert result["self_heating"]["temperature_C"] is None
+    assert any("friction exceeds the cooling up to 150 C" in message for message in result["messages"])
 
 
 def test_without_a_balance_the_temperature_stays_and_one_message_says_so():
@@ -143,16 +169,17 @@ def test_a_set_of_two_warms_itself_by_the_loads_of_both_rows():
     assert sum("rows.preload_class: medium is taken as" in message for message in result["messages"]) == 1
 
 
-def test_the_total_says_what_would_give_the_integrated_torque():
-    assert any('film_maps = "all" gives the integrated model' in message for message in found(CASE)["messages"])
+def test_the_total_says_what_would_solve_its_films():
+    assert any('film_maps = "all" solves them' in message for message in found(CASE)["messages"])
 
 
-def test_the_torque_of_seals_is_told_beside_the_integrated_one():
+def test_the_torque_of_seals_is_in_the_total_and_told():
     """2RS1 of the 6205, lips on d_1 = 34.4 mm: K_S1 d_s^2.25 + K_S2 = 0.023 34.4^2.25 + 2 N mm."""
     sealed = CASE.replace('"6205"', '"6205-2RS1"').replace('film_maps = "none"', "points = 33")
     result = found(sealed + "[friction]\ntraction = 'coulomb'\ncoefficient = 0.05\n")
     assert result["torque_N_mm"]["model"] == "integrated"
-    assert any("without the contact seals, 67.9 N mm more" in message for message in result["messages"])
+    assert any("with the contact seals, 67.9 N mm" in message for message in result["messages"])
+    assert result["torque_N_mm"]["parts"]["seal"] == pytest.approx(67.9, abs=0.05)
 
 
 def test_self_heating_is_needed_for_its_temperature():
