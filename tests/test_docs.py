@@ -24,6 +24,7 @@ DOCS = ROOT / "docs"
         "validation_004",
         pytest.param("validation_002_torque", marks=pytest.mark.slow),
         pytest.param("validation_002_films", marks=pytest.mark.slow),
+        pytest.param("validation_002_supply", marks=pytest.mark.slow),
     ],
 )
 def test_a_generated_page_is_up_to_date(script):

@@ -41,7 +41,7 @@ POINTS = 600  # layers from the start to the end [-]
 FIRST_TIME = 1e-4  # of results [s]
 TIMES = 121  # of results [-]
 THINNEST = 1e-9  # layer at which the film counts as gone: a few molecules [m]
-START = 2.0  # layer of flooded contacts over the oil of the least of their films [-]; assumed
+START = 2.0  # most of a layer over the oil of the least film, flooded [-]; assumed
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -124,7 +124,8 @@ def film_decay(
     time = np.r_[0.0, np.geomspace(FIRST_TIME, duration, TIMES)]
     start = START
     if supply is not None:
-        start = inlet_layer(contact, film.flooded_central, supply, bearing.balls) / unit
+        given = inlet_layer(contact, film.flooded_central, supply, bearing.balls)
+        start = min(given / unit, START)
     if start * unit <= THINNEST:
         return None
     layer = _layers(passing, length, start * unit, time)

@@ -24,7 +24,7 @@ from cases import load_case
 from cases.batch.sweep import read_sweep
 from cases.batch.tables import case_of_document
 from cases.runs.heating import self_heated
-from postprocess.plot_style import PAGE_WIDTH, RC, REFERENCE, save
+from postprocess.plot_style import PAGE_WIDTH, RC, save
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "validation" / "validation_002_torque.md"
@@ -36,19 +36,7 @@ RPM, ML_MIN, UM, ZERO = pi / 30.0, 1e-6 / 60.0, 1e-6, 273.15
 FLOW, SPEED, LOAD = "friction.supply_mL_min", "operation.inner_speed_rpm", "operation.radial_load_N"
 POINTS = [point.values for point in read_sweep("6208_over_oil_supply").points]
 FLOWS, SPEEDS, LOADS = (tuple(sorted({values[key] for values in POINTS})) for key in (FLOW, SPEED, LOAD))
-FINE = tuple(0.05 * k for k in range(1, 61))  # [mL/min]
-LAYERS = (0.05, 0.1, 0.2, 0.5, 1.0, 50.0)  # [um]
 COOLED = "6208_self_heating_with_cooling_oil"
-CHANGES = {  # of the case; what is changed of its supply, of its friction
-    "as the case has it": ({}, {}),
-    "`supply_track_share` 0.25": ({"track_share": 0.25}, {}),
-    "`supply_loss` 0.1": ({"loss": 0.1}, {}),
-    "`supply_track_share` 0.25, roughness 0.4 µm, `boundary_coefficient` 0.2": (
-        {"track_share": 0.25},
-        {"roughness": (0.4e-6, 0.4e-6), "boundary": 0.2},
-    ),
-    "`supply_residence_s` 200: ten times the churning": ({"residence_time": 200.0}, {}),
-}
 
 
 @cache
@@ -70,26 +58,6 @@ def terms(speed: float, load: float) -> dict[str, float]:
 def supplied(speed: float, load: float, supply: Supply | InletFilm, **changes: object) -> StarvedTorque:
     """Torque at a supply, with changes of the case's friction."""
     return starved_torque(*solved(speed, load), SUPPLIED.lubricant, replace(FRICTION, **changes), supply)
-
-
-@cache
-def at_flow(speed: float, load: float, flow: float) -> StarvedTorque:
-    """Torque at a supply [mL/min]."""
-    return supplied(speed, load, replace(SUPPLY, flow=flow * ML_MIN))
-
-
-def minimum(speed: float, load: float, what: str = "as the case has it") -> float:
-    """Supply of least friction [mL/min], to a twentieth."""
-    flow, friction = CHANGES[what]
-    supply = replace(SUPPLY, **flow)
-    return min(FINE, key=lambda f: supplied(speed, load, replace(supply, flow=f * ML_MIN), **friction).total)
-
-
-def unstarved_minimum(speed: float, load: float) -> float:
-    """The same if starvation did not take rolling resistance [mL/min]."""
-    rolling = at_flow(speed, load, 1e6).rolling
-    totals = {flow: at_flow(speed, load, flow) for flow in FINE}
-    return min(FINE, key=lambda flow: totals[flow].total - totals[flow].rolling + rolling)
 
 
 @cache
@@ -148,34 +116,12 @@ def material_rows() -> str:
     return "\n".join(rows)
 
 
-def statement_rows(minima: dict[tuple[float, float], float]) -> str:
+def statement_rows() -> str:
     """Statements of the paper, verdicts, numbers."""
-    slow, fast = ([minima[speed, load] for load in LOADS] for speed in SPEEDS)
-    low, best = (at_flow(5000.0, 3000.0, flow) for flow in (0.2, minima[5000.0, 3000.0]))
     heat = {key: celsius(state) for key, state in heat_balances("6208_self_heating_over_supply").items()}
     cooled = [celsius(state) for state in heat_balances(COOLED).values()]
     loaded = [heat[5000.0, 3000.0, flow] for flow in (0.2, 0.4, 2.0)]
     rows = [
-        (
-            "Fig. 3: friction over supply has a minimum",
-            "yes, above a load",
-            f"5000 r/min: at {', '.join(f'{m:.2f}' for m in slow)} mL/min under 400, 900, 1750, "
-            "3000 N; asperities of "
-            "light contacts cost too little",
-        ),
-        (
-            "Fig. 3: below it the rise is steep, above it moderate",
-            "no",
-            f"3000 N: {1e3 * low.total:.1f} N mm at 0.2 mL/min, {1e3 * best.total:.1f} at the "
-            "minimum; above it the "
-            "rolling resistance of fuller inlets returns, which is more than asperities took",
-        ),
-        (
-            f"the optimum supply grows with the speed, {' to '.join(optimum().values())} mL/min",
-            "yes under 3000 N",
-            f"3000 N: {slow[-1]:.2f} to {fast[-1]:.2f} mL/min",
-        ),
-        ("the load has no obvious effect on the optimum", "no", f"10000 r/min: {fast[0]:.2f} to {fast[-1]:.2f} mL/min"),
         (
             "Fig. 5: below the optimum the temperature falls with the supply",
             "under 3000 N at 5000 r/min",
@@ -199,49 +145,6 @@ def statement_rows(minima: dict[tuple[float, float], float]) -> str:
         ),
     ]
     return "\n".join("| " + " | ".join(row) + " |" for row in rows)
-
-
-def of_supply(minima: dict[tuple[float, float], float]) -> dict[str, object]:
-    """What the section on the oil supply has."""
-    speed, load = SPEEDS[0], LOADS[-1]
-    grid = [(n, f) for n in SPEEDS for f in LOADS]
-    three = [at_flow(speed, load, flow) for flow in (0.2, minima[speed, load], 2.0)]
-    flooded, dry = ([at_flow(speed, f, flow) for f in LOADS] for flow in (1e6, 0.0))
-    layers = [supplied(speed, load, InletFilm(layer=layer * UM)) for layer in LAYERS]
-    return {
-        "heads": " | ".join(f"{n:.0f} r/min, {f:.0f} N" for n, f in grid),
-        "dashes": "|".join(["---"] * len(grid)),
-        "flows": "\n".join(
-            f"| {flow:g} | " + " | ".join(f"{1e3 * at_flow(*point, flow).total:.1f}" for point in grid) + " |"
-            for flow in FLOWS
-        ),
-        "minima": " | ".join(f"{minima[point]:.2f}" for point in grid),
-        "optimum": " | ".join(optimum()[n] for n, _ in grid),
-        "one_speed": speed,
-        "one_load": load,
-        "rolling": _values([t.rolling for t in three]),
-        "films": _values([t.film for t in three]),
-        "asperities": _values([t.asperity for t in three]),
-        "churning": _values([t.drag for t in three]),
-        "lambdas": ", ".join(f"{t.lambda_least:.2f}" for t in three),
-        "loads": ", ".join(f"{f:.0f}" for f in LOADS),
-        "load_heads": " | ".join(f"{f:.0f} N" for f in LOADS),
-        "load_dashes": "|".join(["---"] * len(LOADS)),
-        "flooded_rolling": _values([t.rolling for t in flooded], " | "),
-        "dry_asperity": _values([t.asperity for t in dry], " | "),
-        "churned": _values([at_flow(speed, f, 2.0).drag for f in LOADS], " | "),
-        "unstarved": " and ".join(
-            ", ".join(f"{unstarved_minimum(n, f):.2f}" for f in LOADS) + f" ({n:.0f} r/min)" for n in SPEEDS
-        ),
-        "changes": "\n".join(
-            f"| {what} | " + " | ".join(f"{minimum(*point, what):.2f}" for point in grid) + " |" for what in CHANGES
-        ),
-        "layers": " | ".join(f"{layer:g}" for layer in LAYERS),
-        "layer_dashes": "|".join(["---"] * len(LAYERS)),
-        "layer_shares": " | ".join(f"{t.film_share:.3f}" for t in layers),
-        "layer_lambdas": " | ".join(f"{t.lambda_least:.2f}" for t in layers),
-        "layer_torques": _values([t.total for t in layers], " | "),
-    }
 
 
 def of_heat() -> dict[str, object]:
@@ -275,16 +178,14 @@ def page() -> str:
     """The page, computed anew."""
     grid = [(speed, load) for speed in SPEEDS for load in LOADS]
     five = {point: terms(*point) for point in grid}
-    minima = {point: minimum(*point) for point in grid}
     return TEMPLATE.read_text(encoding="utf-8").format(
         terms="\n".join(
             f"| {n:.0f} | {f:.0f} | " + " | ".join(f"{v:.2f}" for v in (*t.values(), sum(t.values()))) + " |"
             for (n, f), t in five.items()
         ),
-        **of_supply(minima),
         **of_heat(),
         materials=material_rows(),
-        statements=statement_rows(minima),
+        statements=statement_rows(),
     )
 
 
@@ -302,46 +203,24 @@ PARTS = {  # of the model, words, colour
 
 
 def draw() -> None:
-    """Parts of the torque over the supply, totals by speed and load, temperatures."""
+    """Temperatures over the supply."""
     with mpl.rc_context(RC):
-        figure = Figure(figsize=(PAGE_WIDTH, 3.1))
-        parts, totals, heat = figure.subplots(1, 3)
-        torques = [at_flow(5000.0, 3000.0, flow) for flow in FINE]
-        stack = [[1e3 * getattr(t, name) for t in torques] for name in PARTS]
-        words, colours = zip(*PARTS.values(), strict=True)
-        parts.stackplot(FINE, stack, labels=words, colors=colours)
-        parts.set_title("5000 r/min, 3000 N")
+        figure = Figure(figsize=(0.6 * PAGE_WIDTH, 2.9))
+        heat = figure.subplots()
         shades = mpl.colormaps["viridis"](np.linspace(0.0, 0.85, len(LOADS)))
-        for load, shade in zip(LOADS, shades, strict=True):
-            for speed, style in zip(SPEEDS, ("-", "--"), strict=True):
-                torque = [1e3 * at_flow(speed, load, flow).total for flow in FINE]
-                label = f"{load:.0f} N" if style == "-" else None
-                totals.plot(FINE, torque, style, color=shade, label=label)
-                least = int(np.argmin(torque))
-                if least:  # not at the end of the range
-                    totals.plot(FINE[least], torque[least], "o", color=shade, markersize=3.5)
-        for speed, style in zip(SPEEDS, ("-", "--"), strict=True):
-            totals.plot([], [], style, color=REFERENCE, label=f"{speed:.0f} r/min")
-        totals.set_title("totals; dots: the least")
+        states = heat_balances("6208_self_heating_over_supply")
         for speed, load in ((5000.0, 900.0), (5000.0, 3000.0), (10000.0, 900.0), (10000.0, 3000.0)):
-            states = heat_balances("6208_self_heating_over_supply")
             line = [(key[2], celsius(state)) for key, state in states.items() if key[:2] == (speed, load)]
+            style = "-" if speed < 7500.0 else "--"
             shade = shades[LOADS.index(load)]
-            heat.plot(
-                *zip(*line, strict=True), "-" if speed < 7500.0 else "--", color=shade, marker="o", markersize=2.5
-            )
+            label = f"{speed:.0f} r/min, {load:.0f} N"
+            heat.plot(*zip(*line, strict=True), style, color=shade, marker="o", markersize=2.5, label=label)
         line = [(key[2], celsius(state)) for key, state in heat_balances(COOLED).items()]
         heat.plot(*zip(*line, strict=True), ":", color=shades[LOADS.index(900.0)], label="with cooling oil")
-        heat.set_title("temperature by its own friction")
-        for axes, words_of in ((parts, "torque, N mm"), (totals, "torque, N mm"), (heat, "temperature, °C")):
-            axes.set_xlabel("oil supply, mL/min")
-            axes.set_ylabel(words_of)
-            axes.set_xlim(0.0, 3.0 if axes is not heat else 2.1)
-            axes.set_ylim(bottom=0.0 if axes is not heat else 20.0)
-            axes.spines[["top", "right"]].set_visible(False)
-        handles = [h for axes in (parts, totals, heat) for h in axes.get_legend_handles_labels()[0]]
-        labels = [name for axes in (parts, totals, heat) for name in axes.get_legend_handles_labels()[1]]
-        figure.legend(handles, labels, ncols=6, loc="outside lower center")
+        heat.set(xlabel="oil supply, mL/min", ylabel="temperature, °C", xlim=(0.0, 2.1))
+        heat.set_ylim(bottom=20.0)
+        heat.spines[["top", "right"]].set_visible(False)
+        heat.legend(loc="center left", bbox_to_anchor=(1.0, 0.5))
         save(figure, IMAGE)
 
 
