@@ -7,6 +7,7 @@ from math import log2, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
+from .closed_form.film import MAX_FILM_OVER_RADIUS
 from .conditions import ContactConditions, MoesConditions
 from .grid import Grid, unfolded
 from .multigrid.extrapolation import extrapolate
@@ -25,7 +26,7 @@ from .multigrid.newton import certify
 from .multigrid.oil_supply import inlet_ratio, oil_supply, starved_film_guess, turned_round
 from .multigrid.open_box import box_uncertainty, choose_domain
 from .multigrid.settling import Progress
-from .multigrid.verdict import MAX_FILM_OVER_RADIUS, film_over_radius, judged, resolution_message
+from .multigrid.verdict import film_over_radius, judged, resolution_message
 from .options import SolverOptions
 from .scaling import ScaledContact, scale_contact
 from .solution import ContactSolution, ConvergenceRecord, FilmValue

@@ -20,6 +20,7 @@ import numpy as np
 
 from ehl.units import MILLION
 
+from ..contacts.contacts import NEGLIGIBLE_LOAD
 from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 from .life import SMALLEST_KAPPA, LifeRating, life_factor, time_of
@@ -114,13 +115,17 @@ def stress_limit(rated: LifeRating) -> float | None:
 
 
 def missing_films(solution: QuasistaticSolution, kappa: ContactKappa) -> str:
-    """Which loaded contacts have no kappa, empty if none."""
+    """Which loaded contacts have no kappa, empty if none; but for those whose load is negligible
+    and whose film therefore may be outside the model.
+    """
+    heaviest = max(solution.inner_load.max(), solution.outer_load.max())
     missing = []
     for race, loads, values in (
         ("inner", solution.inner_load, kappa.inner),
         ("outer", solution.outer_load, kappa.outer),
     ):
-        count = sum(q > 0.0 and k is None for q, k in zip(loads, values, strict=True))
+        known = zip(loads, values, strict=True)
+        count = sum(q > NEGLIGIBLE_LOAD * heaviest and k is None for q, k in known)
         missing += [f"{count} at the {race} race"] if count else []
     return f"loaded contacts without a resolved film: {', '.join(missing)}" if missing else ""
 
@@ -130,7 +135,7 @@ def contact_life(
 ) -> float | None:
     """Life with the kappa of each contact [revolutions]; None where one is below the smallest.
 
-    Every contact that carries load has a kappa.
+    A contact without a kappa has the factor 1.
     """
     limit = stress_limit(rated)
     if limit is None:
@@ -166,12 +171,14 @@ def ring_damage(damage: Array, *, turning: bool) -> float:
 
 
 def _life_factors(loads: Array, kappa: Sequence[float | None], limit: float) -> Array | None:
-    """a_ISO of each contact, 1 of unloaded ones; None where a loaded one is below the range."""
+    """a_ISO of each contact, 1 of those without kappa; None where a loaded one is below the
+    range.
+    """
     factors = np.ones(len(loads))
     for j, (load, value) in enumerate(zip(loads, kappa, strict=True)):
-        if load <= 0.0:
+        if load <= 0.0 or value is None:
             continue
-        if value is None or value < SMALLEST_KAPPA:
+        if value < SMALLEST_KAPPA:
             return None
         factors[j] = life_factor(value, limit)
     return factors

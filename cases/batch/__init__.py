@@ -10,6 +10,7 @@
 | keys | names of points, tables and contacts: hashes of all they depend on |
 | contact_cache | solved contacts shared by points |
 | tables | traction tables shared by points |
+| table_films | films of a table that is not complete yet |
 | compute | results of one point |
 | store | the folder of a batch |
 | worker | one point computed in a worker |

@@ -1,8 +1,12 @@
 """Commands that compute a case: run, contact, slip, stiffness, table."""
 
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
 from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -13,6 +17,9 @@ from .cost import film_seconds, run_cost, slip_cost, table_cost, tell_cost
 from .output import held_file, load_bearing, report, results_directory, save, save_with
 from .progress import progress_bar
 from .terminal import guarded
+
+if TYPE_CHECKING:
+    from ehl.traction.table.build import FilmSampler
 
 TableFile = Annotated[
     Path | None,
@@ -216,14 +223,15 @@ def table(  # noqa: PLR0913
     over = None if temperatures is None else temperature_axis(case, temperatures)
     count = 1 if over is None else len(over.temperatures)
     tell_cost(table_cost(points, count, workers or cores()), quiet=quiet)
-    with progress_bar(quiet=quiet) as progress:
-        results = run_table(loaded, points, workers, progress, over)
     from postprocess.traction.summary import traction_summary
     from postprocess.traction.table import traction_table
     from postprocess.traction.write import save_tables, write_traction
 
-    if path is not None:
-        write_traction(results, path)
+    with _films_kept(path) as sample:
+        with progress_bar(quiet=quiet) as progress:
+            results = run_table(loaded, points, workers, progress, over, sample)
+        if path is not None:
+            write_traction(results, path)
     if full_solves:
         with progress_bar(quiet=quiet) as progress:
             results = with_full_solves(results, full_solves, progress)
@@ -231,3 +239,22 @@ def table(  # noqa: PLR0913
             save_tables(results, path)
     document = traction_summary(results)
     return report(document, lambda: traction_table(results), path, as_json, quiet)
+
+
+@contextmanager
+def _films_kept(path: Path | None) -> Iterator[FilmSampler]:
+    """Solves films and keeps them beside the table until that is complete."""
+    from ehl.traction.table.film import film_sample
+
+    from ..batch.table_films import forget_films, kept_films
+
+    if path is None:
+        yield film_sample
+        return
+    folder = path.with_name(f"{path.stem}_films")
+    try:
+        yield kept_films(folder)
+    except KeyboardInterrupt:
+        say(f"finished films are kept in {folder}; the same command goes on with them")
+        raise
+    forget_films(folder)

@@ -10,7 +10,8 @@ from bearing.friction.race_tables import build_race_tables, build_temperature_ta
 from ehl import Lubricant, SolverOptions
 from ehl.multigrid.threads import cores
 from ehl.oil.rheology import Rheology
-from ehl.traction.table.build import TableOptions
+from ehl.traction.table.build import FilmSampler, TableOptions
+from ehl.traction.table.film import film_sample
 from ehl.traction.table.full_solves import full_solves
 from ehl.units import ZERO_CELSIUS
 from postprocess.traction.results import TractionResults
@@ -83,9 +84,10 @@ def run_table(
     workers: int | None = None,
     progress: Progress | None = None,
     over: TemperatureAxis | None = None,
+    sample: FilmSampler = film_sample,
 ) -> TractionResults:
-    """Traction tables of a case, films on `points` nodes along x, `workers` at a time; times in
-    [s].
+    """Traction tables of a case, films on `points` nodes along x, `workers` at a time, each by
+    `sample`; times in [s].
 
     With temperatures, the tables that summary and plots are of are those at the case's own, or the
     nearest.
@@ -99,7 +101,7 @@ def run_table(
     state = case_equilibrium(case)
     if not state.converged:
         raise CaseError(f"no table without an equilibrium of the bearing: {state.message}")
-    options = TableOptions(points=points, workers=workers or cores())
+    options = TableOptions(points=points, workers=workers or cores(), sample=sample)
     solids = case.films.solids
     try:
         if over is None:

@@ -9,6 +9,9 @@ from math import exp, log, sqrt
 
 from ..conditions import ContactConditions, moes_groups, speed_load_material
 
+# a film thicker than this share of R_x lies in a gap that is no paraboloid: outside the model
+MAX_FILM_OVER_RADIUS = 0.02
+
 
 def film_hamrock_dowson_minimum(conditions: ContactConditions) -> float:
     """Minimum film [m], 3.63 U^0.68 G^0.49 W^-0.073 (1 - e^(-0.68 k)), Hamrock and Dowson (1977).

@@ -2,12 +2,11 @@
 
 from dataclasses import replace
 
+from ..closed_form.film import MAX_FILM_OVER_RADIUS
 from ..solution import ContactSolution
 from .full_multigrid import AttemptResult
 from .history import CENTRAL, MINIMUM, RESOLVED
 
-# a thicker film lies in a gap that is no paraboloid: outside the model
-MAX_FILM_OVER_RADIUS = 0.02
 LARGEST_BAR = 0.15  # relative error bar above which a film is reported as unresolved
 
 

@@ -38,6 +38,8 @@ GROWTH = 1.4  # of the nodes of a motion
 
 ERRORS = ("largest", "quantile", "rms", "largest_spin", "largest_rolling")
 Progress = Callable[[int, int, str], None]  # done, in all, what
+# film of a contact at a place (ln load, ln speed) of a range, of so many points along x
+FilmSampler = Callable[[TableContact, TableRange, tuple[float, float], int], FilmSample]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,6 +53,8 @@ class TableOptions:
     rounds: int = 4  # refinements at most
     workers: int = 1  # films solved at a time
     seed: int = 52163  # of the random places of the check
+    # solves the film of a place, as `film_sample`; a store of films takes its place
+    sample: FilmSampler = film_sample
     # of load, speed, slide_x, slide_y (its half above zero) and spin to begin with, 4 at least
     nodes: tuple[int, int, int, int, int] = START
 
@@ -119,7 +123,7 @@ def _solve(study: _Study, wanted: list[tuple[float, float]]) -> list[FilmSample]
     before = len(study.films) + len(study.checks)
 
     def solve(place: tuple[float, float]) -> FilmSample:
-        return film_sample(study.contact, study.range, place, study.options.points)
+        return study.options.sample(study.contact, study.range, place, study.options.points)
 
     with film_threads(study.options.workers) as pool:
         for film in pool.map(solve, wanted):

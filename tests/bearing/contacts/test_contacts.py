@@ -78,6 +78,24 @@ def test_frames_are_right_handed_and_follow_the_oil(bearings, speed):
         assert outward > 0.0 if contact.race is Race.OUTER else outward < 0.0
 
 
+def test_a_negligible_load_on_a_film_outside_the_model_is_left_out(bearings):
+    """Balls that only their centrifugal force presses outward: left out in thick oil, kept in thin oil; a contact that
+    carries the load stays, however thick its film.
+    """
+    operation = Operation(inner_speed=300.0, force=(0.0, 500.0, 0.0))
+    solution = solve_quasistatic(bearings.b209, operation)
+    carrying = {1, 2, 9}
+    for viscosity, kept in ((0.3, carrying), (0.005, set(range(1, 10)))):
+        contacts = contact_conditions(solution, replace(OIL, viscosity=viscosity))
+        outer = [c for c in contacts if c.race is Race.OUTER]
+        assert {c.ball for c in outer if c.loaded} >= kept
+        for contact in outer:
+            assert contact.load > 0.0
+            assert contact.loaded or (contact.load < 0.02 * solution.outer_load.max() and "thicker" in contact.note)
+    thick = contact_conditions(solution, replace(OIL, viscosity=300.0))
+    assert [c.ball for c in thick if c.race is Race.OUTER and c.loaded] == sorted(carrying)
+
+
 def test_contact_points_lie_on_ball_and_race(bearings):
     """At rest, distance to the ball's centre D/2; to the groove's centre the groove radius plus the approach."""
     solution = solve_quasistatic(bearings.b7008, Operation(inner_speed=0.0, force=(2000.0, 0.0, 0.0)))

@@ -73,7 +73,7 @@ def test_a_thin_film_where_nothing_is_loaded_costs_nothing(solved, rated):
 def test_what_is_missing_is_told(solved, rated):
     unknown = ContactKappa(inner=[None] * 9, outer=[1.0] * 9)
     found = film_life(solved, rated, unknown, unknown, unknown)
-    loaded = int((solved.inner_load > 0.0).sum())
+    loaded = int((solved.inner_load > 0.02 * solved.outer_load.max()).sum())  # below it no film is needed
     assert found.life is None and found.smallest_life is not None
     assert found.note == f"loaded contacts without a resolved film: {loaded} at the inner race"
     dry = film_life(solved, rated, equal(0.05), equal(0.05), equal(0.05))
