@@ -34,7 +34,6 @@ def kept_films(folder: Path) -> Callable[[TableContact, TableRange, Place, int],
 
     A damaged file is solved anew; where nothing can be written the film is not kept.
     """
-    folder.mkdir(parents=True, exist_ok=True)
 
     def sample(contact: TableContact, limits: TableRange, place: Place, points: int) -> FilmSample:
         path = folder / f"{content_key(contact, limits, place, points)}.film"
@@ -42,6 +41,7 @@ def kept_films(folder: Path) -> Callable[[TableContact, TableRange, Place, int],
         if found is None:
             found = film_sample(contact, limits, place, points)
             try:
+                folder.mkdir(parents=True, exist_ok=True)
                 write_file(path, pickle.dumps(found))
             except OSError:  # of a full disk: the table itself goes on
                 path.unlink(missing_ok=True)

@@ -255,6 +255,7 @@ def _films_kept(path: Path | None) -> Iterator[FilmSampler]:
     try:
         yield kept_films(folder)
     except KeyboardInterrupt:
-        say(f"finished films are kept in {folder}; the same command goes on with them")
+        if folder.exists():
+            say(f"finished films are kept in {folder}; the same command goes on with them")
         raise
     forget_films(folder)
