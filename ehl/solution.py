@@ -6,6 +6,7 @@ from math import inf, isfinite
 import numpy as np
 from numpy.typing import NDArray
 
+from .closed_form.hertz import MEAN_PRESSURE_RATIO
 from .conditions import ContactConditions, MoesConditions
 from .oil.film_state import FilmState
 from .options import SolverOptions
@@ -125,6 +126,11 @@ class ContactSolution:
         """Error bar over the film, of the worse film [-]; infinite where there is none."""
         films = (self.film_central_dimensionless, self.film_minimum_dimensionless)
         return max(film.relative_uncertainty for film in films)
+
+    @property
+    def mean_pressure(self) -> float:
+        """Load over the area of Hertz' ellipse [Pa]."""
+        return MEAN_PRESSURE_RATIO * self.hertz_pressure
 
     def thinned(self, points: int) -> "ContactSolution":
         """The same on every second node, or every fourth and so on, until at most `points` are

@@ -13,6 +13,7 @@ from ehl.traction.shear import (
     film_temperature,
     film_viscosity,
     sheared_width,
+    solution_rheology,
     trapezoidal_weights,
     with_outlet,
 )
@@ -117,6 +118,7 @@ def _film_law(
     """Gradient (4,) and slope (4, 4) of a film's friction by motion and oil's share; sums of
     `integrate_traction`, without the weakest nodes, which make `left_out` [-] of the friction.
     """
+    rheology = solution_rheology(film.film, rheology)
     nodes = _film_nodes(solution, contact, film, rheology, left_out)
     area, gap, eta, pressure, temperature = nodes.shear
     along, across = nodes.along, nodes.across

@@ -6,17 +6,34 @@ from itertools import pairwise
 from math import exp, log, log10
 from typing import Any
 
-from ehl.oil.free_volume import DoolittleFreeVolume, TaitVolume, pressure_viscosity_doolittle
-from ehl.oil.lubricant import ROELANDS_LOG_OFFSET, Lubricant, ThermalProperties, ViscosityLaw
+import numpy as np
+
+from ehl.oil.free_volume import pressure_viscosity_doolittle, relative_volume
+from ehl.oil.heat_properties import VolumeHeat, volume_heat
+from ehl.oil.lubricant import (
+    ROELANDS_LOG_OFFSET,
+    ROELANDS_TEMPERATURE,
+    DensityLaw,
+    Lubricant,
+    ThermalProperties,
+    ViscosityLaw,
+)
+from ehl.oil.pressure_laws import (
+    log_viscosity_scaled,
+    pressure_viscosity_modulus,
+    pressure_viscosity_scaled,
+)
 from ehl.units import UNITS, ZERO_CELSIUS
 
 from .names import library_data, matching_name
+from .oil_sets import heat_under_pressure, oil_constants
 
 DATA = "lubricants.toml"
 PROPERTIES = ("viscosity", "pressure_viscosity", "density", "conductivity", "specific_heat")
 STEP = 0.5  # of the differences that give the temperature coefficients [K]
 MM2_S = UNITS["mm2_s"].si  # [m^2/s]
 MPA_S = UNITS["mPa_s"].si  # [Pa s]
+SCALED_VOLUME = "scaled volume"  # law of the viscosity that takes the volume of Tait's
 CUTOFF = 0.7  # added to the kinematic viscosity in mm^2/s, ASTM D341
 
 
@@ -54,11 +71,9 @@ def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
     if not low <= temperature - ZERO_CELSIUS <= high:
         celsius = f"{temperature - ZERO_CELSIUS:.1f} C"
         warnings.warn(f"lubricant {key!r}: {celsius} is outside {low} to {high} C", stacklevel=2)
-    constants = _free_volume(entry, temperature)
-    alpha = pressure_viscosity(entry, temperature)
-    if laws.get("viscosity_law") is ViscosityLaw.TAIT_DOOLITTLE and constants:
-        free_volume = (constants["tait"], constants["doolittle"])
-        alpha = pressure_viscosity_doolittle(*free_volume, temperature)
+    constants = oil_constants(entry, temperature)
+    laws = _own_laws(entry) | {name: law for name, law in laws.items() if law is not None}
+    alpha = _own_coefficient(entry, laws.get("viscosity_law"), constants, temperature)
     return Lubricant(
         viscosity=dynamic_viscosity(entry, temperature),
         pressure_viscosity=alpha,
@@ -78,32 +93,43 @@ def _thermal(entry: dict[str, Any], temperature: float) -> ThermalProperties:
         colder = law(entry, temperature - STEP)
         return log(colder / warmer) / (2.0 * STEP)
 
+    law = heat_under_pressure(entry)
+    conductivity = _linear(entry["conductivity"], temperature)
+    specific_heat = _linear(entry["specific_heat"], temperature)
+    if isinstance(law, VolumeHeat):  # of its own over temperature
+        tait = oil_constants(entry, temperature)["tait"]
+        k, capacity = volume_heat(0.0, temperature, tait, law)
+        conductivity = float(k)
+        specific_heat = float(capacity) / oil_density(entry, temperature)
     return ThermalProperties(
-        conductivity=_linear(entry["conductivity"], temperature),
-        specific_heat=_linear(entry["specific_heat"], temperature),
+        conductivity=conductivity,
+        specific_heat=specific_heat,
         viscosity_temperature=fall(dynamic_viscosity),
         expansion=fall(oil_density),
+        under_pressure=law,
     )
 
 
-def _free_volume(entry: dict[str, Any], temperature: float) -> dict[str, Any]:
-    """Constants of Tait and Doolittle at the temperature of operation, if the oil has any."""
-    data = entry.get("doolittle")
-    if data is None:
-        return {}
-    tait = TaitVolume(
-        bulk_modulus=data["bulk_modulus_Pa"],
-        bulk_modulus_derivative=data["bulk_modulus_derivative"],
-        reference_temperature=temperature,
-    )
-    doolittle = DoolittleFreeVolume(factor=data["factor"], occupied_share=data["occupied_share"])
-    return {"tait": tait, "doolittle": doolittle}
+def _own_laws(entry: dict[str, Any]) -> dict[str, Any]:
+    """Laws of the oil's set, where it has one."""
+    kinds = {"viscosity_law": ViscosityLaw, "density_law": DensityLaw}
+    return {name: kind(entry[name]) for name, kind in kinds.items() if name in entry}
+
+
+def _own_coefficient(
+    entry: dict[str, Any], law: ViscosityLaw | None, constants: dict[str, Any], temperature: float
+) -> float:
+    """d(ln eta)/dp at ambient pressure [1/Pa], by the constants of the law that is taken [K]."""
+    if law is ViscosityLaw.TAIT_DOOLITTLE and "doolittle" in constants:
+        free_volume = (constants["tait"], constants["doolittle"])
+        return pressure_viscosity_doolittle(*free_volume, temperature)
+    return pressure_viscosity(entry, temperature)
 
 
 def dynamic_viscosity(entry: dict[str, Any], temperature: float) -> float:
     """Dynamic viscosity [Pa s] of an oil's data at a temperature [K] and ambient pressure."""
     data = entry["viscosity"]
-    return LAWS[data["law"]](data, temperature, oil_density(entry, temperature))
+    return LAWS[data["law"]](entry | data, temperature, oil_density(entry, temperature))
 
 
 def viscosity_vogel(entry: dict[str, Any], temperature: float, density: float) -> float:
@@ -112,6 +138,29 @@ def viscosity_vogel(entry: dict[str, Any], temperature: float, density: float) -
     """
     exponent = entry["b_K"] / (temperature - ZERO_CELSIUS + entry["c_K"])
     return float(MM2_S * density * entry["a_mm2_s"] * exp(exponent))
+
+
+def viscosity_vogel_dynamic(entry: dict[str, Any], temperature: float, _density: float) -> float:
+    """Dynamic viscosity [Pa s], a exp(b/(t + c)), a in mPa s, t in degrees Celsius; Vogel."""
+    exponent = entry["b_K"] / (temperature - ZERO_CELSIUS + entry["c_K"])
+    return float(MPA_S * entry["a_mPa_s"] * exp(exponent))
+
+
+def viscosity_roelands(entry: dict[str, Any], temperature: float, _density: float) -> float:
+    """Dynamic viscosity [Pa s], ln(eta/eta_p) = ln(eta_r/eta_p) [(T - 138 K)/(T_r - 138 K)]^-S,
+    ln eta_p = -9.67, Roelands (1966); T in [K].
+    """
+    rise = log(MPA_S * entry["value_mPa_s"]) + ROELANDS_LOG_OFFSET
+    room = entry["reference_K"] - ROELANDS_TEMPERATURE
+    ratio = (temperature - ROELANDS_TEMPERATURE) / room
+    return exp(rise * ratio ** -entry["slope"] - ROELANDS_LOG_OFFSET)
+
+
+def viscosity_scaled(entry: dict[str, Any], temperature: float, _density: float) -> float:
+    """Dynamic viscosity [Pa s] of the oil's scaled volume at ambient pressure, T in [K]."""
+    constants = oil_constants(entry, temperature)
+    exponent = log_viscosity_scaled(0.0, temperature, constants["tait"], constants["scaled"])
+    return float(entry["eta_inf_Pa_s"] * np.exp(exponent))
 
 
 def viscosity_adore(entry: dict[str, Any], temperature: float, _density: float) -> float:
@@ -147,6 +196,9 @@ def _d341(temperatures: list[float], values: list[float], temperature: float) ->
 
 LAWS = {
     "vogel": viscosity_vogel,
+    "vogel dynamic": viscosity_vogel_dynamic,
+    "roelands": viscosity_roelands,
+    SCALED_VOLUME: viscosity_scaled,
     "adore": viscosity_adore,
     "walther": viscosity_walther,
     "astm d341": viscosity_astm_d341,
@@ -160,12 +212,19 @@ def pressure_viscosity(entry: dict[str, Any], temperature: float) -> float:
 
     exponent: exp(a ln eta + b)/eta, eta in Pa s; hyperbola: a + b/(T - c); table: linear in T,
     constant beyond its ends; roelands: alpha_r (ln eta + 9.67)/(ln eta_r + 9.67), the identity of
-    Roelands (1966) at constant z.
+    Roelands (1966) at constant z; modulus, scaled volume: by the constants of these laws.
     """
     data = entry["pressure_viscosity"]
     if data["law"] == "exponent":
         viscosity = dynamic_viscosity(entry, temperature)
         return float(exp(data["a"] * log(viscosity) + data["b"]) / viscosity)
+    if data["law"] == "modulus":
+        return pressure_viscosity_modulus(
+            oil_constants(entry, temperature)["modulus"], temperature
+        )
+    if data["law"] == SCALED_VOLUME:
+        constants = oil_constants(entry, temperature)
+        return pressure_viscosity_scaled(constants["tait"], constants["scaled"], temperature)
     if data["law"] == "hyperbola":
         return float(data["a_1_Pa"] + data["b_K_Pa"] / (temperature - data["c_K"]))
     if data["law"] == "roelands":
@@ -182,9 +241,13 @@ def pressure_viscosity(entry: dict[str, Any], temperature: float) -> float:
 def oil_density(entry: dict[str, Any], temperature: float) -> float:
     """Density [kg/m^3] of an oil's data at a temperature [K] and ambient pressure.
 
-    table: linear in T, continued beyond its ends; expansion: rho_r exp[-e (T - T_r)].
+    table: linear in T, continued beyond its ends; expansion: rho_r exp[-e (T - T_r)]; tait: by
+    the volume of the oil's Tait law.
     """
     data = entry["density"]
+    if data["law"] == "tait":
+        tait = oil_constants(entry, temperature)["tait"]
+        return float(data["value"] / relative_volume(0.0, temperature, tait))
     if data["law"] == "expansion":
         rise = temperature - data["reference_K"]
         return float(data["value"] * exp(-data["expansion_1_K"] * rise))

@@ -3,13 +3,15 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from bearing.material import Material
+from bearing.material import Material, list_materials, material_data
 from ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
 from ehl.generalized.solver import solve_generalized
 from ehl.oil.rheology import Rheology
 from ehl.solid.heat import SolidThermal
 
 from .contact import FilmModel, GridTable
+
+WIDE_RANGE = 1.5  # of a conductivity, from which on a result with heat says so [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -20,6 +22,7 @@ class FilmPhysics:
     rheology: Rheology | None = None
     # body 1, the ball, and body 2, the race
     solids: tuple[SolidThermal, SolidThermal] | None = None
+    notes: tuple[str, ...] = ()  # on the properties that heat takes
 
     def solve(self, conditions: ContactConditions, options: SolverOptions) -> ContactSolution:
         """Film of one contact; lengths in [m], pressures in [Pa]."""
@@ -42,6 +45,7 @@ class FilmPhysics:
         return (
             f"film: generalized Reynolds equation, {law}, with heat",
             "traction and torque: sheared at the temperatures the film was solved with",
+            *self.notes,
         )
 
 
@@ -75,8 +79,25 @@ def case_films(table: GridTable, shear: Rheology | None, bodies: Sequence[Materi
     if model is FilmModel.THERMAL:
         ball, race = map(_solid, bodies)
         solids = (ball, race)
-    films = FilmPhysics(model=model, rheology=shear, solids=solids)
+    notes = () if solids is None else tuple(dict.fromkeys(map(_conductivity_note, bodies)))
+    films = FilmPhysics(
+        model=model, rheology=shear, solids=solids, notes=tuple(note for note in notes if note)
+    )
     return CaseFilms(options=options, films=films)
+
+
+def _conductivity_note(body: Material) -> str:
+    """What the library says of a body's conductivity, where it is wide or the case goes beyond."""
+    key = "thermal_conductivity_W_m_K"
+    data = material_data(body.name).get(key) if body.name in list_materials() else None
+    k = body.thermal_conductivity
+    if data is None or k is None:
+        return ""
+    low, high = data["range"]
+    given = f"materials: {body.name} conducts {k:g} W/mK here, known are {low:g} to {high:g}"
+    if not low <= k <= high:
+        return f"{given}: outside its range"
+    return f"{given}; flash temperatures depend on it" if high > WIDE_RANGE * low else ""
 
 
 def _solid(body: Material) -> SolidThermal:

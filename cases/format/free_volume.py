@@ -16,6 +16,7 @@ from ehl.oil.free_volume import (
     pressure_viscosity_yasutomi,
 )
 from ehl.oil.lubricant import PRESSURE_VISCOSITY_TOLERANCE
+from ehl.oil.pressure_laws import pressure_viscosity_modulus, pressure_viscosity_scaled
 from ehl.units import GIGAPASCAL, ZERO_CELSIUS, to_si
 
 from .fields import name_in_si
@@ -49,9 +50,18 @@ LAWS = {  # constants that a law takes
     ("viscosity_law", "tait-doolittle"): (*TAIT, *DOOLITTLE),
     ("viscosity_law", "yasutomi"): YASUTOMI,
     ("density_law", "tait"): TAIT,
+    ("viscosity_law", "modulus"): (),  # of oils of the library
+    ("viscosity_law", "scaled-volume"): (),
+}
+OF_LIBRARY = {  # constants that an oil of the library has for a law, one of them
+    "tait-doolittle": ("doolittle",),
+    "tait": ("doolittle", "tait"),
+    "yasutomi": (),
+    "modulus": ("modulus",),
+    "scaled-volume": ("scaled",),
 }
 # laws whose constants give the pressure-viscosity coefficient
-LAWS_WITH_CONSTANTS = ("tait-doolittle", "yasutomi")
+LAWS_WITH_CONSTANTS = ("tait-doolittle", "yasutomi", "modulus", "scaled-volume")
 # difference up to which constants count as those of a temperature [K]; it changes the coefficient
 # of squalane by 0.25 %, at an expansion of -1e-3/K of the occupied volume
 SAME_TEMPERATURE = 0.5
@@ -108,15 +118,15 @@ def _needed(
 def _no_constants(oil: _OilFile, law: tuple[str, str], *, of_library: bool) -> Iterator[CaseFault]:
     name = oil.keys.get("name")
     names = list_lubricants()
-    suitable = [one for one in names if "doolittle" in lubricant_data(one)]
-    if law[1] == "yasutomi":
-        suitable = []
+    sets = OF_LIBRARY[law[1]]
+    suitable = [one for one in names if any(key in lubricant_data(one) for key in sets)]
     # an unknown name is a fault of its own
     if of_library and (name in suitable or name not in names):
         return
     subject = "an oil without a name in the library" if name is None else f"the oil {shown(name)}"
     ways = [f"with the oils {', '.join(suitable)}"] if suitable else []
-    ways += [f"with {', '.join(LAWS[law])}", "another law"]
+    ways += [f"with {', '.join(LAWS[law])}"] if LAWS[law] else []
+    ways += ["another law"]
     finding = f"found {shown(law[1])}, for which {subject} has no constants"
     allowed = f"allowed: {'; or '.join(ways)}"
     yield CaseFault(oil.place(law[0]), finding, allowed)
@@ -182,6 +192,10 @@ def _coefficient(given: dict[str, Any]) -> float | None:
         return pressure_viscosity_doolittle(given["tait"], given["doolittle"], temperature)
     if law is ViscosityLaw.YASUTOMI:
         return pressure_viscosity_yasutomi(given["yasutomi"], temperature)
+    if law is ViscosityLaw.MODULUS:
+        return pressure_viscosity_modulus(given["modulus"], temperature)
+    if law is ViscosityLaw.SCALED:
+        return pressure_viscosity_scaled(given["tait"], given["scaled"], temperature)
     return None
 
 

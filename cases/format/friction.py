@@ -11,13 +11,15 @@ from pydantic import create_model
 from bearing.friction.resistance import Cage
 from bearing.library.bearings import named_designation
 from bearing.library.catalogue import nearest_series
+from bearing.library.lubricants import lubricant_data
+from bearing.library.oil_sets import limiting_coefficient
 from bearing.supply.supply import CAPTURED, InletFilm, Supply
 from bearing.torque.inputs import FrictionInput
 from bearing.torque.skf import Lubrication, series_of
 from ehl import Lubricant
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.traction.coefficient_kernels import COEFFICIENTS, Constant
-from ehl.units import MEGAPASCAL, to_si
+from ehl.units import to_si
 
 from .bearing import BearingTable, SurfaceTable, nominal_contact_angle, roughness
 from .fields import LENGTH_MAXIMUM, OneOf, Table, above, between, described
@@ -276,6 +278,14 @@ def _supply(table: FrictionTable, lubricant: LubricantTable) -> Supply | InletFi
     )
 
 
+def _limiting_coefficient(oil: Oil, lubricant: Lubricant) -> tuple[float, str]:
+    """Lambda of the library's oil, or that of a paraffinic mineral oil [-]; and its source."""
+    data = limiting_coefficient(lubricant_data(lubricant.name)) if oil.of_library else None
+    if data is None:
+        return LIMITING_COEFFICIENT, "paraffinic mineral oil, Arana et al., 2019"
+    return float(data["value"]), str(data["source"])
+
+
 def rheology(oil: Oil, lubricant: Lubricant) -> Rheology:
     """How the oil shears: stresses [Pa]; what the case leaves out is assumed, with a warning."""
     keys = oil.keys
@@ -286,19 +296,19 @@ def rheology(oil: Oil, lubricant: Lubricant) -> Rheology:
     if law is ShearLaw.REE_EYRING and eyring is None and lubricant.pressure_viscosity == 0.0:
         law = ShearLaw.NEWTONIAN  # nothing to take a stress from, nor a need of one
     if coefficient is None and law is not ShearLaw.NEWTONIAN:
-        coefficient = LIMITING_COEFFICIENT
-        assumed.append(
-            f"limiting_stress_coefficient = {coefficient:g} (paraffinic mineral oil, "
-            "Arana et al., 2019)"
-        )
+        coefficient, source = _limiting_coefficient(oil, lubricant)
+        assumed.append(f"limiting_stress_coefficient = {coefficient:g} ({source})")
+    constants: dict[str, Any] = {"limiting_coefficient": coefficient}
     if law is ShearLaw.REE_EYRING and eyring is None:
-        eyring = 2.0 * LIMITING_COEFFICIENT / lubricant.pressure_viscosity / MEGAPASCAL
-        assumed.append(f"eyring_stress_MPa = {eyring:.3g} (2 Lambda/alpha, Arana et al., 2019)")
+        constants["eyring_coefficient"] = coefficient
+        assumed.append(
+            f"eyring_stress_MPa = 2 Lambda/alpha, Lambda = {coefficient:g}, alpha at the mean "
+            "pressure of each contact (Arana et al., 2019)"
+        )
+    elif law is ShearLaw.REE_EYRING:
+        constants["eyring_stress"] = to_si("eyring_stress_MPa", eyring)
     if assumed:
         warnings.warn(f"{SHEAR_ASSUMED}: {', '.join(assumed)}", stacklevel=2)
-    constants: dict[str, Any] = {"limiting_coefficient": coefficient}
-    if eyring is not None and law is ShearLaw.REE_EYRING:
-        constants["eyring_stress"] = eyring * MEGAPASCAL
     if law is ShearLaw.CARREAU_YASUDA:
         constants["carreau_modulus"] = to_si("carreau_modulus_MPa", keys["carreau_modulus_MPa"])
         constants["carreau_exponent"] = keys["carreau_exponent"]

@@ -1,5 +1,6 @@
 """[lubricant] and [lubricants.NAME]: the oil at the temperature of operation."""
 
+import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
 from math import log
@@ -77,7 +78,9 @@ class OilTable(Table):
     rheology: Annotated[str, OneOf(ShearLaw)] | None = described(
         "shear law of the friction; left out, Ree-Eyring with assumed constants"
     )
-    eyring_stress_MPa: float | None = above(0, 1e3, "Eyring's; else 2 Lambda/alpha (assumed)")
+    eyring_stress_MPa: float | None = above(
+        0, 1e3, "Eyring's; else 2 Lambda/alpha at each contact's mean pressure (assumed)"
+    )
     limiting_stress_coefficient: float | None = above(
         0, 1, "Lambda of the limiting stress Lambda p; left out, assumed but for Newton's law"
     )
@@ -303,6 +306,7 @@ def lubricant(oil: Oil, temperature: float) -> Lubricant:
     measured_at = to_si("tait_temperature_C", keys.get("tait_temperature_C"))
     if oil.of_library:
         base, of_library = _of_library(given, temperature, own=bool(constants))
+        _warn_of_unverified(base.name, keys)
         measured_at = measured_at if constants else of_library
         given = {field: getattr(base, field) for field in Lubricant.__dataclass_fields__} | given
     given.setdefault("temperature", temperature)
@@ -329,6 +333,14 @@ def _of_library(
     laws = {} if own else {name: given[name] for name in LAWS if name in given}
     base = library_lubricant(given.pop("name"), temperature, **laws)
     return base, lubricant_data(base.name).get("doolittle", {}).get("reference_K")
+
+
+def _warn_of_unverified(name: str, keys: dict[str, Any]) -> None:
+    """Warn of a viscosity of the library that no source was read for, if it is taken."""
+    data = lubricant_data(name)["viscosity"]
+    if not data.get("verified", True) and not any(key in keys for key in VISCOSITIES):
+        source = data["source"].removeprefix("unverified: ")
+        warnings.warn(f"lubricant {name!r}: its viscosity is unverified: {source}", stacklevel=2)
 
 
 def _set_viscosity(given: dict[str, Any], keys: dict[str, Any]) -> None:

@@ -22,7 +22,7 @@ from bearing.torque.inputs import FrictionInput
 from ehl import Lubricant
 from ehl.oil.rheology import Rheology
 from ehl.traction.coefficient_kernels import COEFFICIENTS
-from ehl.traction.table.table import TableContact, TractionTable
+from ehl.traction.table.table import TractionTable
 from ehl.traction.table.temperature import TemperatureTable
 
 from .film_model import CaseFilms, FilmPhysics
@@ -133,19 +133,7 @@ def _at(
     if oil.temperature is None:
         raise ValueError("has tables at several temperatures, and the lubricant has none")
     table = stored.at(oil.temperature, oil)
-    if not all(_same_shear(one.contact, oil, rheology) for one in stored.tables):
-        return table
-    return replace(table, contact=replace(table.contact, rheology=rheology))
-
-
-def _same_shear(contact: TableContact, oil: Lubricant, rheology: Rheology) -> bool:
-    """Whether a table shears by this law; an Eyring stress may scale with 1/alpha."""
-    stress = rheology.eyring_stress
-    if contact.rheology.eyring_stress != stress and oil.pressure_viscosity > 0.0:
-        stress *= oil.pressure_viscosity / contact.lubricant.pressure_viscosity
-    if not isclose(contact.rheology.eyring_stress, stress, rel_tol=SAME_RTOL):
-        return False
-    return replace(rheology, eyring_stress=contact.rheology.eyring_stress) == contact.rheology
+    return table
 
 
 def fitting_tables(

@@ -23,6 +23,7 @@ from ..ranges import require_positive
 # Rx/Ry and its inverse, ellipticity about 1e5; beyond lies the line contact
 RADIUS_RATIO_LIMIT = 1.0e8
 MAX_NEWTON_STEPS = 60
+MEAN_PRESSURE_RATIO = 2.0 / 3.0  # of a semi-ellipsoid over its largest value [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

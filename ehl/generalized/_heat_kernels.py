@@ -17,7 +17,12 @@ walls and curvature of `section.wall_slopes` and `section.curvature`.
 import numpy as np
 
 from ..compiled import compiled
-from ..oil._kernels import thermal_expansion, viscosity_softening
+from ..oil._kernels import (
+    capacity_ratio,
+    conductivity_ratio,
+    thermal_expansion,
+    viscosity_softening,
+)
 from ._kernels import FLUIDITY, RHO, ROWS, T_XX, T_XY, T_YY, solve_column
 
 # Measured on 65 points at 2.3 GPa and slide-roll ratios up to 1.8: half and double of each of the
@@ -30,7 +35,7 @@ LARGEST_STEP = 40.0  # [K] of one Newton step
 MIN_TEMPERATURE = 150.0
 MAX_TEMPERATURE = 2000.0
 # rows of the flow's workspace
-U, V, RATE_X, RATE_Y, CROSSING, INFLOW, ADVECTED, SOURCE, FLOW_ROWS = range(9)
+U, V, RATE_X, RATE_Y, CROSSING, INFLOW, ADVECTED, SOURCE, CAPACITY, FLOW_ROWS = range(10)
 
 
 @compiled
@@ -137,12 +142,10 @@ def source_slope(p, temperature, middle, rise, rate, oil, section, work, flow, s
 
 
 @compiled
-def column_transport(
-    j, i, mesh, symmetric, heat_density, temperature, inlet, mass, height, section, work, flow
-):
+def column_transport(j, i, mesh, symmetric, temperature, inlet, mass, height, section, work, flow):
     """Convection into a column: the upwind parts along x and y, and the flow through lines of
-    constant z/h. mass: mass fluxes int_0^z rho u dz of all columns along x over rho_0 [m^2/s]; the
-    column's own is set here.
+    constant z/h, by the heat capacities in `flow`. mass: mass fluxes int_0^z rho u dz of all
+    columns along x over rho_0 [m^2/s]; the column's own is set here.
     """
     ny, nx, n = temperature.shape
     cumulative = section[2]
@@ -155,7 +158,7 @@ def column_transport(
     step = -mesh[0] if mass[j, i, n - 1] < 0.0 else mesh[0]
     inside = 0 <= before < nx
     for k in range(n):
-        dense = heat_density * work[RHO, k]
+        dense = flow[CAPACITY, k]
         west = i - 1 if flow[U, k] >= 0.0 else i + 1
         from_x = temperature[j, west, k] if 0 <= west < nx else inlet
         south = j - 1 if flow[V, k] >= 0.0 else j + 1
@@ -169,7 +172,8 @@ def column_transport(
         whole = (mass[j, i, n - 1] - mass[j, before, n - 1]) / step if inside else 0.0
         # the gain or loss of the film as a whole leaves sideways or in cavities, evenly over its
         # thickness
-        flow[CROSSING, k] = -heat_density * (change - section[0][k] * whole) / height
+        own = dense / work[RHO, k]
+        flow[CROSSING, k] = -own * (change - section[0][k] * whole) / height
 
 
 @compiled
@@ -186,12 +190,22 @@ def change_temperature(temperature, target, share):
 
 
 @compiled
+def film_conductivity(p, temperature, heat, section, oil):
+    """Conductivity of the oil at the mean temperature of a column [W/(m K)]."""
+    mean = 0.0
+    for k in range(temperature.size):
+        mean += section[1][k] * temperature[k]
+    return heat[0] * conductivity_ratio(p, mean, oil)
+
+
+@compiled
 def solve_heat_column(
     j, i, p, height, rise, rate, speed, mesh, symmetric, oil, heat, section, differences, rheology,
     temperature, inlet, history, response, middle, mass, work, flow, slope, out
 ):  # fmt: skip
     """Temperature and stress of one column by Newton's method; heat of shear [W/m^2] and whether
-    it converged. heat: conductivity and rho_0 c of the oil.
+    it converged. heat: conductivity and rho_0 c of the oil at ambient pressure and the temperature
+    of operation.
     """
     n = section[0].size
     converged = False
@@ -203,10 +217,14 @@ def solve_heat_column(
             p, temperature[j, i], guess, rise, rate, oil, section, rheology, work
         )
         middle[0, j, i], middle[1, j, i] = t_x, t_y
-        # 2. velocities, heat of shear and its derivative, convection, compression
+        # 2. conductivity, velocities, heat of shear and its derivative, convection, compression
+        conductivity = film_conductivity(p, temperature[j, i], heat, section, oil)
+        for k in range(n):
+            ratio = capacity_ratio(p, temperature[j, i, k], work[RHO, k], oil)
+            flow[CAPACITY, k] = heat[1] * ratio
         column_motion((t_x, t_y), rise, speed, height, section, work, flow)
         column_transport(
-            j, i, mesh, symmetric, heat[1], temperature, inlet, mass, height, section, work, flow
+            j, i, mesh, symmetric, temperature, inlet, mass, height, section, work, flow
         )
         source_slope(p, temperature[j, i], (t_x, t_y), rise, rate, oil, section, work, flow, slope)
         for k in range(n):
@@ -214,8 +232,8 @@ def solve_heat_column(
             compression[k] = expansion * (flow[U, k] * rise[0] + flow[V, k] * rise[1]) / height
         # 3. temperatures of the linearised column, within bounds
         column_temperature(
-            height, heat[0], flow[INFLOW], flow[ADVECTED], flow[CROSSING], flow[SOURCE], slope,
-            compression, temperature[j, i], history, response, section[0], differences, out,
+            height, conductivity, flow[INFLOW], flow[ADVECTED], flow[CROSSING], flow[SOURCE],
+            slope, compression, temperature[j, i], history, response, section[0], differences, out,
         )  # fmt: skip
         largest = change_temperature(temperature[j, i], out, 0.5 ** (turn // HALVED_AFTER))
         if largest < COLUMN_TOLERANCE:
@@ -259,10 +277,9 @@ def heat_sweep(
         for i in range(nx) if forward else range(nx - 1, -1, -1):
             height = h[j, i]
             # 1. walls by the heat taken up upstream
-            heated_1 = body_history(flux[0, j], i, speed_1[0, j, i], weights)
-            heated_2 = body_history(flux[1, j], i, speed_2[0, j, i], weights)
-            past_1 = bulk[0] + response[0, j, i] * heated_1
-            past_2 = bulk[1] + response[1, j, i] * heated_2
+            past_1, past_2 = bulk
+            past_1 += response[0, j, i] * body_history(flux[0, j], i, speed_1[0, j, i], weights)
+            past_2 += response[1, j, i] * body_history(flux[1, j], i, speed_2[0, j, i], weights)
             if height <= 0.0:
                 flux[0, j, i] = flux[1, j, i] = dissipation[j, i] = 0.0
                 temperature[j, i] = past_1 + section[0] * (past_2 - past_1)
@@ -288,7 +305,8 @@ def heat_sweep(
                     break
             unsolved += 0 if converged else 1
             # 3. flux into the walls
-            wall_flux(heat[0] / height, differences, temperature[j, i], flux[:, j, i])
+            conductivity = film_conductivity(p[j, i], temperature[j, i], heat, section, oil)
+            wall_flux(conductivity / height, differences, temperature[j, i], flux[:, j, i])
     return unsolved
 
 

@@ -13,8 +13,9 @@ The rate is the gradient of a convex potential of tau_m, so that Newton's method
 shortened where they overshoot finds the only solution; far out on an exponential law, where a step
 gains one power of e only, the next is lengthened to as many as are needed. A limiting stress is
 never reached: from a share 1 - e of it on, the law continues along its tangent, with e = 0.001
-tau_L/tau_base of the column, 0.001 at most, so that the stress of plain sliding exceeds the limit
-by a thousandth (Newtonian base; 3 % if Carreau and Yasuda's base exceeds it 600 times). Where half
+tau_L/tau_base of the column, 0.001 at most, and a 32nd part of that on other bases than Newton's,
+so that the stress of plain sliding exceeds the limit by a thousandth at most; the tangent is that
+of the Newtonian stress, with Carreau and Yasuda's base that of the base's. Where half
 of h grad p exceeds the limit, no tau_m balances it, no oil of that law flows steadily, and the
 tangent replaces the law.
 
@@ -35,10 +36,13 @@ from ..compiled import compiled
 from ..oil._kernels import density_ratio, viscosity
 from ..oil._rheology_kernels import (
     CARREAU_YASUDA,
+    LIMIT_POWER,
+    NEWTONIAN,
     REE_EYRING,
     limiting_stress,
     shear_rate,
     shear_stress,
+    unlimited,
 )
 
 LIMIT_EXCESS = 1e-3  # of the stress of plain sliding over the limiting stress
@@ -57,14 +61,16 @@ ETA, RHO, FLUIDITY, T_XX, T_XY, T_YY, ROWS = range(7)
 @compiled
 def newtonian_stress(tau, limit, margin, rheology):
     """eta times the rate and its derivative by tau; a tangent from the margin on."""
+    law, stress, exponent, breadth = rheology[:4]
     slope = 1.0
     excess = 0.0
     if np.isfinite(limit):
         share = min(tau / limit, 1.0 - margin)
         excess = tau - share * limit
-        slope = 1.0 / (1.0 - share)
-        tau = -limit * np.log1p(-share)
-    law, stress, exponent, breadth = rheology[:4]
+        tau, slope = unlimited(share, limit, law)
+        if law == CARREAU_YASUDA:  # a power law of the base stress stays tame beyond the margin
+            tau += slope * excess
+            excess = 0.0
     newtonian = shear_rate(tau, 1.0, np.inf, law, stress, exponent, breadth)
     if law == REE_EYRING:
         slope *= np.hypot(1.0, newtonian / stress)
@@ -79,7 +85,8 @@ def column_limit(p, temperature, eta, rate, rheology):
     """Limiting stress of a column [Pa], and the margin below it where the tangent begins [-]."""
     limit = limiting_stress(p, temperature, *rheology[4:])
     base = shear_stress(rate, eta.max(), np.inf, *rheology[:4])
-    return limit, LIMIT_EXCESS / max(base / limit, 1.0)
+    margin = LIMIT_EXCESS / max(base / limit, 1.0)
+    return limit, margin if int(rheology[0]) == NEWTONIAN else margin / LIMIT_POWER
 
 
 @compiled

@@ -6,11 +6,12 @@ from time import perf_counter
 import numpy as np
 
 from ..arrays import Array
+from ..closed_form.hertz import MEAN_PRESSURE_RATIO, hertz_contact
 from ..conditions import ContactConditions
 from ..grid import unfolded
 from ..multigrid.full_multigrid import ATTEMPTS, Attempt
 from ..oil.film_state import FilmState, log_gradient_thinning, log_mean_fluidity
-from ..oil.rheology import Rheology
+from ..oil.rheology import Rheology, contact_rheology
 from ..options import GENERALIZED_POINTS, SolverOptions
 from ..solid.heat import SolidThermal
 from ..solution import ContactSolution
@@ -81,6 +82,12 @@ def solve_generalized(
         raise ValueError("inlet_layer: films with shear or heat are solved flooded only")
     if options.points is None and options.tolerance is None:
         options = replace(options, points=GENERALIZED_POINTS)
+    hertz = hertz_contact(
+        conditions.load, conditions.radius_x, conditions.radius_y, conditions.reduced_modulus
+    )
+    rheology = contact_rheology(
+        rheology, conditions.lubricant, MEAN_PRESSURE_RATIO * hertz.pressure
+    )
     heat = None
     if solids is not None:
         heat = FilmHeat(conditions=conditions, solids=solids, oil_temperature=oil_temperature)

@@ -6,6 +6,7 @@ oil: the array of `numbers.oil_numbers`.
 import numpy as np
 
 from ..compiled import compiled
+from .heat_properties import CAPACITY_POWER
 from .lubricant import (
     DOWSON_HIGGINSON_DENOMINATOR,
     DOWSON_HIGGINSON_NUMERATOR,
@@ -13,12 +14,14 @@ from .lubricant import (
 )
 
 # codes of the laws
-ISOVISCOUS, BARUS, ROELANDS, TAIT_DOOLITTLE, YASUTOMI = range(5)
+ISOVISCOUS, BARUS, ROELANDS, TAIT_DOOLITTLE, YASUTOMI, MODULUS, SCALED = range(7)
 INCOMPRESSIBLE, DOWSON_HIGGINSON, TAIT = range(3)
 # where the constants of the viscosity law begin, and those of Tait
 V = 7
 T = 16
 EXPONENT_LIMIT = 600.0  # largest ln(eta/eta_0), keeps exp() finite
+H = 21  # and those of the heat under pressure: kind of its law, constants
+CONSTANT_HEAT, FITTED_HEAT, VOLUME_HEAT = range(3)
 SLOPE_STEP = 1e-3  # [K], of difference quotients by temperature
 
 
@@ -60,6 +63,25 @@ def _log_yasutomi(pressure, temperature, oil):
 
 
 @compiled
+def _log_modulus(pressure, temperature, oil):
+    above = temperature - oil[4]
+    if oil[V + 4] > 0.0:  # eta_0 after Vogel
+        above /= max(1.0 + above / (oil[4] - oil[V + 4]), 1e-3)
+    modulus = oil[V] + oil[V + 1] * temperature
+    modulus += (oil[V + 2] + oil[V + 3] * temperature) * pressure
+    return pressure / modulus - oil[5] * above
+
+
+@compiled
+def _log_scaled(pressure, temperature, oil):
+    volume = max(relative_volume(pressure, temperature, oil), 0.0)
+    phi = temperature / oil[T + 2] * volume ** oil[V + 2]
+    if phi <= oil[V + 1]:
+        return EXPONENT_LIMIT
+    return oil[V] * oil[V + 1] / (phi - oil[V + 1]) - oil[V + 3]
+
+
+@compiled
 def roelands_rise(ratio, exponent):
     """(1 + p/p_r)^z [-], Roelands (1966), at p/p_r."""
     return np.exp(exponent * np.log1p(ratio))
@@ -81,6 +103,10 @@ def log_viscosity_ratio(pressure, temperature, oil):
         if above != 0.0:
             rise *= max(1.0 + above / room, 1e-3) ** (-oil[5] * room / slope)
         return min(slope * (rise - 1.0), EXPONENT_LIMIT)
+    if law == MODULUS:
+        return min(_log_modulus(pressure, temperature, oil), EXPONENT_LIMIT)
+    if law == SCALED:
+        return min(_log_scaled(pressure, temperature, oil), EXPONENT_LIMIT)
     if law == TAIT_DOOLITTLE:
         return min(_log_doolittle(pressure, temperature, oil), EXPONENT_LIMIT)
     return min(_log_yasutomi(pressure, temperature, oil), EXPONENT_LIMIT)
@@ -117,6 +143,35 @@ def density_ratio(pressure, temperature, oil):
     else:
         ratio = 1.0
     return ratio * np.exp(-oil[6] * above)
+
+
+@compiled
+def conductivity_ratio(pressure, temperature, oil):
+    """k/k_0 [-]."""
+    if oil[H] == FITTED_HEAT:
+        p = min(pressure, oil[H + 9])
+        return 1.0 + oil[H + 1] * p / (1.0 + oil[H + 2] * p)
+    if oil[H] == VOLUME_HEAT:
+        volume = relative_volume(pressure, temperature, oil)
+        warm = temperature / oil[T + 2]
+        scaling = volume * (1.0 - oil[H + 4] * warm * volume ** oil[H + 5])
+        return (oil[H + 1] + oil[H + 2] * scaling ** -oil[H + 3]) / oil[H + 8]
+    return 1.0
+
+
+@compiled
+def capacity_ratio(pressure, temperature, density, oil):
+    """Rho c/(rho c)_0 [-], at rho/rho_0."""
+    if oil[H] == FITTED_HEAT:
+        p = min(pressure, oil[H + 9])
+        rise = 1.0 + oil[H + 3] * p / (1.0 + oil[H + 4] * p)
+        slope = oil[H + 5] * (1.0 + oil[H + 6] * p + oil[H + 7] * p * p)
+        return rise * (1.0 + slope * (min(temperature, oil[H + 10]) - oil[H + 8])) / oil[H + 11]
+    if oil[H] == VOLUME_HEAT:
+        volume = relative_volume(pressure, temperature, oil)
+        warm = temperature / oil[T + 2]
+        return (oil[H + 6] + oil[H + 7] * warm * volume**CAPACITY_POWER) / oil[H + 9]
+    return density
 
 
 @compiled

@@ -13,6 +13,9 @@ NEWTONIAN = 0
 REE_EYRING = 1
 CARREAU_YASUDA = 2
 LARGEST_ARGUMENT = 300.0  # as in `rheology`
+# as in `rheology`: m and the number of square roots that make the m-th root
+LIMIT_POWER = 32
+LIMIT_ROOTS = 5
 NEWTON_STEPS = 30
 
 
@@ -39,6 +42,41 @@ def inverse_sine(x):
 
 
 @compiled
+def blend(ratio):
+    """(1 + ratio^m)^(1/m), m = LIMIT_POWER, of a ratio up to 1 [-]."""
+    power = ratio
+    for _ in range(LIMIT_ROOTS):
+        power *= power
+    power += 1.0
+    for _ in range(LIMIT_ROOTS):
+        power = np.sqrt(power)
+    return power
+
+
+@compiled
+def limited(tau, limit, law):
+    """Stress of a base law under a limiting one, both positive [Pa], as `rheology.limited`."""
+    if law == NEWTONIAN:
+        return -limit * np.expm1(-tau / limit)
+    if tau <= limit:
+        return tau / blend(tau / limit)
+    return limit / blend(limit / tau)
+
+
+@compiled
+def unlimited(share, limit, law):
+    """Inverse of `limited`, and its derivative by the stress, at a share < 1 of the limit."""
+    if law == NEWTONIAN:
+        return -limit * np.log1p(-share), 1.0 / (1.0 - share)
+    power = share
+    for _ in range(LIMIT_ROOTS):
+        power *= power
+    rest = 1.0 - power
+    slope = rest ** (-1.0 / LIMIT_POWER)
+    return share * limit * slope, slope / rest
+
+
+@compiled
 def shear_stress(rate, viscosity, limit, law, stress, exponent, breadth):
     """Stress magnitude [Pa] at the magnitude of a rate [1/s]; limiting stress or inf [Pa]."""
     tau = viscosity * rate
@@ -47,7 +85,7 @@ def shear_stress(rate, viscosity, limit, law, stress, exponent, breadth):
     elif law == CARREAU_YASUDA:
         tau *= (1.0 + (tau / stress) ** breadth) ** ((exponent - 1.0) / breadth)
     if np.isfinite(limit):
-        tau = -limit * np.expm1(-tau / limit)
+        tau = limited(tau, limit, law)
     return tau
 
 
@@ -76,7 +114,7 @@ def shear_rate(tau, viscosity, limit, law, stress, exponent, breadth):
     if np.isfinite(limit):
         if tau >= limit:
             return np.inf
-        tau = -limit * np.log1p(-tau / limit)
+        tau, _ = unlimited(tau / limit, limit, law)
     if law == REE_EYRING:
         return stress * np.sinh(min(tau / stress, LARGEST_ARGUMENT)) / viscosity
     if law == CARREAU_YASUDA:

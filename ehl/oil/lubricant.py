@@ -19,6 +19,15 @@ from .free_volume import (
     pressure_viscosity_yasutomi,
     relative_volume,
 )
+from .heat_properties import FittedHeat, VolumeHeat, fitted_ratios, volume_heat
+from .pressure_laws import (
+    PressureModulus,
+    ScaledVolume,
+    log_viscosity_modulus,
+    log_viscosity_scaled,
+    pressure_viscosity_modulus,
+    pressure_viscosity_scaled,
+)
 
 ROELANDS_PRESSURE = 1.96e8  # p_r [Pa], Roelands (1966)
 # Layer at flooded inlets [m], assumed: the order of what a ball of a 6208 carries along against
@@ -42,6 +51,8 @@ class ViscosityLaw(Enum):
     ISOVISCOUS = "isoviscous"
     TAIT_DOOLITTLE = "tait-doolittle"
     YASUTOMI = "yasutomi"
+    MODULUS = "modulus"
+    SCALED = "scaled-volume"
 
 
 class DensityLaw(Enum):
@@ -62,6 +73,8 @@ class ThermalProperties:
     # laws with a temperature dependence of their own
     viscosity_temperature: float
     expansion: float = 0.0  # -d(ln rho)/dT [1/K]
+    # of both under pressure and over temperature; None: k and c constant
+    under_pressure: FittedHeat | VolumeHeat | None = None
 
     def __post_init__(self) -> None:
         require_positive(self, "conductivity", "specific_heat")
@@ -85,6 +98,8 @@ class Lubricant:
     tait: TaitVolume | None = None  # of the density law and of Doolittle's viscosity law
     doolittle: DoolittleFreeVolume | None = None  # of the viscosity law tait-doolittle
     yasutomi: YasutomiGlass | None = None  # of the viscosity law yasutomi
+    modulus: PressureModulus | None = None  # of the viscosity law modulus
+    scaled: ScaledVolume | None = None  # of the viscosity law scaled-volume
     thermal: ThermalProperties | None = None  # for a solve with heat
     # layer at the inlets of flooded contacts, both surfaces together: the rolling moment counts
     # oil up to where the gap is as wide [m]
@@ -108,15 +123,19 @@ class Lubricant:
         return self.pressure_viscosity * self.roelands_pressure / rise
 
 
+NEEDED_BY_LAW = {  # fields beside viscosity and coefficient
+    ViscosityLaw.TAIT_DOOLITTLE: ("tait", "doolittle", "temperature"),
+    ViscosityLaw.YASUTOMI: ("yasutomi", "temperature"),
+    ViscosityLaw.MODULUS: ("modulus", "temperature"),
+    ViscosityLaw.SCALED: ("tait", "scaled", "temperature"),
+}
+
+
 def _require_constants(lubricant: Lubricant) -> None:
     """Each law has its constants, and they agree with the pressure-viscosity coefficient."""
-    needed = []
+    needed = NEEDED_BY_LAW.get(lubricant.viscosity_law, ())
     if lubricant.density_law is DensityLaw.TAIT:
-        needed = ["tait", "temperature"]
-    if lubricant.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE:
-        needed += ["tait", "doolittle", "temperature"]
-    if lubricant.viscosity_law is ViscosityLaw.YASUTOMI:
-        needed += ["yasutomi", "temperature"]
+        needed = (*needed, "tait", "temperature")
     for field in needed:
         if getattr(lubricant, field) is None:
             laws = f"{lubricant.viscosity_law.value}, {lubricant.density_law.value}"
@@ -136,6 +155,10 @@ def law_pressure_viscosity(lubricant: Lubricant) -> float:
         return pressure_viscosity_doolittle(oil.tait, oil.doolittle, oil.temperature)
     if law is ViscosityLaw.YASUTOMI and oil.yasutomi and oil.temperature:
         return pressure_viscosity_yasutomi(oil.yasutomi, oil.temperature)
+    if law is ViscosityLaw.MODULUS and oil.modulus and oil.temperature:
+        return pressure_viscosity_modulus(oil.modulus, oil.temperature)
+    if law is ViscosityLaw.SCALED and oil.tait and oil.scaled and oil.temperature:
+        return pressure_viscosity_scaled(oil.tait, oil.scaled, oil.temperature)
     return oil.pressure_viscosity
 
 
@@ -147,14 +170,21 @@ def log_viscosity_ratio(
 
     At another temperature [K], D = T - T_0: Roelands (1966) s {(1 + p/p_r)^z [(T - 138 K)/(T_0 -
     138 K)]^(-S) - 1}, s = alpha p_r/z, S such that -d(ln eta)/dT = beta at T_0 and ambient
-    pressure; Yasutomi, and Doolittle with an expansion of the occupied volume, as their laws say;
-    the others -beta D on top of the isothermal law, Barus (1893) alpha p.
+    pressure; Yasutomi, the modulus, the scaled volume, and Doolittle with an expansion of the
+    occupied volume, as their laws say; the others -beta D on top of the isothermal law, Barus
+    (1893) alpha p.
     """
     oil = lubricant
-    p = np.asarray(p, dtype=np.float64)
     law = oil.viscosity_law
+    p = np.asarray(p, dtype=np.float64)
     start = oil.temperature or 0.0
     above = np.zeros(()) if temperature is None else np.asarray(temperature) - _operation(oil)
+    if law is ViscosityLaw.MODULUS and oil.modulus:
+        beta = _beta(oil, temperature)
+        return log_viscosity_modulus(p, start + above, start, beta, oil.modulus)
+    if law is ViscosityLaw.SCALED and oil.tait and oil.scaled:
+        reference = log_viscosity_scaled(0.0, start, oil.tait, oil.scaled)
+        return log_viscosity_scaled(p, start + above, oil.tait, oil.scaled) - reference
     if law is ViscosityLaw.YASUTOMI and oil.yasutomi:
         reference = log_viscosity_yasutomi(0.0, start, oil.yasutomi)
         return log_viscosity_yasutomi(p, start + above, oil.yasutomi) - reference
@@ -212,6 +242,16 @@ def viscosity(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None 
     return lubricant.viscosity * np.exp(log_viscosity_ratio(p, lubricant, temperature))
 
 
+def secant_pressure_viscosity(
+    p: float, lubricant: Lubricant, temperature: float | None = None
+) -> float:
+    """alpha(p, T) = ln[eta(p, T)/eta(0, T)]/p [1/Pa], at a pressure [Pa] and temperature [K]."""
+    pressures = np.array([0.0, p])
+    at = None if temperature is None else np.full_like(pressures, temperature)
+    ambient, there = log_viscosity_ratio(pressures, lubricant, at)
+    return float((there - ambient) / p)
+
+
 def density(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = None) -> Array:
     """Density [kg/m^3] at pressure `p` [Pa] and temperature [K] after the lubricant's own law.
 
@@ -235,3 +275,30 @@ def density(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = 
         above = np.asarray(temperature) - _operation(oil)
         ratio = ratio * np.exp(-oil.thermal.expansion * above)
     return oil.density * ratio
+
+
+def heat_properties(
+    p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike
+) -> tuple[Array, Array]:
+    """Conductivity [W/(m K)] and heat capacity rho c [J/(m^3 K)] at a pressure [Pa] and
+    temperature [K]; ValueError without thermal properties.
+
+    With a law of their own these are those at ambient pressure and the temperature of operation
+    times its ratios; else k is constant, and c, so that rho c follows the density.
+    """
+    oil = lubricant
+    if oil.thermal is None:
+        raise ValueError("thermal properties of the lubricant are needed")
+    k = oil.thermal.conductivity
+    capacity = oil.density * oil.thermal.specific_heat
+    law = oil.thermal.under_pressure
+    start = _operation(oil)
+    if isinstance(law, FittedHeat):
+        ratios = fitted_ratios(p, temperature, start, law)
+        return k * ratios[0], capacity * ratios[1]
+    if isinstance(law, VolumeHeat) and oil.tait:
+        there = volume_heat(p, temperature, oil.tait, law)
+        ambient = volume_heat(0.0, start, oil.tait, law)
+        return k * there[0] / ambient[0], capacity * there[1] / ambient[1]
+    rho = density(p, oil, temperature)
+    return np.full_like(rho, k), rho * oil.thermal.specific_heat

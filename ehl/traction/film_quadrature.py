@@ -20,6 +20,7 @@ from .shear import (
     dimensional_conditions,
     dimensional_grid,
     sheared_width,
+    solution_rheology,
     with_outlet,
 )
 
@@ -59,6 +60,7 @@ def film_quadrature(
     The friction of each node is weighed at the sliding speed `largest_slide` [m/s]; temperature:
     for the limiting stress [K].
     """
+    rheology = solution_rheology(solution, rheology)
     zone = hertz_zone(solution)
     blocks = low_pressure_blocks(with_outlet(solution))
     fields = np.concatenate([zone.fields.reshape(7, -1), blocks], axis=1)

@@ -37,7 +37,7 @@ from ..conditions import ContactConditions
 from ..kinematics import ContactKinematics
 from ..oil.film_state import FilmState
 from ..oil.lubricant import Lubricant, viscosity
-from ..oil.rheology import Rheology, shear_stress_vector
+from ..oil.rheology import Rheology, ShearLaw, contact_rheology, shear_stress_vector
 from ..solution import ContactSolution
 
 # [Pa s] keeps products finite; every law with a bound on its stress has reached it long before
@@ -103,6 +103,7 @@ class TractionResult:
     pumping_loss: float  # and from the pressure flow [W]
     coefficient: float  # magnitude of the tangential force over the load [-]
     cavitated_force: float  # of the sliding force, from where there is no pressure [N]
+    eyring_stress: float | None  # that sheared it; None: the oil follows another law [Pa]
     force_balance_error: float  # of the forces on the film along x, over the load [-]
     power_balance_error: float  # of forces and moments less the heat, over the larger [-]
 
@@ -127,7 +128,8 @@ def shear_fields(
     width = sheared_width(h, p, cavitation)
     gap = np.maximum(h, np.finfo(np.float64).tiny)
     temperatures = film_temperature(solution, temperature)
-    stresses = shear_stress_vector((s_x / gap, s_y / gap), eta, p, rheology, temperatures)
+    law = solution_rheology(solution, rheology)
+    stresses = shear_stress_vector((s_x / gap, s_y / gap), eta, p, law, temperatures)
     t_x, t_y = (width * stress for stress in stresses)
     pump_x = -0.5 * h * np.gradient(p, x, axis=0)
     pump_y = -0.5 * h * np.gradient(p, y, axis=1)
@@ -162,7 +164,8 @@ def integrate_traction(
     """
     solution = with_outlet(solution) if cavitation is Cavitation.STRIATED else solution
     k = kinematics
-    fields = shear_fields(solution, k, rheology, temperature=temperature, cavitation=cavitation)
+    law = solution_rheology(solution, rheology)
+    fields = shear_fields(solution, k, law, temperature=temperature, cavitation=cavitation)
     load = dimensional_conditions(solution).load
     parts = _integrals(solution, k, fields)
     sliding_x, sliding_y = parts["sliding_force_x"], parts["sliding_force_y"]
@@ -186,6 +189,7 @@ def integrate_traction(
         power_loss=heat + pumping,
         pumping_loss=pumping,
         coefficient=float(np.hypot(force_x, sliding_y)) / load,
+        eyring_stress=law.eyring_stress if law.law is ShearLaw.REE_EYRING else None,
         force_balance_error=_film_balance(solution, 2.0 * parts["pumping_force_x"]) / load,
         power_balance_error=abs(mechanical - heat) / largest,
     )
@@ -218,6 +222,12 @@ def _integrals(
         "sliding_loss": integral(fields.heat),
         "cavitated_force": float(np.hypot(integral(dry * t_x), integral(dry * t_y))),
     }
+
+
+def solution_rheology(solution: ContactSolution, rheology: Rheology) -> Rheology:
+    """The rheology with the stresses [Pa] that depend on the contact's mean pressure."""
+    oil = dimensional_conditions(solution).lubricant
+    return contact_rheology(rheology, oil, solution.mean_pressure)
 
 
 def film_viscosity(solution: ContactSolution) -> Array:

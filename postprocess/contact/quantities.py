@@ -87,14 +87,21 @@ FILM_QUANTITIES = (
         ("rolling_moment_box_N_mm", "rolling moment of the box", "rolling.box"),
     ),
 )
-FURTHER_QUANTITIES = quantities(  # of the summary alone
-    "",
-    NO_TRACTION,
-    ("traction_force_N", "traction force", "traction_force"),
-    ("traction_power_W", "heat of the traction", "traction.power_loss"),
-    ("spin_moment_N_mm", "spin moment", "traction.spin_moment"),
-    ("rolling_extent_mm", "meniscus ahead of the centre", "rolling.extent"),
-    ("flooded_layer_um", "layer of oil at the inlet", "rolling.layer"),
+FURTHER_QUANTITIES = (  # of the summary alone
+    *quantities(
+        "",
+        NO_TRACTION,
+        ("traction_force_N", "traction force", "traction_force"),
+        ("traction_power_W", "heat of the traction", "traction.power_loss"),
+        ("spin_moment_N_mm", "spin moment", "traction.spin_moment"),
+        ("rolling_extent_mm", "meniscus ahead of the centre", "rolling.extent"),
+        ("flooded_layer_um", "layer of oil at the inlet", "rolling.layer"),
+    ),
+    *quantities(
+        "traction.",
+        f"{NO_TRACTION}, or the oil does not shear by Eyring's law",
+        ("eyring_stress_MPa", "Eyring's stress"),
+    ),
 )
 NO_LAYER = "the film was not solved behind a layer (ehl.starvation), or did not converge"
 SUPPLY_QUANTITIES = (

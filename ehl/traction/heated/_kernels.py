@@ -38,7 +38,7 @@ from .nahme import LARGEST_ROOT, PROFILE, ROOTS
 
 # columns of a node
 X, Y, AREA, FILM, VISCOSITY, PRESSURE = range(6)
-TEMPERATURE, SOFTENING, FALL, SPREAD_X, SPREAD_Y, CAPACITY = range(6, 12)
+TEMPERATURE, SOFTENING, FALL, SPREAD_X, SPREAD_Y, CAPACITY, CONDUCTIVITY = range(6, 13)
 STRESS_TOLERANCE = 2e-4  # of the stress of a node, relative
 HEAT_STEPS = 20  # of Newton's method for the heat of a node at most
 SMALL_LOADING = 1e-3  # X up to which ln(g) is 2 X/3, to 2e-4 of it
@@ -75,7 +75,7 @@ def thinning_by_heat(wall, flux, gap, softening, fall, conductivity):
 
 
 @compiled
-def heated_stress(slide, node, start, conductance, walls, conductivity, base, limits, guess):
+def heated_stress(slide, node, start, conductance, walls, base, limits, guess):
     """Stress [Pa], rise of the film's mean temperature [K], flux out of it and heat of sliding
     [W/m^2] at one node.
 
@@ -87,6 +87,7 @@ def heated_stress(slide, node, start, conductance, walls, conductivity, base, li
     gap = node[FILM]
     soft = node[SOFTENING]
     fall = node[FALL]
+    conductivity = node[CONDUCTIVITY]
     total, out = conductance
     heat = guess
     last_heat = -1.0
@@ -144,13 +145,13 @@ def heated_sums(film, law, wall_response, motion, surface, flux, out):
     """Forces and moments on body 1 by sliding over the lines of a film, added to out: F_x, F_y,
     M_n, M_y.
 
-    film: lines, shape (L, N, 12), nodes one behind the other along each line, columns as named
+    film: lines, shape (L, N, 13), nodes one behind the other along each line, columns as named
     above; span, shape (L,), length of the lines; history, shape (N, N), weights of the fluxes over
-    a line of unit length; conductivity of the oil. law: constants of base law and limiting stress.
+    a line of unit length. law: constants of base law and limiting stress.
     wall_response: 1/(sqrt(pi u) e) of both bodies. motion: slide_x, slide_y, spin, rolling.
     surface: 1/(2R) and the half width over which it counts. flux, shape (2, N): workspace.
     """
-    lines, span, history, conductivity = film
+    lines, span, history = film
     base, limits = law
     for k in range(lines.shape[0]):
         root = np.sqrt(span[k])
@@ -161,13 +162,13 @@ def heated_sums(film, law, wall_response, motion, surface, flux, out):
             s_x, s_y, s, curvature_height = mean_sliding(
                 node[X], node[Y], node[SPREAD_X], node[SPREAD_Y], motion, surface
             )
-            between = conductivity / node[FILM]
+            between = node[CONDUCTIVITY] / node[FILM]
             walls, split, across = line_walls(j, history, flux, response, between)
             outward = 12.0 * between / (1.0 + 12.0 * between * walls[1])
             start = node[CAPACITY] * rise + outward * walls[0]
             total = node[CAPACITY] + outward
             tau, rise, leaving, generated = heated_stress(
-                s, node, start, (total, outward), walls, conductivity, base, limits, generated
+                s, node, start, (total, outward), walls, base, limits, generated
             )
             flux[0, j] = leaving * split + across
             flux[1, j] = leaving - flux[0, j]

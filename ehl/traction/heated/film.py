@@ -9,7 +9,7 @@ from ...arrays import Array
 from ...generalized.section import film_section
 from ...generalized.solver import GeneralizedSolution
 from ...oil.film_state import log_mean_fluidity
-from ...oil.lubricant import Lubricant, density, log_viscosity_ratio
+from ...oil.lubricant import Lubricant, heat_properties, log_viscosity_ratio
 from ...oil.rheology import Rheology, kernel_rheology, shear_stress, thinning_by_gradient
 from ...solid.heat import SolidThermal, response_factor
 from ..film_quadrature import (
@@ -25,6 +25,7 @@ from ..shear import (
     bounded_viscosity,
     dimensional_conditions,
     dimensional_grid,
+    solution_rheology,
     with_outlet,
     with_outlet_values,
 )
@@ -40,13 +41,12 @@ class HeatedLines:
 
     The columns of `lines` are x, y [m], area [m^2], film [m], viscosity [Pa s], pressure [Pa],
     temperature [K], softening -d(ln eta)/dT and its fall [1/K], a twelfth of the squared size
-    along x and y [m^2], capacity rho c h u/dx [W/(m^2 K)].
+    along x and y [m^2], capacity rho c h u/dx [W/(m^2 K)], conductivity [W/(m K)].
     """
 
-    lines: Array  # shape (L, N, 12)
+    lines: Array  # shape (L, N, 13)
     span: Array  # length of each line, shape (L,) [m]
     history: Array  # weights of the fluxes over a line of unit length, shape (N, N) [-]
-    conductivity: float  # of the oil [W/(m K)]
     speed: float  # of entrainment [m/s]
     solids: tuple[SolidThermal, SolidThermal]  # body 1 and body 2
     semi_axis: float  # of the contact along the lines [m]
@@ -82,6 +82,7 @@ def heated_film(
     contact = solution.contact
     conditions = dimensional_conditions(contact)
     oil = conditions.lubricant
+    rheology = solution_rheology(contact, rheology)
     if solution.temperature is None or oil.thermal is None:
         raise ValueError("solution: no temperatures; solve the film with heat")
     x, y, _ = dimensional_grid(contact)
@@ -109,7 +110,6 @@ def heated_film(
             lines=lines,
             span=zone.span,
             history=line_history(zone.shares),
-            conductivity=oil.thermal.conductivity,
             speed=conditions.entrainment_speed,
             solids=solids,
             semi_axis=float(contact.semi_axis_x or 0.0),
@@ -139,11 +139,11 @@ def _lines(
     thinning = thinning_by_gradient(gap * np.hypot(*zone.gradient), rheology)
     eta = bounded_viscosity(pressure, oil, temperature) * np.exp(-fluidity) / thinning
     step = np.maximum(np.diff(zone.shares, prepend=0.0) * zone.span[:, None], SMALLEST_FILM)
-    assert oil.thermal is not None
-    heat_capacity = density(pressure, oil, temperature) * oil.thermal.specific_heat
+    conductivity, heat_capacity = heat_properties(pressure, oil, temperature)
     capacity = heat_capacity * gap * abs(speed) / step
     spread = (along**2 / 12.0, across**2 / 12.0)
-    columns = (x, y, area, gap, eta, pressure, temperature, soft, fall, *spread, capacity)
+    of_heat = (soft, fall, *spread, capacity, conductivity)
+    columns = (x, y, area, gap, eta, pressure, temperature, *of_heat)
     return np.stack(columns, axis=-1)
 
 
@@ -177,7 +177,7 @@ def heated_forces(
     lines = film.lines
     law, *constants = kernel_rheology(lines.rheology)
     numbers = (law, *map(float, constants))
-    nodes = (lines.lines, lines.span, lines.history, lines.conductivity)
+    nodes = (lines.lines, lines.span, lines.history)
     surface = (curvature, film.low_pressure.half_width)
     response = lines.wall_response(slide[0])
     motions = (*slide, rolling)

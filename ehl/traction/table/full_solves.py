@@ -14,7 +14,7 @@ from dataclasses import replace
 import numpy as np
 
 from ...generalized.solver import solve_generalized
-from ...oil.rheology import limiting_stress
+from ...oil.rheology import limited, limiting_stress
 from ...options import SolverOptions
 from ..shear import dimensional_grid
 from .film import table_film
@@ -76,8 +76,7 @@ def _both(
         if contact.rheology.limiting_coefficient is not None:
             mean = contact.temperature if full.mean_temperature is None else full.mean_temperature
             limit = limiting_stress(full.contact.pressure, contact.rheology, mean)
-            # tau_L [1 - exp(-tau/tau_L)]
-            stress = -limit * np.expm1(-np.abs(stress) / limit) * np.sign(stress)
+            stress = np.copysign(limited(np.abs(stress), limit, contact.rheology.law), stress)
         in_full = abs(float(np.trapezoid(np.trapezoid(stress, y, axis=1), x)))
     solutions = (full.contact, film.solution)
     films = [solution.film_central_dimensionless.finest for solution in solutions]

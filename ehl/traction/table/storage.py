@@ -17,15 +17,18 @@ from typing import IO, Any
 import numpy as np
 
 from ...oil.free_volume import DoolittleFreeVolume, ExpansivityForm, TaitVolume, YasutomiGlass
+from ...oil.heat_properties import FittedHeat, VolumeHeat
 from ...oil.lubricant import DensityLaw, Lubricant, ThermalProperties, ViscosityLaw
+from ...oil.pressure_laws import PressureModulus, ScaledVolume
 from ...oil.rheology import Rheology, ShearLaw
 from ...solid.heat import SolidThermal
 from .table import FullSolve, TableContact, TableError, TableRange, TractionTable
 
 FORMAT = "oilfilm traction table"
 # 1 had other coordinates of the motions, 2 neither heat nor full solves beside the films, 3 the
-# rolling moment of the solver's box
-FORMAT_VERSION = 4
+# rolling moment of the solver's box, 4 an Eyring stress without the contact's pressure and a limit
+# that no stress came near
+FORMAT_VERSION = 5
 ARRAYS = ("axes", "scalars", "values")
 PARTS = ("contact", "range", "error", "full_solves")
 PLAIN = ("points", "kappa_max", "films", "converged", "message")
@@ -39,6 +42,10 @@ TYPES: dict[str, Any] = {
     "ehl.lubricant:Lubricant": Lubricant,
     "ehl.lubricant:ThermalProperties": ThermalProperties,
     "ehl.lubricant:ViscosityLaw": ViscosityLaw,
+    "ehl.oil:FittedHeat": FittedHeat,
+    "ehl.oil:PressureModulus": PressureModulus,
+    "ehl.oil:ScaledVolume": ScaledVolume,
+    "ehl.oil:VolumeHeat": VolumeHeat,
     "ehl.rheology.laws:Rheology": Rheology,
     "ehl.rheology.laws:ShearLaw": ShearLaw,
     "ehl.thermal.solids:SolidThermal": SolidThermal,

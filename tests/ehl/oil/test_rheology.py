@@ -9,7 +9,17 @@ import pytest
 from numpy.testing import assert_allclose
 
 from ehl.oil import _rheology_kernels as _kernels
-from ehl.oil.rheology import Rheology, ShearLaw, kernel_rheology, limiting_stress, shear_stress, shear_stress_vector
+from ehl.oil.lubricant import Lubricant, ViscosityLaw
+from ehl.oil.lubricant import viscosity as lubricant_viscosity
+from ehl.oil.rheology import (
+    Rheology,
+    ShearLaw,
+    contact_rheology,
+    kernel_rheology,
+    limiting_stress,
+    shear_stress,
+    shear_stress_vector,
+)
 
 from ...reference.ehl.rheology import shear_rate, shear_rate_vector
 
@@ -76,6 +86,48 @@ def test_limiting_stress_bounds(states):
         if name == "newtonian, limited":
             assert np.any(stress > 0.999 * limiting_stress(pressure, rheology))
     assert np.isinf(shear_rate(7e7, 1.0, 1e9, LAWS["newtonian, limited"]))
+
+
+@pytest.mark.parametrize("name", ["ree-eyring", "carreau", "yasuda"])
+def test_limit_is_the_smaller_of_both_stresses(name, states):
+    """Within 2.2 % where base law and limit meet (2^(1/32) - 1), 0.2 % from a tenth apart, and exact far from there."""
+    rate, viscosity, pressure = states
+    base = shear_stress(rate, viscosity, pressure, LAWS[name])
+    limit = limiting_stress(pressure, LAWS[f"{name}, limited"])
+    share = shear_stress(rate, viscosity, pressure, LAWS[f"{name}, limited"]) / np.minimum(base, limit)
+    assert np.all((share <= 1.0) & (share > 0.978))
+    ratio = base / limit
+    assert np.all(share[(ratio < 0.9) | (ratio > 1.1)] > 0.998)
+    far = (ratio < 0.5) | (ratio > 2.0)
+    assert far.sum() > 100
+    assert_allclose(share[far], 1.0, rtol=1e-5)
+
+
+def test_eyring_stress_follows_the_mean_pressure_and_lambda():
+    """2 Lambda_0/alpha, alpha the secant of the oil's law; in proportion to Lambda_0, refused without alpha."""
+    oil = Lubricant(viscosity=0.03, pressure_viscosity=20e-9, viscosity_law=ViscosityLaw.BARUS)
+    for coefficient in (0.02, 0.1):
+        rheology = Rheology(law=ShearLaw.REE_EYRING, eyring_coefficient=coefficient)
+        known = contact_rheology(rheology, oil, 0.7e9)
+        assert_allclose(known.eyring_stress, 2.0 * coefficient / 20e-9, rtol=1e-12)
+        assert known.of_contact
+        assert not rheology.of_contact
+    roelands = replace(oil, viscosity_law=ViscosityLaw.ROELANDS)
+    secant = np.log(lubricant_viscosity(0.7e9, roelands) / 0.03) / 0.7e9
+    assert_allclose(contact_rheology(rheology, roelands, 0.7e9).eyring_stress, 0.2 / secant, rtol=1e-12)
+    assert contact_rheology(LAWS["carreau"], oil, 0.7e9) is LAWS["carreau"]
+    dead = replace(oil, viscosity_law=ViscosityLaw.ISOVISCOUS, pressure_viscosity=0.0)
+    with pytest.raises(ValueError, match="eyring_coefficient"):
+        contact_rheology(rheology, dead, 0.7e9)
+
+
+def test_stress_of_no_contact_is_refused():
+    rheology = Rheology(law=ShearLaw.REE_EYRING, eyring_coefficient=0.05)
+    for use in (kernel_rheology, lambda law: shear_stress(1.0, 1.0, 1e9, law)):
+        with pytest.raises(ValueError, match="eyring_coefficient"):
+            use(rheology)
+    with pytest.raises(ValueError, match="one of them"):
+        replace(rheology, eyring_stress=5e6)
 
 
 def test_bair_winer_by_hand():

@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ehl.generalized.section import Section
-from ehl.oil.rheology import Rheology, ShearLaw, limiting_stress, shear_stress
+from ehl.oil.rheology import LIMIT_POWER, Rheology, ShearLaw, limiting_stress, shear_stress
 
-from .rheology import shear_rate
+from .rheology import shear_rate, unlimited
 
 Array = NDArray[np.float64]
 
@@ -59,8 +59,9 @@ def _newtonian_stress(tau: Array, rheology: Rheology, limit: Array, margin: Arra
     if rheology.limiting_coefficient is not None:
         share = np.minimum(tau / limit, 1.0 - margin)
         beyond = tau - share * limit
-        slope = 1.0 / (1.0 - share)
-        tau = -limit * np.log1p(-share)
+        tau, slope = unlimited(share, limit, rheology)
+        if rheology.law is ShearLaw.CARREAU_YASUDA:
+            tau, beyond = tau + slope * beyond, np.zeros_like(beyond)
     newtonian = shear_rate(tau, 1.0, 0.0, rheology.unlimited)
     if rheology.law is ShearLaw.REE_EYRING:
         slope = slope * np.hypot(1.0, newtonian / rheology.eyring_stress)
@@ -79,7 +80,8 @@ def _limits(columns: FilmColumns, rheology: Rheology, rate: Array) -> tuple[Arra
     limit = limiting_stress(columns.pressure, rheology, columns.temperature)[:, None]
     thickest = columns.viscosity.max(axis=1, keepdims=True)
     base = shear_stress(np.hypot(rate[:, :1], rate[:, 1:]), thickest, 0.0, rheology.unlimited)
-    return limit, LIMIT_EXCESS / np.maximum(base / limit, 1.0)
+    margin = LIMIT_EXCESS / np.maximum(base / limit, 1.0)
+    return limit, margin if rheology.law is ShearLaw.NEWTONIAN else margin / LIMIT_POWER
 
 
 def _stresses(middle: Array, columns: FilmColumns, section: Section) -> Array:

@@ -32,7 +32,7 @@ def thinning_by_heat(wall, flux, gap, softening, conductivity):
 
 def heated_stress(film, slide, slide_x):
     """Stress at the nodes of `HeatedLines` for sliding speeds [m/s], shape (L, N) [Pa]; slide_x [m/s] at the centre."""
-    _, _, _, gap, eta, pressure, temperature, soft, fall, _, _, capacity = np.moveaxis(film.lines, -1, 0)
+    _, _, _, gap, eta, pressure, temperature, soft, fall, _, _, capacity, conductivity = np.moveaxis(film.lines, -1, 0)
     response = film.wall_response(np.array([slide_x])).T * np.sqrt(film.span)
     flux = np.zeros((2, *gap.shape))
     before = np.zeros(gap.shape[0])
@@ -40,7 +40,7 @@ def heated_stress(film, slide, slide_x):
     for j in range(gap.shape[1]):
         past = np.einsum("blm,m->bl", flux[:, :, :j], film.history[j, :j]) * response
         own = response * film.history[j, j]
-        between = film.conductivity / gap[:, j]
+        between = conductivity[:, j] / gap[:, j]
         both = 1.0 + between * own.sum(axis=0)
         step = between * (past[1] - past[0]) / both
         walls = 0.5 * (past.sum(axis=0) + (own[0] - own[1]) * step)
@@ -50,7 +50,7 @@ def heated_stress(film, slide, slide_x):
         def column(rise, j=j, walls=walls, by_flux=by_flux, outward=outward):
             leaving = outward * (rise - walls)
             softening = (soft[:, j], fall[:, j])
-            thinner = thinning_by_heat(walls + by_flux * leaving, leaving, gap[:, j], softening, film.conductivity)
+            thinner = thinning_by_heat(walls + by_flux * leaving, leaving, gap[:, j], softening, conductivity[:, j])
             thinned = eta[:, j] * np.exp(-thinner)
             rate = slide[:, j] / gap[:, j]
             return shear_stress(rate, thinned, pressure[:, j], film.rheology, temperature[:, j] + rise), leaving

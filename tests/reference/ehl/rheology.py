@@ -5,7 +5,7 @@ from math import inf
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ehl.oil.rheology import LARGEST_ARGUMENT, Rheology, ShearLaw, limiting_stress
+from ehl.oil.rheology import LARGEST_ARGUMENT, LIMIT_POWER, Rheology, ShearLaw, limiting_stress
 
 Array = NDArray[np.float64]
 
@@ -39,7 +39,7 @@ def shear_rate(
     if rheology.limiting_coefficient is not None:
         limit = limiting_stress(pressure, rheology, temperature)
         with np.errstate(divide="ignore", invalid="ignore"):
-            tau = np.where(tau < limit, -limit * np.log1p(-np.minimum(tau / limit, 1.0)), inf)
+            tau = np.where(tau < limit, unlimited(np.minimum(tau / limit, 1.0), limit, rheology)[0], inf)
     if rheology.law is ShearLaw.REE_EYRING:
         tau_0 = rheology.eyring_stress
         newtonian = np.where(np.isinf(tau), inf, tau_0 * np.sinh(np.minimum(tau / tau_0, LARGEST_ARGUMENT)))
@@ -48,6 +48,14 @@ def shear_rate(
     else:
         newtonian = tau
     return np.copysign(newtonian / eta, stress)
+
+
+def unlimited(share: Array, limit: Array, rheology: Rheology) -> tuple[Array, Array]:
+    """Base stress at a share of the limiting one [Pa], and its derivative by the stress [-]."""
+    if rheology.law is ShearLaw.NEWTONIAN:
+        return -limit * np.log1p(-share), 1.0 / (1.0 - share)
+    rest = 1.0 - share**LIMIT_POWER
+    return share * limit * rest ** (-1.0 / LIMIT_POWER), rest ** (-1.0 / LIMIT_POWER - 1.0)
 
 
 def _carreau_inverse(s: Array, rheology: Rheology) -> Array:

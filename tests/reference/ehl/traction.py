@@ -6,7 +6,7 @@ from math import asinh, exp, log
 
 import numpy as np
 
-from ehl.oil.rheology import shear_stress
+from ehl.oil.rheology import limited, shear_stress
 from ehl.traction.coefficient_kernels import RampedCoulomb
 from ehl.traction.table.splines import spline_weights
 from ehl.traction.table.table import load_place, spinning_scale, vertex_slide
@@ -17,8 +17,7 @@ def sliding_forces(film, kinematics):
     x, y, area, gap, eta, limit, spread_x, spread_y = film.nodes
     sliding = mean_sliding(kinematics, x, y, (spread_x, spread_y))
     tau = shear_stress(sliding[2] / gap, eta, 0.0 * eta, film.rheology.unlimited)
-    finite = np.where(np.isfinite(limit), limit, 1.0)
-    tau = np.where(np.isfinite(limit), -finite * np.expm1(-tau / finite), tau)
+    tau = limited(tau, limit, film.rheology.law)
     return summed_forces(kinematics, (x, y, area), tau, sliding)
 
 

@@ -148,8 +148,10 @@ def test_compiled_sums_agree_with_their_reference(rheology):
 
 def test_bodies_and_oil_that_take_all_heat_leave_the_film_of_rolling(film):
     lines, endless = film.quadrature.lines, replace(STEEL, conductivity=1e18)
-    cold = replace(film.quadrature, lines=replace(lines, conductivity=1e9, solids=(endless, endless)))
-    x, y, area, gap, eta, pressure, warm, _, _, along, across, _ = np.moveaxis(lines.lines, -1, 0).reshape(12, -1)
+    nodes = lines.lines.copy()
+    nodes[..., _kernels.CONDUCTIVITY] = 1e9
+    cold = replace(film.quadrature, lines=replace(lines, lines=nodes, solids=(endless, endless)))
+    x, y, area, gap, eta, pressure, warm, _, _, along, across, *_ = np.moveaxis(lines.lines, -1, 0).reshape(13, -1)
     limit = 0.05 * pressure
     rows = np.stack([x, y, area, gap, eta, np.maximum(limit, LIMITED.limiting_minimum), along, across])
     plain = FilmQuadrature(nodes=rows, half_width=film.quadrature.low_pressure.half_width, rheology=LIMITED)

@@ -1,0 +1,86 @@
+"""Conductivity and heat capacity of an oil under pressure and temperature, over those at ambient
+pressure and the temperature of operation.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..arrays import Array
+from ..ranges import require_finite, require_positive
+from .free_volume import TaitVolume, relative_volume
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FittedHeat:
+    """Constants of Larsson and Andersson (2000): k = k_0 [1 + c_1 p/(1 + c_2 p)], rho c = (rho
+    c)_0 [1 + a_1 p/(1 + a_2 p)] [1 + b (T - T_R)], b = b_0 (1 + b_1 p + b_2 p^2). Beyond the
+    largest pressure and temperature of their data the values stay.
+    """
+
+    conductivity_1: float  # c_1 [1/Pa]
+    conductivity_2: float  # c_2 [1/Pa]
+    capacity_1: float  # a_1 [1/Pa]
+    capacity_2: float  # a_2 [1/Pa]
+    temperature_0: float  # b_0 [1/K]
+    temperature_1: float  # b_1 [1/Pa]
+    temperature_2: float  # b_2 [1/Pa^2]
+    reference_temperature: float  # T_R [K]
+    largest_pressure: float  # [Pa]
+    largest_temperature: float  # [K]
+
+    def __post_init__(self) -> None:
+        require_positive(self, "conductivity_1", "conductivity_2", "capacity_1", "capacity_2")
+        require_positive(self, "reference_temperature", "largest_pressure", "largest_temperature")
+        require_finite(self, "temperature_0", "temperature_1", "temperature_2")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class VolumeHeat:
+    """Constants of Habchi and Bair: k = B + C K^-s, K = (V/V_R) [1 - A (T/T_R) (V/V_R)^q], and
+    rho c = C_0 + m (T/T_R) (V/V_R)^-4, with the volume of the oil's Tait law.
+    """
+
+    conductivity_base: float  # B [W/(m K)]
+    conductivity_scale: float  # C [W/(m K)]
+    conductivity_exponent: float  # s [-]
+    scaling_factor: float  # A [-]
+    scaling_exponent: float  # q [-]
+    capacity_base: float  # C_0 [J/(m^3 K)]
+    capacity_scale: float  # m [J/(m^3 K)]
+
+    def __post_init__(self) -> None:
+        require_positive(self, "conductivity_base", "conductivity_scale", "capacity_base")
+
+
+CAPACITY_POWER = -4.0  # of the volume in rho c, Habchi and Bair [-]
+
+
+def fitted_ratios(
+    p: ArrayLike, temperature: ArrayLike, operation: float, law: FittedHeat
+) -> tuple[Array, Array]:
+    """k and rho c [-] at a pressure [Pa] and temperature [K] over those at ambient pressure and
+    the temperature of operation [K].
+    """
+    p = np.clip(np.asarray(p, dtype=np.float64), 0.0, law.largest_pressure)
+    t = np.minimum(np.asarray(temperature, dtype=np.float64), law.largest_temperature)
+    start = min(operation, law.largest_temperature)
+    k = 1.0 + law.conductivity_1 * p / (1.0 + law.conductivity_2 * p)
+    rise = 1.0 + law.capacity_1 * p / (1.0 + law.capacity_2 * p)
+    slope = law.temperature_0 * (1.0 + law.temperature_1 * p + law.temperature_2 * p * p)
+    reference = law.reference_temperature
+    ambient = 1.0 + law.temperature_0 * (start - reference)
+    return np.asarray(k + 0.0 * t), np.asarray(rise * (1.0 + slope * (t - reference)) / ambient)
+
+
+def volume_heat(
+    p: ArrayLike, temperature: ArrayLike, tait: TaitVolume, law: VolumeHeat
+) -> tuple[Array, Array]:
+    """k [W/(m K)] and rho c [J/(m^3 K)] at a pressure [Pa] and temperature [K]."""
+    volume = relative_volume(p, temperature, tait)
+    warm = np.asarray(temperature) / tait.reference_temperature
+    scaling = volume * (1.0 - law.scaling_factor * warm * volume**law.scaling_exponent)
+    k = law.conductivity_base + law.conductivity_scale * scaling**-law.conductivity_exponent
+    capacity = law.capacity_base + law.capacity_scale * warm * volume**CAPACITY_POWER
+    return np.asarray(k), np.asarray(capacity)
