@@ -18,6 +18,7 @@
 | draws | random contacts |
 | robustness | the sweep over random contacts, kept draw by draw |
 | robustness_page | its tables and map |
+| starvation | contacts behind a layer of oil by a second solution |
 | plots | pictures of the page |
 | run | all sections and the files they write |
 """

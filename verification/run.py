@@ -23,7 +23,13 @@ from .rigid import rigid_limit
 PAGE = "verification.md"
 SWEEP_PAGE = "robustness.md"
 SWEEP = "robustness.jsonl"
-TITLES = {PAGE: "Verification of the contact solver", SWEEP_PAGE: "Random contacts"}
+STARVATION_PAGE = "starvation.md"
+TITLES = {
+    PAGE: "Verification of the contact solver",
+    SWEEP_PAGE: "Random contacts",
+    STARVATION_PAGE: "Verification of contacts behind a layer of oil",
+}
+INTRODUCTIONS = {PAGE: "page", SWEEP_PAGE: "sweep", STARVATION_PAGE: "starvation page"}
 
 MAKERS: dict[SectionName, Callable[..., Section]] = {
     SectionName.ORDERS: orders,
@@ -74,7 +80,7 @@ def write_page(sections: Sequence[Section], directory: Path, page: str) -> None:
     for picture in (picture for section in sections for picture in section.pictures):
         write_figure(directory / PICTURES / f"{picture.stem}.png", picture.draw)
     numbers = json.dumps(document(sections), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
-    markdown_text = markdown(TITLES[page], text("page" if page == PAGE else "sweep"), sections)
+    markdown_text = markdown(TITLES[page], text(INTRODUCTIONS[page]), sections)
     for name, content in ((Path(page).with_suffix(".json").name, numbers), (page, markdown_text)):
         write_text(directory / name, content)
 
