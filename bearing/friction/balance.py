@@ -96,9 +96,11 @@ def balance_driven_balls(
 
     Where the oil's resistance asks more traction than a light contact has, the ball would slide at
     speeds for which its film was not solved; beyond `SKID_RATIO` of the entrainment the inner race
-    counts as not driving it. So it does for balls that are cage-driven in the equilibrium.
+    counts as not driving it. So it does for balls that are cage-driven in the equilibrium, and for
+    those whose inner contact has no film, being of negligible load.
     """
-    driven = (solution.inner_load > 0.0) & ~solution.cage_driven
+    with_film = np.array([c.conditions is not None for c in contacts]).reshape(-1, 2)[:, 0]
+    driven = (solution.inner_load > 0.0) & ~solution.cage_driven & with_film
     balance = balance_balls(solution, contacts, law, driven=driven, resistance=resistance)
     for _ in range(SKID_ROUNDS):
         skidding = driven & (sliding_ratio(balance, contacts) > SKID_RATIO)

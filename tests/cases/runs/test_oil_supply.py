@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from math import pi
+
 import pytest
 
+from cases import load_case
 from cases.batch.sweep import read_sweep
 from cases.format.case import case_from_text, case_of_document
 from cases.format.problems import CaseError
@@ -358,3 +362,11 @@ def test_a_layer_that_cannot_be_solved_is_refused(text, key):
     with pytest.raises(CaseError) as refusal:
         case_from_text(text, "case.toml")
     assert key in str(refusal.value)
+
+
+def test_balls_of_next_to_no_load_do_not_run_away():
+    """At 1 r/min centrifugal force presses with 1e-8 N: no film, and nothing that holds the ball but the cage."""
+    case = load_case("6208_oil_supply")
+    slow = replace(case.operation, inner_speed=2.0 * pi / 60.0, force=(100.0, 1000.0, 0.0))
+    torque = run_case(replace(case, operation=slow)).torque
+    assert torque.total == pytest.approx(torque.starved.total, rel=0.3)
