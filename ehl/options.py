@@ -25,6 +25,8 @@ class SolverOptions:
     threads: int = 1
     # after the cycles, Newton's method until the equations of the finest grid hold to 1e-8
     certify: bool = False
+    # behind a layer: the flooded film, and what the tabulated law of starvation leaves of it
+    tabulated: bool = False
 
     def __post_init__(self) -> None:
         cells = self.most_points - 1

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .closed_form.hertz import MEAN_PRESSURE_RATIO
+from .closed_form.starvation import StarvationShares
 from .conditions import ContactConditions, MoesConditions
 from .oil.film_state import FilmState
 from .options import SolverOptions
@@ -66,7 +67,9 @@ class ConvergenceRecord:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OilSupply:
-    """What a layer at the inlet does to a contact, by solutions of the same box; all [-]."""
+    """What a layer at the inlet does to a contact, by solutions of the same box or the flooded one
+    and the law of starvation; all [-].
+    """
 
     # films without limit of the supply, as those of the solution
     flooded_central: FilmValue
@@ -74,14 +77,23 @@ class OilSupply:
     # layer at the middle of the track over the oil that the flooded film takes along,
     # rho(P(0, 0)) H_c
     inlet_ratio: float
-    # X at which the gap fills on the line Y = 0; None: ahead of the box, which the layer floods
+    # X at which the gap fills on the line Y = 0; None: ahead of the box, which the layer floods,
+    # or by the law
     meniscus: float | None
     rolling_moment_ratio: float  # of the box, over that of the flooded film there
-    outlet_layer: Array  # shape (ny,): oil that leaves the box over its velocity
-    filled: Array  # shape (nx, ny): share of the gap that oil fills
+    # None by the law: shape (ny,), oil that leaves the box over its velocity, and shape (nx, ny),
+    # share of the gap that oil fills
+    outlet_layer: Array | None = None
+    filled: Array | None = None
+    # what the law gave, None: solved behind the layer; and the moment of the flooded pressure in
+    # the box, over p_h a^3, with what makes it that by the heat of its flow
+    law: StarvationShares | None = None
+    flooded_moment: tuple[float, float] = (0.0, 0.0)
 
     def thinned(self, step: int) -> "OilSupply":
         """The same on every `step`-th node."""
+        if self.outlet_layer is None or self.filled is None:
+            return self
         return replace(
             self, outlet_layer=self.outlet_layer[::step], filled=self.filled[::step, ::step]
         )

@@ -26,6 +26,7 @@ from .multigrid.newton import certify
 from .multigrid.oil_supply import inlet_ratio, oil_supply, starved_film_guess, turned_round
 from .multigrid.open_box import box_uncertainty, choose_domain
 from .multigrid.settling import Progress
+from .multigrid.starvation_law import behind_layer
 from .multigrid.verdict import film_over_radius, judged, resolution_message
 from .options import SolverOptions
 from .scaling import ScaledContact, scale_contact
@@ -33,6 +34,7 @@ from .solution import ContactSolution, ConvergenceRecord, FilmValue
 
 Array = NDArray[np.float64]
 
+FLOODED_ONLY = "inlet_layer: films with shear or heat are solved flooded only"
 LOAD_STEPS = (1.0 / 16.0, 0.25)  # shares of the load through which a fallback reaches it
 # Hc/(S hx^2) of the first mesh times the tolerance, Hc of the film formula
 FIRST_FINENESS = 6.0
@@ -62,7 +64,8 @@ def solve_contact(
     """
     options = options or SolverOptions()
     if conditions.inlet_layer is not None:
-        return solve_starved(conditions, options, flow_model)
+        solve = solve_by_law if options.tabulated else solve_starved
+        return solve(conditions, options, flow_model)
     return solve_attempts(conditions, options, flow_model)[0]
 
 
@@ -124,7 +127,7 @@ def solve_starved(
     layer = scale_contact(conditions).inlet_layer
     assert layer is not None
     if flow_model is not None:
-        raise ValueError("inlet_layer: films with shear or heat are solved flooded only")
+        raise ValueError(FLOODED_ONLY)
     if options.certify:
         raise ValueError("certify: Newton's method has no equations of a layer at the inlet")
     flooded, levels = solve_attempts(replace(conditions, inlet_layer=None), options)
@@ -141,6 +144,30 @@ def solve_starved(
     record = replace(starved.record, wall_time=time_of_both)
     supply = oil_supply(flooded, starved, levels, ratio)
     return replace(starved, record=record, supply=supply)
+
+
+def solve_by_law(
+    conditions: ContactConditions | MoesConditions,
+    options: SolverOptions,
+    flow_model: FlowModel | None = None,
+) -> ContactSolution:
+    """A contact behind a layer of oil: its flooded film, and what the tabulated law of starvation
+    leaves of it, see `multigrid/starvation_law.py`.
+
+    Raises
+    ------
+    ValueError
+        If a flow model is asked for: the law is of Newtonian films without heat.
+    """
+    contact = scale_contact(conditions)
+    assert contact.inlet_layer is not None
+    if flow_model is not None:
+        raise ValueError(FLOODED_ONLY)
+    flooded, levels = solve_attempts(replace(conditions, inlet_layer=None), options)
+    if not flooded.converged:
+        return replace(flooded, conditions=conditions, message=f"flooded film: {flooded.message}")
+    frames = (levels.contact, scale_contact(conditions, along_entrainment=True))
+    return behind_layer(flooded, conditions, frames, contact.inlet_layer.central)
 
 
 def _certify(result: AttemptResult, progress: Progress) -> None:

@@ -8,13 +8,11 @@ moment, starvation on that and on the gap that shears, asperities on the load th
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from ehl.closed_form.starvation import starvation_shares
-from ehl.conditions import moes_groups
 from ehl.solution import ContactSolution
 from ehl.traction.rolling_moment import rolling_moment
 
 from ..contacts.contact import BearingContact
-from ..supply.supply import InletFilm, Supply, contact_track, inlet_layer, supplied_share
+from ..supply.supply import InletFilm, Supply, supplied_shares
 from .asperities import Asperities
 from .formula_films import FormulaFilm, formula_film, with_gap
 
@@ -123,20 +121,15 @@ def _by_formula(found: FormulaFilm | None) -> RunningFilm | None:
 
 
 def _starved(film: RunningFilm, contact: BearingContact, supply: OilAtInlets) -> RunningFilm:
-    """What a supply leaves of a flooded film, the minimum film as the central one."""
-    own = contact.conditions
-    assert own is not None  # there is a film
-    share = supplied_share(contact, film.central, supply.oil, supply.balls)
-    layer = inlet_layer(contact, film.central, supply.oil, supply.balls)
-    _, unit = contact_track(contact, film.central)
-    groups = (*moes_groups(own), own.radius_x / own.radius_y)
-    left = starvation_shares(*groups, layer / unit).rolling_moment.value
+    """What a supply leaves of a flooded film."""
+    left = supplied_shares(contact, film.central, supply.oil, supply.balls)
+    share = left.central.value
     return replace(
         film,
         film=with_gap(film.film, share),
         central=share * film.central,
-        minimum=None if film.minimum is None else share * film.minimum,
-        rolling_factor=film.rolling_factor * left,
+        minimum=None if film.minimum is None else left.minimum_film(film.central, film.minimum),
+        rolling_factor=film.rolling_factor * left.rolling_moment.value,
     )
 
 

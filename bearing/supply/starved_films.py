@@ -1,7 +1,7 @@
 """Films of a bearing's contacts with little oil: what a supply leaves of the flooded ones."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 
 import numpy as np
@@ -12,7 +12,7 @@ from ehl.closed_form.film import film_hamrock_dowson_minimum, film_nijenbanning_
 from ..contacts.contact import BearingContact
 from ..geometry import Race
 from ..quasistatic.solution import QuasistaticSolution
-from .supply import InletFilm, Supply, supplied_share
+from .supply import InletFilm, Supply, supplied_shares
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -20,6 +20,8 @@ class StarvedFilm:
     """Film of one contact at a supply."""
 
     share: float  # of the flooded central film [-]
+    minimum_share: float  # of the flooded minimum film [-]
+    rolling_share: float  # of the flooded rolling moment [-]
     flooded_central: float  # flooded films [m]
     flooded_minimum: float  # [m]
     # root mean square of race and ball together, zero where it is not known
@@ -27,7 +29,12 @@ class StarvedFilm:
     # whether the flooded films were solved; else they are those of the formulas of Nijenbanning et
     # al. and of Hamrock and Dowson
     solved: bool = False
-    minimum_share: float | None = None  # of the flooded minimum film [-]; None: as the central
+    inside: bool = True  # whether the law of starvation was solved for such a contact
+
+    @property
+    def flooded(self) -> "StarvedFilm":
+        """The same contact without limit of the supply."""
+        return replace(self, share=1.0, minimum_share=1.0, rolling_share=1.0)
 
     @property
     def central(self) -> float:
@@ -36,9 +43,8 @@ class StarvedFilm:
 
     @property
     def minimum(self) -> float:
-        """Minimum film left [m]."""
-        share = self.share if self.minimum_share is None else self.minimum_share
-        return share * self.flooded_minimum
+        """Minimum film left [m], never above the central one."""
+        return min(self.minimum_share * self.flooded_minimum, self.central)
 
     @property
     def lambda_ratio(self) -> float:
@@ -53,8 +59,8 @@ def starved_films(
     roughness: tuple[float, float] | None = None,
     solutions: Sequence[ContactSolution | None] | None = None,
 ) -> tuple[StarvedFilm | None, ...]:
-    """What a supply leaves of the film of every contact, the minimum film as the central one; None
-    where no oil is entrained or no flooded film is known.
+    """What a supply leaves of the film of every contact; None where no oil is entrained or no
+    flooded film is known.
 
     `balls`: in one row [-]; `roughness`: root mean square of inner race and balls, outer race and
     balls [m]; `solutions`: flooded films; formulas where one is missing or did not converge.
@@ -67,30 +73,38 @@ def starved_films(
             film = _behind_layer(solution, rough[contact.race])
         elif flooded := _flooded(contact, solution):
             central, minimum, solved = flooded
+            shares = supplied_shares(contact, central, supply, balls)
             film = StarvedFilm(
-                share=supplied_share(contact, central, supply, balls),
+                share=shares.central.value,
+                minimum_share=shares.minimum.value,
+                rolling_share=shares.rolling_moment.value,
                 flooded_central=central,
                 flooded_minimum=minimum,
                 roughness=rough[contact.race],
                 solved=solved,
+                inside=shares.inside,
             )
         films.append(film)
     return tuple(films)
 
 
 def _behind_layer(solution: ContactSolution, roughness: float) -> StarvedFilm | None:
-    """Of a film that was solved behind a layer; None where it did not converge."""
+    """Of a film that stands behind a layer; None where it did not converge."""
     central, minimum = solution.flooded_central, solution.flooded_minimum
     if central is None or minimum is None:
         return None
     assert solution.film_central is not None and solution.film_minimum is not None
+    supply = solution.supply
+    assert supply is not None
     return StarvedFilm(
         share=solution.film_central / central,
+        minimum_share=solution.film_minimum / minimum,
+        rolling_share=supply.rolling_moment_ratio,
         flooded_central=central,
         flooded_minimum=minimum,
         roughness=roughness,
         solved=True,
-        minimum_share=solution.film_minimum / minimum,
+        inside=supply.law is None or supply.law.inside,
     )
 
 

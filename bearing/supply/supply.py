@@ -4,10 +4,11 @@ the balls.
 Either the layer of oil that every contact finds at its inlet is given (`InletFilm`), or a flow
 (`Supply`).
 
-Film: a contact that finds an oil layer of r times its compressed flooded film builds a film of
-:math:`r/(1 + r^\gamma)^{1/\gamma}` times the flooded one (Chevalier et al., 1998; Damiens et al.,
-2004) and presses the rest out of the track. Under a flow every contact finds what the balls before
-it left and what was added, in the steady state (`track`).
+Film: a contact that finds an oil layer of r times its compressed flooded film keeps the shares of
+the flooded films and of the rolling moment that the law of starvation gives
+(`ehl.closed_form.starvation`). Of the layer :math:`r/(1 + r^\gamma)^{1/\gamma}` passes (Chevalier
+et al., 1998; Damiens et al., 2004), and the rest is pressed out of the track. Under a flow every
+contact finds what the balls before it left and what was added, in the steady state (`track`).
 
 **Assumed** (no source): of the flow a given share lands on the two tracks, half on each, and
 spreads evenly over the width of the contact's ellipse; the share of the layer that is flung off or
@@ -18,18 +19,26 @@ and the balls plough through a mixture of that density. Both numbers are inputs 
 constants of nature.
 """
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
 from math import inf, isfinite, pi
 
-from ehl.closed_form.starvation import starvation_exponent, starvation_shares, starved_share
-from ehl.conditions import ContactConditions, moes_groups
+from ehl.closed_form.starvation import (
+    FLOODED,
+    StarvationShares,
+    starvation_exponent,
+    starved_share,
+)
+from ehl.conditions import ContactConditions
+from ehl.multigrid.starvation_law import contact_shares
 from ehl.oil.lubricant import Lubricant, density
+from ehl.scaling import scale_contact
 
 from ..contacts.contact import BearingContact
 from ..geometry import Bearing
 from .side_flow import side_flow
-from .track import Law, Track, added_layer, steady_layer, steady_share
+from .track import Track, added_layer, steady_layer
 
 CAPTURED = (0.1, 0.5)  # share of a jet that lands on the tracks, an estimate, second hand [-]
 
@@ -41,7 +50,7 @@ class Supply:
     flow: float  # volume supplied [m^3/s]
     track_share: float  # share of it that lands on the tracks [-]; assumed
     residence_time: float  # mean time that oil stays in the bearing [s]; assumed
-    exponent: float | None = None  # gamma of the starved film [-]; None: by the ellipse
+    exponent: float | None = None  # gamma of the layer that passes [-]; None: by the ellipse
     loss: float = 0.0  # share of the layer on a track that is lost between two balls [-]; assumed
     captured: tuple[float, float] = CAPTURED  # range that `track_share` may have [-]
 
@@ -88,26 +97,26 @@ class InletFilm:
 AMPLE = InletFilm(layer=1.0)  # floods every contact
 
 
-def supplied_share(
+def supplied_shares(
     contact: BearingContact, flooded_film: float, supply: Supply | InletFilm, balls: int
-) -> float:
-    """Central film of a contact over the flooded one [-]; 1 where no oil is entrained.
+) -> StarvationShares:
+    """What a supply leaves of the flooded films and rolling moment of a contact [-]; all where no
+    oil is entrained.
 
     `flooded_film`: central, solved or from a formula [m]; `supply`: a layer that is ample leaves
     the film as it was, to the last digit; `balls`: in one row [-].
     """
     if contact.conditions is None or contact.hertz is None:
-        return 1.0
-    track, unit = contact_track(contact, flooded_film, supply)
-    if isinstance(supply, InletFilm):
-        return track.share(supply.layer / unit)
-    return steady_share(track, _added(contact, supply, balls) / unit)
+        return FLOODED
+    unit = _unit(contact, flooded_film)
+    layer = inlet_layer(contact, flooded_film, supply, balls)
+    return starvation_law(contact.conditions, unit)(layer / unit)
 
 
 def inlet_layer(
     contact: BearingContact, flooded_film: float, supply: Supply | InletFilm, balls: int
 ) -> float:
-    """Layer of oil at the inlet of a contact in the steady state [m], as `supplied_share`; a flow
+    """Layer of oil at the inlet of a contact in the steady state [m], as `supplied_shares`; a flow
     gives none where no oil is entrained.
     """
     if isinstance(supply, InletFilm):
@@ -129,30 +138,36 @@ def contact_track(
     hertz = contact.hertz
     if contact.conditions is None or hertz is None:
         raise ValueError("no oil is entrained")
-    unit = flooded_film * compression(hertz.pressure, contact.conditions.lubricant)
+    unit = _unit(contact, flooded_film)
+    law = starvation_law(contact.conditions, unit)
     exponent = None if supply is None else supply.exponent
-    passing = partial(
-        starved_share,
-        exponent=exponent or starvation_exponent(hertz.semi_axis_y / hertz.semi_axis_x),
-    )
     track = Track(
-        share=_law(contact.conditions) if exponent is None else passing,
-        passing=passing,
+        share=lambda ratio: law(ratio).central.value,
+        passing=partial(
+            starved_share,
+            exponent=exponent or starvation_exponent(hertz.semi_axis_y / hertz.semi_axis_x),
+        ),
         side_flow=unit**2 * side_flow(contact),
         loss=supply.loss if isinstance(supply, Supply) else 0.0,
     )
     return track, unit
 
 
-def _law(conditions: ContactConditions) -> Law:
-    """R(r) of the central film."""
-    groups = moes_groups(conditions)
-    ratio = conditions.radius_x / conditions.radius_y
+def _unit(contact: BearingContact, flooded_film: float) -> float:
+    """Oil of a flooded film at ambient density [m]."""
+    assert contact.conditions is not None and contact.hertz is not None
+    return flooded_film * compression(contact.hertz.pressure, contact.conditions.lubricant)
 
-    def share(layer: float) -> float:
-        return starvation_shares(*groups, ratio, layer).central.value
 
-    return share
+def starvation_law(
+    conditions: ContactConditions, unit: float
+) -> Callable[[float], StarvationShares]:
+    """Shares over r, the layer over the oil of the flooded film, `unit` [m], of a contact [-]. The
+    layer of a flooded inlet leaves all.
+    """
+    scaled = scale_contact(conditions, along_entrainment=True)
+    ample = conditions.lubricant.flooded_layer / unit
+    return lambda ratio: contact_shares(scaled, ratio, ample)
 
 
 def _added(contact: BearingContact, supply: Supply, balls: int) -> float:
@@ -164,8 +179,8 @@ def _added(contact: BearingContact, supply: Supply, balls: int) -> float:
 
 
 def compression(hertz_pressure: float, lubricant: Lubricant) -> float:
-    """Density at the mean Hertz pressure, 2/3 p_h [Pa], over the ambient one [-]."""
-    return float(density(2.0 / 3.0 * hertz_pressure, lubricant)) / lubricant.density
+    """Density at the centre of a contact, at the Hertz pressure [Pa], over the ambient one [-]."""
+    return float(density(hertz_pressure, lubricant)) / lubricant.density
 
 
 def cavity_volume(bearing: Bearing) -> float:

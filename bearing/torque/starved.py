@@ -1,15 +1,14 @@
 """Friction torque over the oil supply, first order: less film and rolling resistance, more
 asperities, less churning.
 
-Every contact keeps the share of its flooded film that the supply leaves it (`supply`). Its rolling
-resistance falls with that share squared: a rule of ours, between what solves with shortened inlets
-of a heavy and a light contact of a 6208 give (docs/theory/torque.md). Its sliding friction is that
-of film and asperities in the proportion of the lambda ratio (`mixed`), on the lines of pure
-rolling. The balls plough through the oil that stands in the cavity.
+Every contact keeps the shares of its flooded films and of its rolling moment that the supply
+leaves it (`supply`). Its sliding friction is that of film and asperities in the proportion of the
+lambda ratio (`mixed`), on the lines of pure rolling. The balls plough through the oil that stands
+in the cavity.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import NamedTuple
 
 from ehl import ContactSolution
@@ -30,8 +29,6 @@ from ..supply.supply import InletFilm, Supply, cavity_volume, oil_fraction
 from .inputs import FrictionInput
 from .models import cage_and_drag
 from .sliding import pure_rolling_line_torque, sliding_contacts
-
-ROLLING_EXPONENT = 2.0  # of the film's share in that of the rolling resistance [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -93,12 +90,7 @@ def starved_torque(
     else:
         fraction = oil_fraction(supply, cavity_volume(solution.bearing))
     parts = _of_films(solution, contacts, friction, films)
-    ample = _of_films(
-        solution,
-        contacts,
-        friction,
-        [film and replace(film, share=1.0, minimum_share=None) for film in films],
-    )
+    ample = _of_films(solution, contacts, friction, [film and film.flooded for film in films])
     cage = cage_and_drag(solution, lubricant, friction, speed)["cage"]
     drag = churning_power(solution, lubricant.density, fraction) / speed
     driven = of_driven_balls(solution, contacts, films)
@@ -125,8 +117,8 @@ def _of_films(
     rolling = film = asperity = 0.0
     pairs = list(zip(contacts, films, strict=True))
     for contact, one in pairs:
-        share = 1.0 if one is None else one.share
-        rolling += share**ROLLING_EXPONENT * contact_rolling_power(contact) / speed
+        share = 1.0 if one is None else one.rolling_share
+        rolling += share * contact_rolling_power(contact) / speed
     loaded = [one for contact, one in pairs if contact.hertz is not None]
     for one, lines in zip(loaded, sliding_contacts(solution, contacts), strict=True):
         share = 0.0 if one is None else asperity_share(one.lambda_ratio)

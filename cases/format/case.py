@@ -75,7 +75,7 @@ class Case(AnyCase):
     seats: fits.Seats  # of the rings, for their strength
     rows: tuple[Row, ...] | None = None  # None: a single one
     load_cases: tuple["LoadCaseInput", ...] = ()  # states of a duty cycle
-    # that films are solved behind [m], or the flow that gives each contact its own; None: flooded
+    # that films stand behind [m], or the flow that gives each contact its own; None: flooded
     inlet_layer: InletLayer | Supply | None = None
 
 
@@ -172,7 +172,7 @@ def _bearing_case(file: BearingFile) -> Case:
     rings = fits.elastic_rings(file.rings, file.fit, delivered, library)
     assumptions = replace(model(file.model, file.friction), rings=rings)
     bodies = (bearing.ball_material, bearing.inner_ring_material)
-    films = case_films(file.ehl, rheology(oil, fluid), bodies)
+    films = case_films(file.ehl, rheology(oil, fluid), bodies, _starvation(file))
     torque = _friction(file, delivered)
     inlet = _inlet(file, bearing, fluid, torque)
     source = (file.friction, torque, bearing, fluid, films, inlet)
@@ -210,10 +210,21 @@ def _film_maps(file: BearingFile) -> str | tuple[float, ...]:
 
 
 def _inlet_layer(file: BearingFile, torque: FrictionInput) -> InletLayer | Supply | None:
-    """Layer that films are solved behind [m], or the flow that gives each contact its own."""
+    """Layer that films stand behind [m], or the flow that gives each contact its own."""
+    chosen = _starvation(file)
     if isinstance(torque.supply, Supply):
-        return torque.supply if file.ehl.starvation == contacts.Starvation.SOLVED.value else None
-    return contacts.inlet_layer(contacts.starvation(file.ehl, file.lubricant), file.lubricant)
+        return None if chosen in (None, contacts.Starvation.NONE) else torque.supply
+    return contacts.inlet_layer(chosen, file.lubricant)
+
+
+def _starvation(file: BearingFile) -> contacts.Starvation | None:
+    """What oil at the inlets of a bearing does to its films; None without."""
+    if file.lubricant.inlet_film_um is None:
+        given = file.ehl.starvation
+        return None if given is None else contacts.Starvation(given)
+    flooded = file.lubricant.supply == "flooded"
+    untold = contacts.Starvation.NONE if flooded else contacts.Starvation.TABULATED
+    return contacts.starvation(file.ehl, file.lubricant, untold)
 
 
 def _friction(file: BearingFile, delivered: Bearing) -> FrictionInput:
@@ -305,7 +316,7 @@ def _contact_case(file: ContactFile) -> ContactCase:
     document["lubricant"] = _lubricant_document(document, lubricant_keys(fluid, moes=moes))
     bodies = [library[name] for name in names[:2] if name is not None]
     return ContactCase(
-        **_common(file, case_films(file.ehl, shear, bodies)),
+        **_common(file, case_films(file.ehl, shear, bodies, starvation)),
         document=document,
         conditions=replace(
             contacts.contact(table, library, fluid),
@@ -323,6 +334,9 @@ def _bearing_document(
     document["materials"] = {name: material_table(library[name]) for name in _material_names(file)}
     document["lubricant"] = _lubricant_document(document, lubricant_keys(oil, moes=False))
     document["model"]["ball_kinematics"] = assumptions.ball_kinematics.value
+    starvation = _starvation(file)
+    if starvation is not None:
+        document["ehl"]["starvation"] = starvation.value
     return document
 
 

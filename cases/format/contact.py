@@ -68,8 +68,9 @@ class GridTable(Table):
     )
 
     starvation: Annotated[str, OneOf(Starvation)] | None = described(
-        "with an inlet film, or a flow of oil: solved (a single contact untold), or none (a "
-        "bearing untold): flooded films, a share by formula beside them"
+        "with an inlet film, or a flow of oil: solved (a single contact untold); tabulated: "
+        "flooded films and the law of starvation (a bearing with an inlet film untold); none: "
+        "what the law leaves stands beside the flooded films (a flow untold)"
     )
 
     @model_validator(mode="before")

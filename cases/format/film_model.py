@@ -9,7 +9,7 @@ from ehl.generalized.solver import solve_generalized
 from ehl.oil.rheology import Rheology
 from ehl.solid.heat import SolidThermal
 
-from .contact import FilmModel, GridTable
+from .contact import FilmModel, GridTable, Starvation
 
 WIDE_RANGE = 1.5  # of a conductivity, from which on a result with heat says so [-]
 
@@ -67,12 +67,21 @@ class CaseFilms:
         return [None if one is None else solve(one, self.options) for one in conditions]
 
 
-def case_films(table: GridTable, shear: Rheology | None, bodies: Sequence[Material]) -> CaseFilms:
+def case_films(
+    table: GridTable,
+    shear: Rheology | None,
+    bodies: Sequence[Material],
+    starvation: Starvation | None = None,
+) -> CaseFilms:
     """Grid [-] and physics of the films, SI; `ValueError` if they have heat and a body, ball or
-    race, no thermal properties.
+    race, no thermal properties. `starvation`: what a layer does to them, None without.
     """
     options = SolverOptions(
-        points=table.points, domain=table.domain, tolerance=table.tolerance, certify=table.certify
+        points=table.points,
+        domain=table.domain,
+        tolerance=table.tolerance,
+        certify=table.certify,
+        tabulated=starvation is Starvation.TABULATED,
     )
     model = FilmModel(table.film_model)
     solids = None

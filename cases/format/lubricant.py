@@ -199,20 +199,26 @@ def _layer_faults(values: CaseValues) -> Iterator[CaseFault]:
     """A film behind a layer needs a layer, and is Newtonian, without a certificate."""
     chosen = values.get("ehl", "starvation")
     newtonian = values.get("ehl", "film_model") in (None, "newtonian")
-    if chosen == "solved" and not newtonian:
+    if chosen in ("solved", "tabulated") and not newtonian:
         found = f"found {shown(chosen)} with film_model {shown(values.get('ehl', 'film_model'))}"
         yield CaseFault(("ehl", "starvation"), found, 'allowed: "none", or film_model "newtonian"')
-    by_default = chosen is None and values.given("contact") and newtonian
-    if not (by_default or chosen == "solved"):
+    solved = chosen == "solved" or (chosen is None and values.given("contact") and newtonian)
+    by_law = chosen == "tabulated" or (chosen is None and newtonian and not _kept_flooded(values))
+    if not (solved or by_law):
         return
     layers = [("lubricant", key) for key in ("inlet_film_um", "inlet_film_dimensionless")]
     for key in (*layers, ("friction", "supply_mL_min")):
-        if values.get(*key) == 0.0:
+        if values.get(*key) == 0.0 and (chosen is not None or key in layers):
             allowed = 'allowed: above 0, a dry inlet has no film; or starvation = "none"'
             yield CaseFault(key, "found 0", allowed)
-        if values.given(*key) and values.get("ehl", "certify"):
+        if solved and values.given(*key) and values.get("ehl", "certify"):
             found = f"found true with {'.'.join(key)}"
             yield CaseFault(("ehl", "certify"), found, 'allowed: false, or starvation = "none"')
+
+
+def _kept_flooded(values: CaseValues) -> bool:
+    """Whether the films of a bearing stay flooded untold, its torque being wanted so."""
+    return values.get("lubricant", "supply") == "flooded"
 
 
 def _incomplete(oil: dict[str, Any], *, moes: bool) -> Iterator[CaseFault]:

@@ -4,4 +4,5 @@ film         - film thickness formulas from curve fits
 hertz        - dry elastic contact of two quadratic surfaces, Hertz (1882)
 hertz_stress - stress below a dry elliptical contact, on its axis and beside it
 starvation   - what a layer of oil at the inlet leaves of a flooded contact
+starvation_table - the law of starvation as tabulated
 """

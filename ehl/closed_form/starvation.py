@@ -1,18 +1,22 @@
-"""What a layer of oil at the inlet leaves of a flooded contact: films and rolling moment."""
+"""What a layer of oil at the inlet leaves of a flooded contact: films and rolling moment.
 
-from dataclasses import dataclass
-from math import exp, log
+`starvation_shares` is the law of this program, tabulated from its own solutions. The formulas of
+others stand beside it for comparison.
+"""
+
+from dataclasses import dataclass, replace
+from math import exp, inf, log
+
+import numpy as np
 
 from ..ranges import require_not_negative, require_positive
-from .hertz import ellipse_ratio
+from .starvation_table import Curves, curves, table
 
 EXPONENTS = (3.0, 15.0)  # gamma of a circle and of an ellipse of this ratio and more
 WIDE_ELLIPSE = 8.0  # that ratio, Damiens et al. (2004) [-]
-LEAST_ROLLING_RATIO = 2.0  # from which Biboulet and Houpert's fit is theirs [-]
-# of the film by Chevalier's formula, and of the minimum film by the same share: against solutions
-# of three contacts (docs/theory/starved_contact.md) it is off by 5 and by 35 %
-FORMULA_ERRORS = (0.06, 0.4)
-ROLLING_ERROR = 0.5  # of Biboulet and Houpert's fit for line contacts; assumed
+# on the uncertainties of a contact outside the solved ones, which takes the shares of the nearest
+# place inside; assumed
+OUTSIDE = 4.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -20,7 +24,11 @@ class Share:
     """A share of the flooded value, 0 to 1 [-]."""
 
     value: float
-    uncertainty: float  # encloses the distance to the solution, as a share of flooded, too
+    uncertainty: float  # encloses the distance to the solution in nineteen of twenty, of flooded
+
+    def raised(self, by: float) -> "Share":
+        """The share and so much more [-]."""
+        return Share(min(self.value + by, 1.0), self.uncertainty)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -29,36 +37,93 @@ class StarvationShares:
 
     central: Share  # film at the centre
     minimum: Share  # smallest film
-    rolling_moment: Share
-    inside: bool  # whether contact and layer lie in the range that the shares are known for
+    rolling_moment: Share  # of the pressure in the solver's own box
+    inside: bool  # whether the contact lies among those that were solved for the law
+
+    def minimum_film(self, central: float, minimum: float) -> float:
+        """Smallest film left of flooded films [m]: never above the central one."""
+        return min(self.minimum.value * minimum, self.central.value * central)
+
+
+FLOODED = StarvationShares(
+    central=Share(1.0, 0.0), minimum=Share(1.0, 0.0), rolling_moment=Share(1.0, 0.0), inside=True
+)
+DRY = StarvationShares(
+    central=Share(0.0, 0.0), minimum=Share(0.0, 0.0), rolling_moment=Share(0.0, 0.0), inside=True
+)
 
 
 def starvation_shares(
-    load_parameter: float, lubricant_parameter: float, radius_ratio: float, inlet_ratio: float
+    load_parameter: float,
+    lubricant_parameter: float,
+    radius_ratio: float,
+    inlet_ratio: float,
+    flooded_ratio: float = inf,
 ) -> StarvationShares:
     """Shares of the flooded films and rolling moment that a layer at the inlet leaves [-].
 
     `load_parameter`, `lubricant_parameter`: Moes' M and L; `radius_ratio`: Rx/Ry, x the direction
     of the entrainment; `inlet_ratio`: r, layer on both surfaces together at ambient density over
-    the oil of the flooded film, rho(p(0, 0))/rho_0 h_c.
+    the oil of the flooded film, rho(p(0, 0))/rho_0 h_c; `flooded_ratio`: r of an inlet that counts
+    as flooded. What the law leaves to be missing there is made up in proportion to r^2, so that no
+    step is left.
 
     Raises
     ------
     ValueError
-        If a number is negative, or M or Rx/Ry zero.
+        If a number is negative, or M, Rx/Ry or the flooded ratio zero.
     """
     given = {"load_parameter": load_parameter, "radius_ratio": radius_ratio}
     require_positive(given, *given)
-    given = {"lubricant_parameter": lubricant_parameter, "inlet_ratio": inlet_ratio}
-    require_not_negative(given, *given)
-    film = starved_share(inlet_ratio, starvation_exponent(ellipse_ratio(radius_ratio)))
-    moment = rolling_share_biboulet_houpert(inlet_ratio)
-    return StarvationShares(
-        central=Share(film, FORMULA_ERRORS[0] * film),
-        minimum=Share(film, FORMULA_ERRORS[1] * film),
-        rolling_moment=Share(moment, ROLLING_ERROR * moment),
-        inside=inlet_ratio >= LEAST_ROLLING_RATIO,
+    require_not_negative({"lubricant_parameter": lubricant_parameter}, "lubricant_parameter")
+    if not (inlet_ratio >= 0.0 and flooded_ratio > 0.0):
+        raise ValueError(f"inlet_ratio must be zero or positive, got {inlet_ratio!r}")
+    if inlet_ratio >= flooded_ratio:
+        return FLOODED
+    if inlet_ratio == 0.0:
+        return DRY
+    known = curves(load_parameter, lubricant_parameter, radius_ratio)
+    shares = _shares(known, inlet_ratio)
+    if flooded_ratio == inf:
+        return shares
+    ample = _shares(known, flooded_ratio)
+    part = (inlet_ratio / flooded_ratio) ** 2
+    return replace(
+        shares,
+        central=shares.central.raised(part * (1.0 - ample.central.value)),
+        minimum=shares.minimum.raised(part * (1.0 - ample.minimum.value)),
+        rolling_moment=shares.rolling_moment.raised(part * (1.0 - ample.rolling_moment.value)),
     )
+
+
+def _shares(known: Curves, inlet_ratio: float) -> StarvationShares:
+    """Shares of a contact at a ratio above zero [-]."""
+    at = log(inlet_ratio)
+    exponent, gain, moment = (
+        float(np.interp(at, known.log_ratios, values))
+        for values in (known.exponent, known.gain, known.moment)
+    )
+    film = starved_share(inlet_ratio, exp(exponent))
+    minimum = min(film * exp((1.0 - film) * gain), 1.0)
+    widened = 1.0 if known.inside else OUTSIDE
+    errors = [widened * float(np.interp(at, table().error_ratios, row)) for row in known.errors]
+    beyond = at - float(np.clip(at, known.log_ratios[0], known.log_ratios[-1]))
+    return StarvationShares(
+        central=Share(film, errors[0] * film),
+        minimum=Share(minimum, errors[1] * minimum),
+        rolling_moment=Share(_moment(moment, beyond), errors[2]),
+        inside=known.inside,
+    )
+
+
+def _moment(logit: float, beyond: float) -> float:
+    """Share of the rolling moment; `beyond`: ln r past the end of the table, below which it falls
+    and above which what is missing falls with r [-].
+    """
+    share = 1.0 / (1.0 + exp(-logit))
+    if beyond > 0.0:
+        return 1.0 - (1.0 - share) * exp(-beyond)
+    return share * exp(beyond)
 
 
 def starvation_exponent(semi_axis_ratio: float) -> float:

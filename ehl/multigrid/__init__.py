@@ -15,6 +15,7 @@ newton              - Newton's method on the finest level: certificate and last 
 oil_supply          - what a layer of oil at the inlet leaves of a flooded film
 open_box            - open box of a contact from its film by formula
 settling            - cycles on one level until its film is at rest
+starvation_law      - a contact behind a layer by its flooded solution and the tabulated law
 starved             - conservation of mass where the oil does not fill the gap
 threads             - threads that share the lines of a grid
 transfer            - transfers between a grid and the one with doubled mesh size

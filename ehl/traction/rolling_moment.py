@@ -23,6 +23,7 @@ Reynolds' equation in it.
 """
 
 from dataclasses import dataclass
+from math import hypot
 
 import numpy as np
 
@@ -128,6 +129,8 @@ def _behind_layer(
     assert a is not None
     layer = conditions.inlet_layer.central
     scale = solution.hertz_pressure * a**3
+    if solution.supply.law is not None:
+        return _by_law(solution, layer, scale)
     change = scale * pressure_moment(solution, contact)[1]
     extent = solution.supply.meniscus
     beyond = 0.0
@@ -149,6 +152,29 @@ def _behind_layer(
         layer=layer,
         extent=None if extent is None else -a * extent,
         note=note,
+    )
+
+
+def _by_law(solution: ContactSolution, layer: float, scale: float) -> RollingMoment:
+    """What the law of starvation leaves of the moment in the box of the flooded film; its error
+    bar holds the law's, and the difference of the two ways to sum that moment.
+
+    layer: at the inlet [m]; scale: of moments, p_h a^3 [N m].
+    """
+    supply = solution.supply
+    assert supply is not None and supply.law is not None
+    share = supply.law.rolling_moment
+    flooded = scale * sum(supply.flooded_moment)
+    value = share.value * flooded
+    residual = solution.record.residual[-1] if solution.record.residual else 0.0
+    of_film = scale * abs(supply.flooded_moment[1]) + RESIDUAL_ERROR * residual * abs(flooded)
+    return RollingMoment(
+        value=value,
+        uncertainty=hypot(share.value * of_film, share.uncertainty * flooded),
+        box=value,
+        layer=layer,
+        extent=None,
+        note="the law of starvation knows no meniscus",
     )
 
 

@@ -2,7 +2,7 @@
 films after the supply stops.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import isfinite
 from typing import Any
 
@@ -63,6 +63,7 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
         )
         return
     films = [film for film in torque.films if film is not None]
+    yield from _outside_message(torque.films, results)
     if torque.behind_layers:
         yield from _layer_messages(results)
         return
@@ -98,21 +99,46 @@ def _band_messages(results: BearingResults) -> Iterator[str]:
 
 
 def _layer_messages(results: BearingResults) -> Iterator[str]:
-    """Which numbers are starved where films were solved behind layers."""
+    """Which numbers are starved where films stand behind layers."""
+    behind = [
+        (f"ball {contact.ball} {contact.race.value}", film.supply)
+        for contact, film in zip(results.contacts, results.solutions, strict=True)
+        if film is not None and film.supply is not None
+    ]
+    by_law = any(supply.law is not None for _, supply in behind)
+    how = "by the law of starvation" if by_law else "solved"
     yield (
-        f"supply: {supply_kind(results)}, films solved behind {_whose_layer(results)}: film_..., "
+        f"supply: {supply_kind(results)}, films {how} behind {_whose_layer(results)}: film_..., "
         "lambda_ratio, maps and the integrated torque are starved, flooded_film_... the flooded "
         "films; the torque model starved is of first order, all others are flooded"
     )
     if supply_kind(results) == "flow":
         yield from _band_messages(results)
-    ahead = [
-        f"ball {contact.ball} {contact.race.value}"
-        for contact, film in zip(results.contacts, results.solutions, strict=True)
-        if film is not None and film.supply is not None and film.supply.meniscus is None
-    ]
+    if by_law:
+        yield (
+            "contacts.meniscus_position: null, the law of starvation knows none; its films stand "
+            "in the flooded pressure, of whose rolling moment rolling_moment_ratio is left"
+        )
+        return
+    ahead = [name for name, supply in behind if supply.meniscus is None]
     if ahead:
         yield f"contacts.meniscus_position: null, the layer floods the box ({', '.join(ahead)})"
+
+
+def _outside_message(
+    films: Sequence[StarvedFilm | None], results: BearingResults
+) -> Iterator[str]:
+    """Contacts that the law of starvation was not solved for."""
+    names = [
+        f"ball {contact.ball} {contact.race.value}"
+        for contact, film in zip(results.contacts, films, strict=True)
+        if film is not None and not film.inside
+    ]
+    if names:
+        yield (
+            "supply: outside the contacts that the law of starvation was solved for, with the "
+            f"shares of the nearest ones ({', '.join(names)})"
+        )
 
 
 def _whose_layer(results: BearingResults) -> str:

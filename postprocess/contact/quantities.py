@@ -103,7 +103,7 @@ FURTHER_QUANTITIES = (  # of the summary alone
         ("eyring_stress_MPa", "Eyring's stress"),
     ),
 )
-NO_LAYER = "the film was not solved behind a layer (ehl.starvation), or did not converge"
+NO_LAYER = "the film stands behind no layer (ehl.starvation), or did not converge"
 SUPPLY_QUANTITIES = (
     *quantities(
         "film.",

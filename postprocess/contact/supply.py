@@ -1,11 +1,9 @@
 """Oil supply of a single contact: its film where the inlet layer starves it."""
 
 from collections.abc import Iterator
-from math import cos, hypot, sin
 
-from bearing.supply.supply import compression
+from bearing.supply.supply import compression, starvation_law
 from ehl import ContactConditions, ContactSolution
-from ehl.closed_form.starvation import starvation_exponent, starved_share
 from ehl.units import from_si, to_si
 
 from .results import ContactResults
@@ -13,11 +11,20 @@ from .results import ContactResults
 KEYS = ("starved_film_share", "starved_film_central_um", "starved_film_minimum_um")
 SOLVED = ("inlet_ratio", "meniscus_position", "rolling_moment_ratio")
 NAMES = ("central", "minimum")
+LAW_MESSAGE = (
+    "supply: inlet film, by the law of starvation: film_... are the films that it leaves of "
+    "flooded_film_..., their error bars hold its own; pressure and shear are those of the flooded "
+    "pressure; meniscus_position: null, the law knows none"
+)
+OUTSIDE_MESSAGE = (
+    "the contact lies outside those that the law of starvation was solved for; it takes the "
+    "nearest ones, with wider error bars"
+)
 
 
 def contact_starved_values(results: ContactResults) -> dict[str, float | None]:
-    """Share of the flooded film [-] and the films left [um], solved or by formula, and what the
-    solution says of the layer; None without an inlet film.
+    """Share of the flooded film [-] and the films left [um], solved or by the law of starvation,
+    and what the solution says of the layer; None without an inlet film.
     """
     return {**_films_left(results), **_flooded_films(results.solution)}
 
@@ -35,13 +42,10 @@ def _films_left(results: ContactResults) -> dict[str, float | None]:
         return dict.fromkeys(KEYS)
     given = solution.conditions
     assert isinstance(given, ContactConditions)  # the film has a length
-    along, across = cos(given.entrainment_angle), sin(given.entrainment_angle)
-    ratio = hypot(across, solution.semi_axis_ratio * along) / hypot(
-        along, solution.semi_axis_ratio * across
-    )
-    packed = compression(solution.hertz_pressure, given.lubricant) * central
-    share = starved_share(to_si("inlet_film_um", layer) / packed, starvation_exponent(ratio))
-    values = (share, share * central, share * minimum)
+    compressed = compression(solution.hertz_pressure, given.lubricant) * central
+    shares = starvation_law(given, compressed)(to_si("inlet_film_um", layer) / compressed)
+    share = shares.central.value
+    values = (share, share * central, shares.minimum_film(central, minimum))
     return {key: from_si(key, value) for key, value in zip(KEYS, values, strict=True)}
 
 
@@ -62,7 +66,11 @@ def contact_supply_messages(results: ContactResults) -> Iterator[str]:
     solution = results.solution
     given = results.case.get("lubricant", ())
     solved = f"flooded_film_..., {', '.join(SOLVED)}"
-    if solution.supply is not None:
+    if solution.supply is not None and solution.supply.law is not None:
+        yield LAW_MESSAGE
+        if not solution.supply.law.inside:
+            yield f"supply: {OUTSIDE_MESSAGE}"
+    elif solution.supply is not None:
         if solution.supply.meniscus is None:
             yield "meniscus_position: null, the layer is thicker than the gap where the box begins"
         if solution.conditions.inlet_layer is not None and solution.film_scale is None:
@@ -72,8 +80,11 @@ def contact_supply_messages(results: ContactResults) -> Iterator[str]:
     elif not {"inlet_film_um", "inlet_film_dimensionless"} & set(given):
         yield f"starved_film_..., {solved}: null, the supply is flooded"
     elif solution.converged:
-        keys = "starved are starved_film_... alone, by formula; all else is of the flooded film"
+        keys = (
+            "starved are starved_film_... alone, by the law of starvation; all else is of the "
+            "flooded film"
+        )
         yield f"supply: inlet film; {keys}"
-        yield f"{solved}: null, they need a film solved behind its layer (ehl.starvation)"
+        yield f"{solved}: null, they need a film behind its layer (ehl.starvation)"
     else:
         yield f"starved_film_..., {solved}: null, the flooded film did not converge"

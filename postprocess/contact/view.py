@@ -114,6 +114,7 @@ def contact_view(
     columns = around(y, -side, side)
     central, minimum = solution.film_central_dimensionless, solution.film_minimum_dimensionless
     doubt = "" if solution.resolved else "not resolved"
+    filled = None if solution.supply is None else solution.supply.filled
     return ContactView(
         x=x[rows],
         y=y[columns],
@@ -136,7 +137,7 @@ def contact_view(
         window=(float(x_in), float(x_out), -float(side), float(side)),
         oblique=oblique_angle(solution),
         doubt=doubt if solution.converged else "not converged",
-        filled=None if solution.supply is None else solution.supply.filled[rows, columns],
+        filled=None if filled is None else filled[rows, columns],
     )
 
 

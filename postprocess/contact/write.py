@@ -63,7 +63,11 @@ def field_group(solution: ContactSolution) -> Group:
 
 
 def _supply_fields(supply: OilSupply, film: float | None) -> Variables:
-    """Share of the gap that oil fills, and the layer that leaves the box over y."""
+    """Share of the gap that oil fills, and the layer that leaves the box over y; none by the law
+    of starvation.
+    """
+    if supply.filled is None or supply.outlet_layer is None:
+        return {}
     share = supply.filled.astype(np.float32)
     about = {"units": "1", "long_name": "share of the gap filled with oil"}
     layer = {"long_name": "layer of oil that leaves the box, both surfaces, at ambient density"}

@@ -199,7 +199,7 @@ def _of_the_oil(solution: ContactSolution) -> dict[str, Array]:
     fields = {}
     if solution.state is not None and solution.state.temperature is not None:
         fields[TEMPERATURE] = solution.state.temperature - ZERO_CELSIUS
-    if solution.supply is not None:
+    if solution.supply is not None and solution.supply.filled is not None:
         fields[FILLED] = solution.supply.filled
     return fields
 

@@ -14,7 +14,7 @@ from cases.format.problems import CaseError
 from cases.runs.bearing import run_case
 from cases.runs.contact import run_contact
 from cases.runs.heating import self_heated
-from ehl.closed_form.starvation import starvation_exponent, starved_share
+from ehl.closed_form.starvation import starvation_shares
 from postprocess import summary
 
 SURFACE = "[surface]\ninner_ring_roughness_um = 0.2\nouter_ring_roughness_um = 0.2\nball_roughness_um = 0.02\n"
@@ -84,8 +84,10 @@ def test_a_thin_inlet_film_starves_films_and_torque(flooded):
     for contact in lubricated:
         formulas, share = contact["film_formulas_um"], contact["starved_film_share"]
         assert contact["starved_film_central_um"] == pytest.approx(share * formulas["nijenbanning_central"])
-        assert contact["starved_film_minimum_um"] == pytest.approx(share * formulas["hamrock_dowson_minimum"])
-        assert contact["starved_lambda_ratio"] == pytest.approx(share * contact["lambda_ratio_formula"])
+        assert contact["starved_film_minimum_um"] <= contact["starved_film_central_um"]
+        left = contact["starved_film_minimum_um"] / formulas["hamrock_dowson_minimum"]
+        assert 0.9 * share < left < 1.5 * share
+        assert contact["starved_lambda_ratio"] == pytest.approx(left * contact["lambda_ratio_formula"])
     assert supply["lambda_least"] == pytest.approx(min(c["starved_lambda_ratio"] for c in lubricated if c["ball"] == 1))
     for name, model in torque["models"].items():  # all others are the flooded ones
         if name not in ("starved", "integrated"):
@@ -115,13 +117,15 @@ def test_the_word_flooded_keeps_the_total(flooded):
 
 
 def test_solved_films_are_what_a_supply_takes_its_share_of():
-    """Both films converged; far from scarce the solved ones stay, exactly, and the integrated torque stands beside."""
-    text = TEXT.replace('film_maps = "none"', "points = 65\nfilm_maps = [0.0]").replace("radial_load_N", "axial_load_N")
+    """Both films converged; far from scarce the solved ones stay, and the integrated torque stands beside."""
+    ehl = 'points = 65\nstarvation = "none"\nfilm_maps = [0.0]'
+    text = TEXT.replace('film_maps = "none"', ehl).replace("radial_load_N", "axial_load_N")
     document = found(with_film(50.0, text))
     solved, formula = document["contacts"][0], document["contacts"][2]
-    assert solved["starved_film_central_um"] == solved["film_central_um"]
-    assert solved["starved_film_minimum_um"] == solved["film_minimum_um"]
-    assert formula["starved_film_central_um"] == formula["film_formulas_um"]["nijenbanning_central"]
+    assert solved["starved_film_central_um"] == pytest.approx(solved["film_central_um"], rel=2e-3)
+    assert solved["starved_film_minimum_um"] == pytest.approx(solved["film_minimum_um"], rel=2e-3)
+    left = formula["starved_film_central_um"]
+    assert left == pytest.approx(formula["film_formulas_um"]["nijenbanning_central"], rel=2e-3)
     assert any("solved for 2, else formulas" in message for message in document["messages"])
 
 
@@ -207,7 +211,7 @@ def contact(text):
 
 
 def test_a_single_contact_at_an_inlet_film():
-    """A circle, gamma 3: r of 1 leaves 2^(-1/3) of the flooded film; ample oil all of it."""
+    """The law of starvation beside the flooded film; ample oil leaves all of it."""
     flooded = contact(CONTACT)
     assert flooded["starved_film_share"] is None
     assert any("supply is flooded" in message for message in flooded["messages"])
@@ -216,22 +220,58 @@ def test_a_single_contact_at_an_inlet_film():
     assert ample["starved_film_central_um"] == pytest.approx(flooded["film_central_um"], rel=1e-12)
     assert ample["film_central_um"] == flooded["film_central_um"]
     assert any("starved_film_... alone" in message for message in ample["messages"])
-    pressure = 2.0 / 3.0 * flooded["hertz_pressure_GPa"]
-    packed = 1.0 + 0.6 * pressure / (1.0 + 1.7 * pressure)
-    even = contact(CONTACT + f"inlet_film_um = {packed * flooded['film_central_um']!r}\n")
-    assert even["starved_film_share"] == pytest.approx(2.0 ** (-1 / 3), rel=1e-9)
-    assert even["starved_film_minimum_um"] == pytest.approx(2.0 ** (-1 / 3) * flooded["film_minimum_um"], rel=1e-9)
+    even = contact(CONTACT + f"inlet_film_um = {packed(flooded)!r}\n")
+    shares = starvation_shares(flooded["moes_M"], flooded["moes_L"], 1.0, 1.0)
+    assert even["starved_film_share"] == pytest.approx(shares.central.value, rel=2e-3)
+    left = shares.minimum.value * flooded["film_minimum_um"]
+    assert even["starved_film_minimum_um"] == pytest.approx(left, rel=2e-3)
 
 
-def test_the_exponent_of_a_contact_goes_by_the_ellipse_as_the_oil_meets_it():
+def packed(document):
+    """Flooded film at ambient density [um]."""
+    pressure = document["hertz_pressure_GPa"]
+    return (1.0 + 0.6 * pressure / (1.0 + 1.7 * pressure)) * document["film_central_um"]
+
+
+def test_the_law_is_taken_as_the_oil_meets_the_ellipse():
     """The same ellipse entrained along its short and its long axis."""
     wide = CONTACT.replace("radius_y_mm = 12.5", "radius_y_mm = 125.0") + "inlet_film_um = 0.1\n"
-    found = [contact(wide), contact(wide.replace("[ehl]", "entrainment_angle_deg = 90.0\n[ehl]"))]
-    for document, exponent in zip(found, (None, 3.0), strict=True):
-        pressure = 2.0 / 3.0 * document["hertz_pressure_GPa"]
-        packed = (1.0 + 0.6 * pressure / (1.0 + 1.7 * pressure)) * document["film_central_um"]
-        gamma = exponent or starvation_exponent(document["semi_axis_y_mm"] / document["semi_axis_x_mm"])
-        assert document["starved_film_share"] == pytest.approx(starved_share(0.1 / packed, gamma), rel=1e-9)
+    along, across = (contact(text) for text in (wide, wide.replace("[ehl]", "entrainment_angle_deg = 90.0\n[ehl]")))
+    m, l = along["moes_M"], along["moes_L"]
+    by_law = starvation_shares(m, l, 0.1, 0.1 / packed(along)).central.value
+    assert along["starved_film_share"] == pytest.approx(by_law, rel=5e-3)
+    by_law = starvation_shares(m * 0.1**1.25, l * 0.1**0.25, 10.0, 0.1 / packed(across)).central.value
+    assert across["starved_film_share"] == pytest.approx(by_law, rel=5e-3)
+
+
+def by_law(layer, more="", points=65):
+    return solved(layer, more, points).replace('"solved"', '"tabulated"')
+
+
+def test_films_of_a_bearing_by_the_law():
+    """Untold the law; flooded films beside, error bars wider than theirs, the rolling moment less."""
+    document = found(by_law(0.2))
+    untold = found(by_law(0.2).replace('starvation = "tabulated"\n', ""))
+    assert untold["case"]["ehl"]["starvation"] == "tabulated"
+    assert untold["contacts"] == document["contacts"]
+    assert document["torque_N_mm"]["model"] == "integrated"
+    flooded = found(by_law(0.2).replace('"tabulated"', '"none"'))
+    integrated = [one["torque_N_mm"]["models"]["integrated"] for one in (document, flooded)]
+    assert integrated[0]["rolling"] < 0.5 * integrated[1]["rolling"]
+    for one, other in zip(document["contacts"], flooded["contacts"], strict=True):
+        if one["film_central_um"] is None:
+            continue
+        assert one["flooded_film_central_um"] == other["film_central_um"]
+        assert one["film_central_um"] < min(one["flooded_film_central_um"], 0.2)
+        assert one["film_minimum_um"] <= one["film_central_um"]
+        assert one["starved_film_central_um"] == pytest.approx(one["film_central_um"])
+        # beside a flooded film the oil's density is that at Hertz' pressure, which light contacts do not reach
+        rel = 0.02 if one["load_N"] > 100.0 else 0.2
+        assert other["starved_film_central_um"] == pytest.approx(one["film_central_um"], rel=rel)
+        relative = one["film_central_uncertainty_um"] / one["film_central_um"]
+        assert relative >= one["flooded_film_central_uncertainty_um"] / one["flooded_film_central_um"]
+        assert one["meniscus_position"] is None and 0.0 < one["rolling_moment_ratio"] < 0.5
+    assert any("law of starvation" in message for message in document["messages"])
 
 
 def test_groups_have_no_inlet_film():
@@ -265,7 +305,7 @@ def test_the_sweep_over_the_inlet_film_ends_flooded():
         torques.append(supply["torque_N_mm"] / supply["flooded_torque_N_mm"])
     assert shares == sorted(shares)
     assert shares[0] < 0.2
-    assert shares[-1] == pytest.approx(1.0, abs=1e-6)
+    assert 0.99 < shares[-1] < 1.0  # five to ten times what the films take along
     assert 0.8 < torques[-1] < 1.0  # the thick films under balls that carry centrifugal force alone are starved yet
 
 
@@ -317,7 +357,7 @@ def test_the_supply_does_not_cool_and_a_hundred_times_as_much_oil_does():
     first, last, cold_first, cold_last = (
         self_heated(case).balance.temperature for case in (alone[0], alone[-1], cooled[0], cooled[-1])
     )
-    assert first < last - 10.0
+    assert first < last - 5.0
     assert cold_last < cold_first < first
 
 

@@ -1,0 +1,185 @@
+"""The law of starvation as tabulated: three functions of four numbers.
+
+These are x = (ln H_c, ln(1 + L/3), ln(Rx/Ry), ln r). H_c is the flooded film by the formula of
+Nijenbanning, Venner and Moes (1994) over a^2/Rx, which says how far the inlet's gap is that of the
+undeformed bodies. Each function is a trend of second degree and a sum of radial functions around
+the solved places, fitted to solutions by `tools/starvation/fit.py`:
+
+    f(x) = trend(x) + sum_i w_i k(|(x - x_i)/l|),   k(d) = (1 + t + t^2/3) e^-t,  t = sqrt(5) d
+
+(a Gaussian process with Matern's kernel of 5/2). From f_1 = ln(g), f_2 = c, f_3 = s follow
+
+    central film       R     = r/(1 + r^g)^(1/g)
+    minimum film       R_min = R exp[(1 - R) c]
+    rolling moment     T/T_0 = 1/(1 + exp(-s))
+
+Chevalier's form (1998) with an exponent that depends on all four keeps R below r and 1, and leaves
+the limits of little and of much oil exact. Where a fitted curve falls over r, which it does by the
+errors of light contacts alone, the law stays at what it was before.
+"""
+
+from functools import cache, lru_cache
+from math import log, log1p
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .film import moes_film_nijenbanning
+from .hertz import hertz_coefficients
+
+Array = NDArray[np.float64]
+
+FILE = Path(__file__).parent / "starvation_law.npz"
+STRETCH = 3.0  # of L, ln(1 + L/3): films leave the isoviscous ones about there
+NODES = 121  # of ln r, between which the functions of one contact are linear
+LEAST_RISE = 1e-6  # of ln R, ln R_min and s from node to node
+HALVINGS = 50
+LARGEST_LOG_EXPONENT = 5.0  # ln g
+PAIRS = np.triu_indices(4)
+
+
+class Function(NamedTuple):
+    """One of the three."""
+
+    scales: Array  # (4,) l
+    trend: Array  # (15,) of 1, x_j, x_j x_k
+    weights: Array  # (n,) w
+
+
+class Table(NamedTuple):
+    """What the file holds [-]."""
+
+    places: Array  # (n, 4) x_i
+    functions: tuple[Function, Function, Function]
+    lower: Array  # (4,) of x
+    upper: Array
+    # (3,) M, Rx/Ry and alpha p_h between which contacts were solved
+    least: Array
+    largest: Array
+    error_films: Array  # (k,) ln H_c
+    error_ratios: Array  # (m,) ln r
+    errors: Array  # (3, k, m) of R and R_min over themselves, of T/T_0
+
+
+class Curves(NamedTuple):
+    """The functions of one contact over ln r, shape (n,) each [-]."""
+
+    log_ratios: Array
+    exponent: Array  # ln g
+    gain: Array  # c
+    moment: Array  # s
+    errors: Array  # (3, m) over `Table.error_ratios`
+    inside: bool
+
+
+@cache
+def table() -> Table:
+    """The table, read once [-]."""
+    with np.load(FILE) as file:
+        functions = tuple(
+            Function(file["scales"][k], file["trends"][k], file["weights"][k]) for k in range(3)
+        )
+        return Table(
+            places=file["places"].astype(float),
+            functions=(functions[0], functions[1], functions[2]),
+            lower=file["lower"],
+            upper=file["upper"],
+            least=file["least"],
+            largest=file["largest"],
+            error_films=file["error_films"],
+            error_ratios=file["error_ratios"],
+            errors=file["errors"],
+        )
+
+
+def place_of_contact(load: float, lubricant: float, radius_ratio: float) -> Array:
+    """ln H_c, ln(1 + L/3) and ln(Rx/Ry) of Moes' M and L and Rx/Ry, shape (3,) [-]."""
+    f = hertz_coefficients(radius_ratio)[0]
+    film = moes_film_nijenbanning(load, lubricant, radius_ratio) / (f**2 * load ** (2.0 / 3.0))
+    return np.array([log(film), log1p(lubricant / STRETCH), log(radius_ratio)])
+
+
+def trend_terms(x: Array) -> Array:
+    """1, x_j and x_j x_k of places of shape (..., 4), shape (..., 15) [-]."""
+    first, second = PAIRS
+    ones = np.ones((*x.shape[:-1], 1))
+    return np.concatenate([ones, x, x[..., first] * x[..., second]], axis=-1)
+
+
+def kernel(squared: Array) -> Array:
+    """Matern's of 5/2 with unit variance, of squared distances [-]."""
+    t = np.sqrt(5.0 * squared)
+    return np.asarray((1.0 + t + t**2 / 3.0) * np.exp(-t))
+
+
+def radial(x: Array, places: Array, scales: Array) -> Array:
+    """Radial functions of places (n, 4) at x of shape (m, 4), shape (m, n) [-]."""
+    steps = (x[:, None, :] - places[None, :, :]) / scales
+    return kernel(np.einsum("ijk,ijk->ij", steps, steps))
+
+
+@lru_cache(maxsize=1024)
+def curves(load: float, lubricant: float, radius_ratio: float) -> Curves:
+    """The functions of the contact of Moes' M and L and Rx/Ry [-]."""
+    known = table()
+    wanted = place_of_contact(load, lubricant, radius_ratio)
+    log_ratios = np.linspace(known.lower[3], known.upper[3], NODES)
+    x = np.empty((NODES, 4))
+    x[:, :3] = np.clip(wanted, known.lower[:3], known.upper[:3])
+    x[:, 3] = log_ratios
+    exponent, gain, moment = (
+        trend_terms(x) @ f.trend + radial(x, known.places, f.scales) @ f.weights
+        for f in known.functions
+    )
+    log_share = _rising(log_shares(exponent, log_ratios))
+    exponent = _exponents(log_share, log_ratios, exponent)
+    missing = -np.expm1(log_share)
+    log_minimum = _rising(np.minimum(log_share + missing * gain, 0.0))
+    pressure = hertz_coefficients(radius_ratio)[1] * lubricant * load ** (1.0 / 3.0)
+    contact = np.array([load, radius_ratio, pressure])
+    return Curves(
+        log_ratios=log_ratios,
+        exponent=exponent,
+        gain=(log_minimum - log_share) / missing,
+        moment=_rising(moment),
+        errors=_errors(known, x[0, 0]),
+        inside=bool(np.all(known.least <= contact) and np.all(contact <= known.largest)),
+    )
+
+
+def log_shares(exponent: Array, log_ratio: Array) -> Array:
+    """ln R of ln g and ln r, arrays of one shape [-]."""
+    g = np.exp(exponent)
+    return np.minimum(log_ratio, 0.0) - np.log1p(np.exp(-g * np.abs(log_ratio))) / g
+
+
+def _rising(values: Array) -> Array:
+    """The values where they rise, what was reached before where they fall."""
+    slope = LEAST_RISE * np.arange(len(values))
+    return np.asarray(np.maximum.accumulate(values - slope) + slope)
+
+
+def _exponents(log_share: Array, log_ratio: Array, before: Array) -> Array:
+    """ln g that give ln R at ln r; those before where they do so."""
+    raised = log_share > log_shares(before, log_ratio) + 0.5 * LEAST_RISE
+    if not raised.any():
+        return before
+    low = before[raised]
+    high = np.full(len(low), LARGEST_LOG_EXPONENT)
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        less = log_shares(middle, log_ratio[raised]) < log_share[raised]
+        low, high = np.where(less, middle, low), np.where(less, high, middle)
+    found = before.copy()
+    found[raised] = low
+    return found
+
+
+def _errors(known: Table, log_film: float) -> Array:
+    """Uncertainties of a contact by its ln H_c, shape (3, m) [-]."""
+    flat = known.errors.transpose(0, 2, 1)
+    return np.array(
+        [[np.interp(log_film, known.error_films, row) for row in rows] for rows in flat]
+    )

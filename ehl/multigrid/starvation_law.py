@@ -1,0 +1,102 @@
+"""A contact behind a layer of oil, by its flooded solution and the law of starvation."""
+
+from dataclasses import replace
+from math import hypot, inf
+
+import numpy as np
+
+from ..closed_form.starvation import Share, StarvationShares, starvation_shares
+from ..conditions import ContactConditions, MoesConditions
+from ..scaling import ScaledContact
+from ..solution import Array, ContactSolution, FilmValue, OilSupply
+from .oil_supply import inlet_ratio, pressure_moment
+
+# Beyond these the law, which is of entrainment along a principal direction, counts as left:
+# |C|, the mixed curvature, and the speed of rotation at the end of the ellipse over u_m [-]
+OBLIQUE = 0.05
+TURNING = 0.1
+
+
+def groups_along(contact: ScaledContact) -> tuple[float, float, float]:
+    """M, L and Rx/Ry by the curvatures of the gap along and across the grid's x, which are those
+    of the conditions where the entrainment has a principal direction [-].
+
+    With the radius R/S in place of R: W S^2 and U S give M S^(5/4) and L S^(1/4).
+    """
+    s = contact.curvature_x
+    return (contact.moes_load * s**1.25, contact.moes_lubricant * s**0.25, contact.curvature_y / s)
+
+
+def contact_shares(
+    contact: ScaledContact, ratio: float, flooded_ratio: float = inf
+) -> StarvationShares:
+    """What a layer of `ratio` times the oil of the flooded film leaves of a contact, in the frame
+    of its entrainment; a layer of `flooded_ratio` counts as flooded [-].
+    """
+    shares = starvation_shares(*groups_along(contact), ratio, flooded_ratio)
+    turning = abs(contact.rotation) * max(1.0, contact.semi_axis_ratio)
+    straight = abs(contact.curvature_xy) <= OBLIQUE and turning <= TURNING
+    return replace(shares, inside=shares.inside and straight)
+
+
+def behind_layer(
+    flooded: ContactSolution,
+    conditions: ContactConditions | MoesConditions,
+    frames: tuple[ScaledContact, ScaledContact],
+    layer: float,
+) -> ContactSolution:
+    """The flooded solution with the films that a layer leaves, in a^2/Rx.
+
+    The film's field is that of the flooded contact, lowered: by as much as the centre where it is
+    thicker than there, in proportion between the minimum and the centre elsewhere. The pressure
+    stays that of the flooded contact.
+    `frames`: the contact in that of the solution and in that of its entrainment.
+    """
+    contact, along = frames
+    ratio = inlet_ratio(layer, flooded, contact)
+    ample = inf
+    if flooded.film_scale is not None:
+        ample = conditions.lubricant.flooded_layer / (layer * flooded.film_scale) * ratio
+    shares = contact_shares(along, ratio, ample)
+    central = _left(shares.central, flooded.film_central_dimensionless)
+    minimum = _left(shares.minimum, flooded.film_minimum_dimensionless)
+    if minimum.value > central.value:
+        minimum = replace(minimum, value=central.value)
+    supply = OilSupply(
+        flooded_central=flooded.film_central_dimensionless,
+        flooded_minimum=flooded.film_minimum_dimensionless,
+        inlet_ratio=ratio,
+        meniscus=None,
+        rolling_moment_ratio=shares.rolling_moment.value,
+        law=shares,
+        flooded_moment=pressure_moment(flooded, contact),
+    )
+    return replace(
+        flooded,
+        conditions=conditions,
+        H=_lowered(flooded, central.value, minimum.value),
+        film_central_dimensionless=central,
+        film_minimum_dimensionless=minimum,
+        approach_dimensionless=flooded.approach_dimensionless
+        - (flooded.film_central_dimensionless.value - central.value),
+        supply=supply,
+    )
+
+
+def _left(share: Share, film: FilmValue) -> FilmValue:
+    """A film that keeps a share; its error bar holds those of both."""
+    return FilmValue(
+        value=share.value * film.value,
+        uncertainty=hypot(share.value * film.uncertainty, share.uncertainty * film.value),
+        finest=share.value * film.finest,
+    )
+
+
+def _lowered(flooded: ContactSolution, central: float, minimum: float) -> Array:
+    """Field of the film with other central and minimum values [-]."""
+    at_centre = flooded.film_central_dimensionless.value
+    least = flooded.film_minimum_dimensionless.value
+    slope = (central - minimum) / (at_centre - least) if at_centre > least else central / at_centre
+    H = flooded.H
+    below = np.maximum(central + slope * (H - at_centre), 0.5 * minimum)
+    return np.where(at_centre < H, central + H - at_centre, below)
