@@ -72,7 +72,7 @@ def solved_passes(
     passes: list[SolvedPass] = []
     for _ in range(number):
         solution = solve(conditions, options)
-        if solution.supply is None:
+        if solution.supply is None or solution.supply.outlet_layer is None:
             break
         layer = conditions.inlet_layer
         assert layer is not None

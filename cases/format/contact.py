@@ -44,6 +44,7 @@ class Starvation(Enum):
     """What a layer at the inlet does to the film."""
 
     SOLVED = "solved"
+    TABULATED = "tabulated"
     NONE = "none"
 
 
@@ -215,7 +216,7 @@ def starvation(
 
 def inlet_layer(chosen: Starvation | None, lubricant: LubricantTable) -> InletLayer | None:
     """Layer that films are solved behind [m], in Moes' groups [a^2/Rx]; None: flooded."""
-    if chosen is not Starvation.SOLVED:
+    if chosen in (None, Starvation.NONE):
         return None
     thickness = lubricant.inlet_film_dimensionless
     if thickness is None:
