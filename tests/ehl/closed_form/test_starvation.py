@@ -1,31 +1,120 @@
-"""What little oil leaves of a flooded contact."""
+"""What little oil leaves of a flooded contact: the tabulated law beside solves, and its limits."""
 
 from __future__ import annotations
 
+import json
+from math import inf
+from pathlib import Path
+
+import numpy as np
 import pytest
 
-from ehl.closed_form.starvation import rolling_share_biboulet_houpert, starvation_shares
+from ehl.closed_form.starvation import (
+    DRY,
+    FLOODED,
+    rolling_share_biboulet_houpert,
+    starvation_exponent,
+    starvation_shares,
+    starved_share,
+)
+from ehl.closed_form.starvation_table import FILE
+
+SOLVES = Path(__file__).parents[3] / "tools" / "starvation" / "solves.jsonl"
+THICK = 0.9  # Hc above which solves scatter
+NAMES = ("central", "minimum", "rolling_moment")
+CONTACTS = ((20.0, 10.0, 1.0), (200.0, 10.0, 0.1), (2000.0, 26.0, 0.03), (12.0, 25.0, 0.055), (5.0, 0.0, 3.0))
+
+
+def held_back():
+    """Law and solved shares of contacts that the law was not fitted to, r, Hc."""
+    for text in SOLVES.read_text(encoding="utf-8").splitlines():
+        entry = json.loads(text)
+        flooded = entry["fine"]["flooded"]
+        if entry["kind"] != "held" or not flooded["resolved"] or "moment by heat" not in flooded:
+            continue
+        for r, one in zip(entry["layers"], entry["fine"]["starved"], strict=True):
+            if one["converged"] and one["resolved"]:
+                films = [s[0] / f[0] for s, f in zip(one["films"], flooded["films"], strict=True)]
+                law = starvation_shares(entry["M"], entry["L"], entry["ratio"], r)
+                yield law, (*films, one["moment by heat"] / flooded["moment by heat"]), r, flooded["films"][0][0]
+
+
+def test_law_beside_solves_that_it_was_not_fitted_to():
+    """R within 1 % in nineteen of twenty (asked: 1 %), R_min from r 0.6 on within 2.5 %; most within their bars."""
+    rows = [(law, s, r) for law, s, r, film in held_back() if film < THICK and 0.2 <= r <= 5.0]
+    assert len(rows) > 40
+    central = np.array([abs(law.central.value / s[0] - 1.0) for law, s, _ in rows])
+    minimum = np.array([abs(law.minimum.value / s[1] - 1.0) for law, s, r in rows if r >= 0.6])
+    moment = np.array([abs(law.rolling_moment.value - s[2]) for law, s, _ in rows])
+    assert np.median(central) < 2e-3 and np.quantile(central, 0.95) < 1e-2
+    assert np.median(minimum) < 5e-3 and np.quantile(minimum, 0.9) < 2.5e-2
+    assert np.median(moment) < 1e-2 and np.quantile(moment, 0.95) < 5e-2
+    bars = [abs(law.central.value - s[0]) <= law.central.uncertainty for law, s, _ in rows]
+    assert np.mean(bars) > 0.9
+
+
+@pytest.mark.parametrize("contact", CONTACTS)
+def test_more_oil_leaves_more_and_never_more_than_there_is(contact):
+    ratios = np.geomspace(1e-3, 1e4, 150)
+    shares = [starvation_shares(*contact, r) for r in ratios]
+    for name in NAMES:
+        values = np.array([getattr(one, name).value for one in shares])
+        assert np.diff(values).min() > -1e-4 and 0.0 <= values.min() and values.max() <= 1.0
+    central = np.array([one.central.value for one in shares])
+    assert np.all(central < np.minimum(ratios, 1.0) + 1e-12)
+    assert central[0] == pytest.approx(ratios[0], rel=0.02)
+    assert central[-1] == pytest.approx(1.0, abs=1e-3 if contact[0] > 15.0 else 0.02)
+
+
+def test_the_minimum_keeps_more_than_the_centre_in_circles():
+    circle, wide = starvation_shares(20.0, 10.0, 1.0, 0.6), starvation_shares(200.0, 10.0, 0.1, 0.6)
+    assert circle.minimum.value > 1.1 * circle.central.value
+    assert wide.minimum.value / wide.central.value < circle.minimum.value / circle.central.value
+    assert circle.minimum_film(0.4e-6, 0.39e-6) == circle.central.value * 0.4e-6  # never above the central film
+
+
+def test_a_flooded_inlet_leaves_all_without_a_step():
+    assert starvation_shares(200.0, 10.0, 0.1, inf) is FLOODED is starvation_shares(200.0, 10.0, 0.1, 300.0, 300.0)
+    assert starvation_shares(200.0, 10.0, 0.1, 0.0) is DRY
+    below = starvation_shares(200.0, 10.0, 0.1, 300.0 * (1.0 - 1e-9), 300.0)
+    assert [getattr(below, name).value for name in NAMES] == pytest.approx([1.0] * 3, abs=1e-6)
+    little = starvation_shares(200.0, 10.0, 0.1, 0.5, 300.0).central.value
+    assert little == pytest.approx(starvation_shares(200.0, 10.0, 0.1, 0.5).central.value, rel=1e-5)
+
+
+@pytest.mark.parametrize("contact", [(1.0, 10.0, 0.1), (1e5, 10.0, 0.1), (200.0, 10.0, 0.005), (10000.0, 32.0, 1.0)])
+def test_beyond_the_solved_contacts_the_bars_are_wider(contact):
+    outside = starvation_shares(*contact, 1.0)
+    inside = starvation_shares(200.0, 10.0, 0.1, 1.0)
+    assert inside.inside and not outside.inside
+    assert outside.central.uncertainty > 2.0 * inside.central.uncertainty
+
+
+@pytest.mark.parametrize(
+    "given", [(0.0, 1.0, 1.0, 1.0), (1.0, -1.0, 1.0, 1.0), (1.0, 1.0, 1.0, -1.0), (1.0, 1.0, 1.0, np.nan)]
+)
+def test_a_contact_has_positive_groups(given):
+    with pytest.raises(ValueError, match="must be"):
+        starvation_shares(*given)
+
+
+def test_the_table_is_small():
+    assert FILE.stat().st_size < 100_000
+
+
+def test_formula_of_chevalier():
+    """Little oil: the film is the layer; much oil: flooded; r = 1: 2^(-1/g), g 3 for a circle, 15 for wide ellipses."""
+    assert [starvation_exponent(k) for k in (1.0, 10.0)] == pytest.approx([3.0, 15.0])
+    assert starved_share(0.01, 3.0) == pytest.approx(0.01, rel=1e-5)
+    assert starved_share(1.0, 15.0) == pytest.approx(2.0 ** (-1 / 15))
 
 
 def test_rolling_moment_of_starved_line_contacts():
-    """Biboulet and Houpert (2010): 0.20 at S 2, 0.37 at 5, 0.53 at 10, 0.79 at 50."""
+    """Biboulet and Houpert (2010): 0.20 at S 2, 0.37 at 5, 0.53 at 10, 0.79 at 50; points keep more of it."""
     values = [rolling_share_biboulet_houpert(s) for s in (2.0, 5.0, 10.0, 50.0)]
     assert values == pytest.approx([0.20, 0.37, 0.53, 0.79], abs=0.006)
     assert rolling_share_biboulet_houpert(1e12) == pytest.approx(1.0)
     assert rolling_share_biboulet_houpert(1.0) == pytest.approx(rolling_share_biboulet_houpert(1.0 + 1e-12))
-
-
-@pytest.mark.parametrize("ratio", [0.05, 1.0])
-def test_much_oil_leaves_all_and_little_goes_through(ratio):
-    shares = [starvation_shares(200.0, 10.0, ratio, r) for r in (0.05, 0.5, 2.0, 20.0, 1e9)]
-    for name in ("central", "minimum", "rolling_moment"):
-        values = [getattr(one, name).value for one in shares]
-        assert values == sorted(values) and values[-1] <= 1.0
-        assert values[-1] == pytest.approx(1.0, abs=1e-3)
-    assert shares[0].central.value == pytest.approx(0.05, rel=2e-3)
-
-
-@pytest.mark.parametrize("given", [(0.0, 1.0, 1.0, 1.0), (1.0, -1.0, 1.0, 1.0), (1.0, 1.0, 1.0, -1.0)])
-def test_a_contact_has_positive_groups(given):
-    with pytest.raises(ValueError, match="must be"):
-        starvation_shares(*given)
+    for contact in CONTACTS[:3]:
+        ours = [starvation_shares(*contact, s).rolling_moment.value for s in (2.0, 5.0, 10.0)]
+        assert all(own > line for own, line in zip(ours, values, strict=False))

@@ -85,6 +85,33 @@ def test_share_of_the_flooded_film(ratio, left, minimum):
     assert abs(s.record.mass_imbalance) < 1e-5
 
 
+@pytest.mark.parametrize("ratio", [2.0, 1.0, 0.6])
+def test_the_law_of_starvation_beside_a_solution(ratio):
+    """The same contact by its flooded film and the table: films, rolling moment, error bars, and no field of oil."""
+    options = SolverOptions(points=129)
+    solved = solve_contact(starved(ratio).conditions, options)
+    by_law = solve_contact(solved.conditions, replace(options, tabulated=True))
+    assert by_law.converged and by_law.supply.inlet_ratio == pytest.approx(ratio, rel=0.03)
+    assert share(by_law) == pytest.approx(share(solved), rel=0.012)
+    own, other = (s.film_minimum_dimensionless.value for s in (by_law, solved))
+    assert own == pytest.approx(other, rel=0.025)
+    assert by_law.supply.rolling_moment_ratio == pytest.approx(solved.supply.rolling_moment_ratio, abs=0.06)
+    film, before = by_law.film_central_dimensionless, by_law.supply.flooded_central
+    assert film.relative_uncertainty > before.relative_uncertainty
+    assert by_law.H.min() == pytest.approx(own, rel=0.05)
+    assert by_law.supply.filled is by_law.supply.outlet_layer is by_law.supply.meniscus is None
+
+
+def test_the_law_holds_for_the_frame_of_the_entrainment():
+    """Oblique: near the solution (0.820 at r 1), named as outside; across the ellipse it is that of the turned one."""
+    contact = moes(100.0, 10.0, 0.3, np.pi / 6.0, oil=OIL)
+    options = SolverOptions(points=129, tabulated=True)
+    probe = solve_contact(replace(contact, inlet_layer=layer(1.0)), options)
+    even = solve_contact(replace(contact, inlet_layer=layer(1.0 / probe.supply.inlet_ratio)), options)
+    assert not even.supply.law.inside
+    assert share(even) == pytest.approx(0.82, abs=0.02)
+
+
 def test_all_oil_of_a_thin_layer_goes_through():
     s = starved(0.1)
     assert share(s) == pytest.approx(0.1, rel=0.01)
