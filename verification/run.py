@@ -1,7 +1,7 @@
 """All sections of the verification page, and the files they make."""
 
 import json
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -50,18 +50,16 @@ def run_sections(
     run_bearing: Callable[[], BearingResults] | None = None,
     *,
     quick: bool = False,
-) -> list[Section]:
+) -> Iterator[Section]:
     """Compute sections one after the other; each uses all cores but the one on cost.
 
     `run_bearing` runs the bearing of the cost section, whose table of it is left out without.
     """
-    sections = []
     for done, name in enumerate(names):
         progress(done, len(names), name.value)
         bearing = (run_bearing,) if name is SectionName.COST else ()
-        sections.append(MAKERS[name](quick, *bearing))
+        yield MAKERS[name](quick, *bearing)
     progress(len(names), len(names), "pictures")
-    return sections
 
 
 def check_page(directory: Path, page: str) -> None:

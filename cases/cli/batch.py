@@ -15,6 +15,7 @@ from ..format.problems import CaseError
 from ..runs.interrupt import finish_first, say
 from ..runs.output_lock import scratch_folder
 from .app import Json, Output, Quiet, app
+from .cost import batch_cost, tell_cost
 from .output import held_directory, report
 from .progress import progress_bar
 from .terminal import FAILED, guarded
@@ -62,8 +63,7 @@ def batch(  # noqa: PLR0913
     plan = read_sweep(sweep)
     keep = output is not None or resume or not as_json
     with _folder(output or Path(f"{Path(sweep).stem}_results"), keep=keep) as directory:
-        if not quiet and len(plan.points) > 1:
-            say(f"oilfilm: {len(plan.points)} points; the time left is told from the first on")
+        _tell(plan, workers, quiet=quiet)
         with _kept(directory if keep else None):
             with progress_bar(quiet=quiet) as progress:
                 pool = _pool(plan, workers, scheduler)
@@ -74,6 +74,21 @@ def batch(  # noqa: PLR0913
                 if plot:
                     _plot(results, directory)
         return _report(results, directory if keep else None, as_json, quiet)
+
+
+def _tell(plan: Sweep, workers: int | None, *, quiet: bool) -> None:
+    """Say what the points will take, from the first of them."""
+    from ehl.multigrid.threads import cores
+
+    from ..format.case import case_of_document
+
+    if quiet or len(plan.points) < 2:
+        return
+    first = case_of_document(plan.points[0].document)
+    what, seconds = batch_cost(first, len(plan.points), plan.compute)
+    count = workers or cores()
+    tell_cost((f"{what}, {count} at a time", seconds / count), quiet=quiet)
+    say("oilfilm: the time left is told from the first point on")
 
 
 @contextmanager

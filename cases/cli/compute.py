@@ -126,8 +126,12 @@ def slip(
     from ..runs.slip import run_slip
 
     tell_cost(slip_cost(loaded, workers or cores()), quiet=quiet)
-    with progress_bar(quiet=quiet) as progress:
-        results = run_slip(loaded, case, workers, progress)
+    try:
+        with progress_bar(quiet=quiet) as progress:
+            results = run_slip(loaded, case, workers, progress)
+    except KeyboardInterrupt:
+        say("oilfilm: of unfinished slip maps nothing is kept")
+        raise
     from postprocess.slip.summary import slip_summary
     from postprocess.slip.table import slip_table
     from postprocess.slip.write import write_slip

@@ -9,7 +9,7 @@ from ..runs.interrupt import say
 if TYPE_CHECKING:
     from ehl import SolverOptions
 
-    from ..format.case import Case
+    from ..format.case import Case, ContactCase
 
 LONG = 5.0  # work that takes less is not announced [s]
 # of processor time for a film on 257 nodes, which grows with their square; measured on one core of
@@ -17,6 +17,10 @@ LONG = 5.0  # work that takes less is not announced [s]
 FILM_SECONDS = 0.6
 FILM_POINTS = 257
 EQUILIBRIUM_SECONDS = 0.01  # of a bearing in a slip map, measured likewise on 7000C
+# of a simulation for each ball and simulated second, measured likewise on 7008_axial, 7008_radial
+# and 7008_combined (3.2 to 4.9), and on 6304_planar
+DYNAMICS_SECONDS, PLANAR_SECONDS = 4.0, 1.0
+TORQUE_SECONDS = 0.5  # of equilibrium and torque by every model without films
 TABLE_FILMS = 120  # of the tables of both races, without refinement
 
 
@@ -56,7 +60,37 @@ def slip_cost(case: Case, workers: int) -> tuple[str, float]:
     return text, points**2 * EQUILIBRIUM_SECONDS / workers
 
 
+def dynamics_cost(case: Case) -> tuple[str, float]:
+    """What a simulation takes [s], beside its traction tables; nothing without [dynamics]."""
+    table = case.file.dynamics
+    simulated = 0.0 if table is None else table.end_time_s
+    planar = table is not None and table.equations == "planar"
+    each = PLANAR_SECONDS if planar else DYNAMICS_SECONDS
+    seconds = simulated * case.bearing.balls * each
+    return f"{simulated:g} s of {case.bearing.balls} balls simulated", seconds
+
+
+def batch_cost(first: Case | ContactCase, points: int, compute: str) -> tuple[str, float]:
+    """Points like the first one and their time [s] on one core, each without what it shares with
+    others.
+    """
+    from ..format.case import Case
+
+    if not isinstance(first, Case):
+        each = film_seconds(first.solver)
+    elif compute == "run":
+        each = max(run_cost(first, 1)[1], TORQUE_SECONDS)
+    else:
+        costs = {
+            "slip": slip_cost(first, 1)[1],
+            "dynamics": dynamics_cost(first)[1],
+            "table": table_cost(FILM_POINTS, 1, 1)[1],
+        }
+        each = costs.get(compute, TORQUE_SECONDS)
+    return f"{points} points, at most {_duration(each)} each on one core", points * each
+
+
 def _duration(seconds: float) -> str:
     if seconds < 90.0:
-        return f"{seconds:.0f} s"
+        return f"{seconds:.2g} s"
     return f"{seconds / 60.0:.0f} min" if seconds < 5400.0 else f"{seconds / 3600.0:.1f} h"

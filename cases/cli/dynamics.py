@@ -15,6 +15,7 @@ from ..format.problems import CaseError
 from ..runs.interrupt import finish_first, say
 from ..runs.output_lock import TEMPORARY, home, scratch_folder
 from .app import CaseName, Json, Output, Quiet, app
+from .cost import dynamics_cost, tell_cost
 from .output import load_bearing, report, results_directory, save_with
 from .progress import progress_bar
 from .terminal import guarded
@@ -62,6 +63,7 @@ def dynamics(
         raise CaseError(f"--animate {animation}: {allowed}")
     from ..runs.dynamics import Interrupted, run_dynamics
 
+    tell_cost(dynamics_cost(loaded), quiet=quiet)
     with _history_folder(directory) as folder:
         history = Path(folder) / "history.nc"
         try:

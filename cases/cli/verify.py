@@ -93,12 +93,34 @@ def _page(
         check_page(directory, PAGE)
     seconds = SECTION_SECONDS[quick] * len(names)
     tell_cost((f"{len(names)} sections of the verification", seconds), quiet=quiet)
-    with progress_bar(quiet=quiet) as progress:
-        sections = run_sections(names, progress, _run_bearing, quick=quick)
+    finished: list[Section] = []
+    try:
+        with progress_bar(quiet=quiet) as progress:
+            for section in run_sections(names, progress, _run_bearing, quick=quick):
+                finished.append(section)
+    except KeyboardInterrupt:
+        _keep(finished, directory)
+        raise
+    sections = finished
     if directory is not None:
         with finish_first(f"results in {directory}"):
             write_page(sections, directory, PAGE)
     return sections
+
+
+def _keep(finished: list[Section], directory: Path | None) -> None:
+    """Write the sections that are there of an interrupted page, beside a whole one."""
+    from verification.run import PAGE, write_page
+
+    if directory is None or not finished:
+        say("oilfilm: no section is finished, nothing is kept")
+        return
+    target = directory
+    if (directory / PAGE).exists():
+        target = directory.with_name(f"{directory.name}_interrupted")
+    with finish_first(f"finished sections in {target}"):
+        write_page(finished, target, PAGE)
+    say(f"finished sections in {target}")
 
 
 def _run_bearing() -> BearingResults:

@@ -148,4 +148,13 @@ def test_the_cost_of_long_work_is_told_before_it_begins(capsys):
     cost.tell_cost(cost.table_cost(513, 3, 2), quiet=False)
     assert capsys.readouterr().err.endswith("360 films on 513 nodes or more, 2 at a time: about 7 min\n")
     cost.tell_cost(cost.slip_cost(load_case("hirano_7000C"), 1), quiet=False)
+    simulated = cost.dynamics_cost(load_case("7008_combined"))
+    assert simulated == ("0.1 s of 18 balls simulated", pytest.approx(0.1 * 18 * 4.0))
+    planar = load_case("6304_planar")
+    assert cost.dynamics_cost(planar)[1] == pytest.approx(7.0)
+    assert cost.batch_cost(planar, 12, "dynamics")[1] == pytest.approx(12 * 7.0)
+    assert cost.batch_cost(case, 5, "run")[1] == pytest.approx(5 * cost.run_cost(case, 1)[1])
+    single = load_case("ball_on_disc")
+    assert cost.batch_cost(single, 3, "run")[1] == pytest.approx(3 * cost.film_seconds(single.solver))
+    assert cost.batch_cost(case, 100, "torque")[0] == "100 points, at most 0.5 s each on one core"
     assert "slip at 51 speeds and 51 loads" in capsys.readouterr().err

@@ -335,6 +335,21 @@ def test_the_page_of_random_contacts_is_that_of_its_file():
             assert "| " + " | ".join(row) + " |" in page
 
 
+def test_an_interrupted_page_keeps_its_finished_sections(tmp_path, monkeypatch):
+    finished = Section(title="Kept", text="A section.", tables=(), checks=(), pictures=())
+
+    def interrupted(names, progress, run_bearing, *, quick):
+        yield finished
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("verification.run.run_sections", interrupted)
+    for target in ("page", "page_interrupted"):
+        answer = CliRunner().invoke(app, ["verify", "-q", "-o", str(tmp_path / "page")])
+        assert answer.exit_code == 3
+        assert f"finished sections in {tmp_path / target}" in answer.stderr.replace("\n", "")
+        assert "Kept" in (tmp_path / target / "verification.md").read_text(encoding="utf-8")
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("name", [name for name in SectionName if name is not SectionName.COST])
 def test_the_page_in_the_docs_is_up_to_date(name):
