@@ -19,7 +19,8 @@ FILM_POINTS = 257
 EQUILIBRIUM_SECONDS = 0.01  # of a bearing in a slip map, measured likewise on 7000C
 # of a simulation for each ball and simulated second, measured likewise on 7008_axial, 7008_radial
 # and 7008_combined (3.2 to 4.9), and on 6304_planar
-DYNAMICS_SECONDS, PLANAR_SECONDS = 4.0, 1.0
+DYNAMICS_SECONDS = 4.0
+PLANAR_SECONDS = 1.0  # with the equations of a plane
 TORQUE_SECONDS = 0.5  # of equilibrium and torque by every model without films
 TABLE_FILMS = 120  # of the tables of both races, without refinement
 

@@ -47,6 +47,7 @@ ROW_DODGE = 5.0  # and those of rows side by side this far apart [deg]
 FILM_LEVELS = np.array([0.8, 0.85, 0.9, 0.95, 1.05, 1.1, 1.2, 1.5])
 PRESSURE_LEVELS = np.array([0.1, 0.3, 0.5, 0.7, 0.9])  # of the largest pressure, likewise
 WIDE_LABEL = 8  # characters of azimuths that fit above a map
+ROOM = 0.25  # below a map for its numbers, over the half width of the window [-]
 COLUMNS = 6  # maps side by side at most
 FOOTNOTES = {
     "film": "Oil moves to the right; axes stretched; Hertz ellipse dashed; numbers: central and "
@@ -188,7 +189,7 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
     for row, race in zip(panels, COLOURS, strict=True):
         for panel, column in zip(row, columns, strict=True):
             image = _small_map(panel, column.views[race], quantity, limits) or image
-            panel.set(xlim=(start, end), ylim=(-half_width, half_width))
+            panel.set(xlim=(start, end), ylim=(-(1.0 + ROOM) * half_width, half_width))
             _few_ticks(panel, start, end, len(columns))
             _hatch_outside(panel, column.views[race])
         row[0].set_ylabel(f"{race} race\ntransverse $y$ [mm]")
