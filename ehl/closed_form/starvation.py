@@ -26,6 +26,10 @@ class Share:
     value: float
     uncertainty: float  # encloses the distance to the solution in nineteen of twenty, of flooded
 
+    def widened(self) -> "Share":
+        """The share of a contact outside the solved ones."""
+        return Share(self.value, OUTSIDE * self.uncertainty)
+
     def raised(self, by: float) -> "Share":
         """The share and so much more [-]."""
         return Share(min(self.value + by, 1.0), self.uncertainty)
@@ -39,6 +43,17 @@ class StarvationShares:
     minimum: Share  # smallest film
     rolling_moment: Share  # of the pressure in the solver's own box
     inside: bool  # whether the contact lies among those that were solved for the law
+
+    def outside(self) -> "StarvationShares":
+        """The same of a contact outside the solved ones, with wider uncertainties."""
+        if not self.inside:
+            return self
+        return StarvationShares(
+            central=self.central.widened(),
+            minimum=self.minimum.widened(),
+            rolling_moment=self.rolling_moment.widened(),
+            inside=False,
+        )
 
     def minimum_film(self, central: float, minimum: float) -> float:
         """Smallest film left of flooded films [m]: never above the central one."""
@@ -105,15 +120,15 @@ def _shares(known: Curves, inlet_ratio: float) -> StarvationShares:
     )
     film = starved_share(inlet_ratio, exp(exponent))
     minimum = min(film * exp((1.0 - film) * gain), 1.0)
-    widened = 1.0 if known.inside else OUTSIDE
-    errors = [widened * float(np.interp(at, table().error_ratios, row)) for row in known.errors]
+    errors = [float(np.interp(at, table().error_ratios, row)) for row in known.errors]
     beyond = at - float(np.clip(at, known.log_ratios[0], known.log_ratios[-1]))
-    return StarvationShares(
+    shares = StarvationShares(
         central=Share(film, errors[0] * film),
         minimum=Share(minimum, errors[1] * minimum),
         rolling_moment=Share(_moment(moment, beyond), errors[2]),
-        inside=known.inside,
+        inside=True,
     )
+    return shares if known.inside else shares.outside()
 
 
 def _moment(logit: float, beyond: float) -> float:

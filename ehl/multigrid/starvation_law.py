@@ -1,7 +1,7 @@
 """A contact behind a layer of oil, by its flooded solution and the law of starvation."""
 
 from dataclasses import replace
-from math import hypot, inf
+from math import exp, hypot, inf, log
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from ..scaling import ScaledContact
 from ..solution import Array, ContactSolution, FilmValue, OilSupply
 from .oil_supply import inlet_ratio, pressure_moment
 
+RATIO_STEP = 1e-3  # of ln r, for the slope of a share
 # Beyond these the law, which is of entrainment along a principal direction, counts as left:
 # |C|, the mixed curvature, and the speed of rotation at the end of the ellipse over u_m [-]
 OBLIQUE = 0.05
@@ -35,8 +36,9 @@ def contact_shares(
     """
     shares = starvation_shares(*groups_along(contact), ratio, flooded_ratio)
     turning = abs(contact.rotation) * max(1.0, contact.semi_axis_ratio)
-    straight = abs(contact.curvature_xy) <= OBLIQUE and turning <= TURNING
-    return replace(shares, inside=shares.inside and straight)
+    if abs(contact.curvature_xy) <= OBLIQUE and turning <= TURNING:
+        return shares
+    return shares.outside()
 
 
 def behind_layer(
@@ -58,8 +60,14 @@ def behind_layer(
     if flooded.film_scale is not None:
         ample = conditions.lubricant.flooded_layer / (layer * flooded.film_scale) * ratio
     shares = contact_shares(along, ratio, ample)
-    central = _left(shares.central, flooded.film_central_dimensionless)
-    minimum = _left(shares.minimum, flooded.film_minimum_dimensionless)
+    less = contact_shares(along, ratio * exp(-RATIO_STEP), ample)
+    thick = flooded.film_central_dimensionless
+    thin = flooded.film_minimum_dimensionless
+    # a thicker flooded film finds less of a layer: little oil passes, whatever that film is
+    rise = _rise(shares.central, less.central)
+    central = _left(shares.central, thick, (1.0 - rise) * thick.relative_uncertainty)
+    by_ratio = _rise(shares.minimum, less.minimum) * thick.relative_uncertainty
+    minimum = _left(shares.minimum, thin, hypot(thin.relative_uncertainty, by_ratio))
     if minimum.value > central.value:
         minimum = replace(minimum, value=central.value)
     supply = OilSupply(
@@ -83,11 +91,18 @@ def behind_layer(
     )
 
 
-def _left(share: Share, film: FilmValue) -> FilmValue:
-    """A film that keeps a share; its error bar holds those of both."""
+def _rise(share: Share, less: Share) -> float:
+    """d ln R/d ln r from the share at a ratio smaller by `RATIO_STEP` [-]."""
+    return log(share.value / less.value) / RATIO_STEP
+
+
+def _left(share: Share, film: FilmValue, relative: float) -> FilmValue:
+    """A film that keeps a share; its error bar holds that of the share, and what the flooded films
+    leave open, over the film [-].
+    """
     return FilmValue(
         value=share.value * film.value,
-        uncertainty=hypot(share.value * film.uncertainty, share.uncertainty * film.value),
+        uncertainty=film.value * hypot(share.value * relative, share.uncertainty),
         finest=share.value * film.finest,
     )
 

@@ -97,7 +97,10 @@ def test_the_law_of_starvation_beside_a_solution(ratio):
     assert own == pytest.approx(other, rel=0.025)
     assert by_law.supply.rolling_moment_ratio == pytest.approx(solved.supply.rolling_moment_ratio, abs=0.06)
     film, before = by_law.film_central_dimensionless, by_law.supply.flooded_central
-    assert film.relative_uncertainty > before.relative_uncertainty
+    bar = by_law.supply.law.central
+    assert film.relative_uncertainty > bar.uncertainty / bar.value
+    if ratio == 2.0:  # with little oil what passes is the layer, whatever the flooded film is
+        assert film.relative_uncertainty > 0.7 * before.relative_uncertainty
     assert by_law.H.min() == pytest.approx(own, rel=0.05)
     assert by_law.supply.filled is by_law.supply.outlet_layer is by_law.supply.meniscus is None
 
