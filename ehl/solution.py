@@ -89,6 +89,9 @@ class OilSupply:
     # the box, over p_h a^3, with what makes it that by the heat of its flow
     law: StarvationShares | None = None
     flooded_moment: tuple[float, float] = (0.0, 0.0)
+    # work of the flooded film as in `ConvergenceRecord`, by the nodes of the solution; that has it
+    # with its own, as it has the time of both
+    flooded_fft_equivalents: float = 0.0
 
     def thinned(self, step: int) -> "OilSupply":
         """The same on every `step`-th node."""

@@ -141,8 +141,9 @@ def solve_starved(
     guess = starved_film_guess(flooded.film_central_dimensionless.value, ratio)
     starved, levels = solve_attempts(conditions, options, film_guess=guess)
     time_of_both = starved.record.wall_time + flooded.record.wall_time
-    record = replace(starved.record, wall_time=time_of_both)
     supply = oil_supply(flooded, starved, levels, ratio)
+    work_of_both = starved.record.fft_equivalents + supply.flooded_fft_equivalents
+    record = replace(starved.record, wall_time=time_of_both, fft_equivalents=work_of_both)
     return replace(starved, record=record, supply=supply)
 
 

@@ -78,6 +78,7 @@ def oil_supply(
         inlet_ratio=ratio,
         meniscus=_meniscus(starved, fill.empty[0 if grid.symmetric else grid.ny // 2]),
         rolling_moment_ratio=_moment(starved, levels) / _moment(flooded, levels),
+        flooded_fft_equivalents=flooded.record.fft_equivalents * flooded.P.size / starved.P.size,
         outlet_layer=outlet,
         filled=filled.T,
     )

@@ -78,6 +78,7 @@ def behind_layer(
         rolling_moment_ratio=shares.rolling_moment.value,
         law=shares,
         flooded_moment=pressure_moment(flooded, contact),
+        flooded_fft_equivalents=flooded.record.fft_equivalents,
     )
     return replace(
         flooded,

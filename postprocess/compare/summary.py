@@ -17,7 +17,7 @@ NOT_COMPARED = frozenset(
 )
 OF_THE_SOLUTION = frozenset(  # how a result was computed
     "domain points iterations residual mass_imbalance message cycles fft_equivalents "
-    "wall_s".split()
+    "flooded_fft_equivalents wall_s".split()
 )
 # of the magnitude of a quantity: a smaller difference is round-off, amplified by the solvers
 ROUND_OFF = 1e-9

@@ -59,6 +59,9 @@ def contact_summary(results: ContactResults) -> dict[str, Any]:
         "certified": None if certificate is None else certificate.certified,
         "cycles": solution.record.cycles,
         "fft_equivalents": solution.record.fft_equivalents,
+        "flooded_fft_equivalents": None
+        if solution.supply is None
+        else solution.supply.flooded_fft_equivalents,
         "fallbacks": list(solution.record.fallbacks),
         "wall_s": solution.record.wall_time,
         "finest_grid": _finest_grid(solution),

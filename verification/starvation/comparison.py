@@ -124,7 +124,9 @@ def _checks(name: str, r: float, ours: Shares, theirs: Shares) -> list[Check]:
 def shares_by_newton(
     contact: Compared, ratios: tuple[float, ...], *, coarse: bool = False
 ) -> list[Shares]:
-    """By Newton's method, each from Hertz' pressure."""
+    """By Newton's method: the flooded film from Hertz' pressure, each layer from the solution
+    before or, where that fails, from Hertz' pressure.
+    """
     scaled = scale_contact(contact.conditions)
     x_in, x_out, y_half = contact.box
     nx, ny = (count // 2 if coarse else count for count in contact.cells)
@@ -133,9 +135,13 @@ def shares_by_newton(
     flooded = _from_hertz(scaled, cells, np.inf, scaled.film_guess)
     oil = flooded.central_film * _density(flooded.central_pressure, scaled)
     shares = []
+    thin = flooded
     for r in ratios:
-        guess = starved_film_guess(flooded.central_film, r)
-        thin = _from_hertz(scaled, cells, r * oil, guess)
+        try:
+            thin = solve(scaled, cells, r * oil, thin.fields)
+        except ArithmeticError:
+            guess = starved_film_guess(flooded.central_film, r)
+            thin = _from_hertz(scaled, cells, r * oil, guess)
         shares.append(
             Shares(
                 central=thin.central_film / flooded.central_film,
@@ -164,8 +170,8 @@ def shares_by_multigrid(contact: Compared, points: int, r: float) -> Shares:
     # the flooded film of these points, not of the coarse ones, makes r
     found = solve_with_layer(contact, r * oil, options)
     found = solve_with_layer(contact, r * r * oil / _ratio(found), options)
-    assert found.supply is not None
     supply = found.supply
+    assert supply is not None and supply.outlet_layer is not None
     layer = found.conditions.inlet_layer
     assert layer is not None
     return Shares(
