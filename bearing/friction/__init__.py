@@ -11,6 +11,7 @@ formula_films - films of formulas, where none is solved
 law         - the contract of every law of the friction of balls on races
 newton      - Newton's method for the balance of friction on balls: all balls at once
 race_tables - traction tables of a bearing's two races, at one temperature
+resolvable - which films a mesh can resolve, before they are solved
 resistance  - resistance beside sliding: hysteresis, drag, churning
 running_films - films as the friction of a running bearing takes them
 sources     - the laws of friction that a case can name: tables, coefficients, films

@@ -57,7 +57,7 @@ RunningFilms = Sequence[RunningFilm | None]
 
 def running_films(
     contacts: Sequence[BearingContact],
-    films: Sequence[ContactSolution | None],
+    films: Sequence[ContactSolution | FormulaFilm | None],
     asperities: Asperities | None = None,
     rolling_factor: float = 1.0,
     supply: OilAtInlets | None = None,
@@ -70,11 +70,13 @@ def running_films(
     solved = {
         id(film): rolling_moment(film).value
         for film in films
-        if film is not None and film.converged
+        if isinstance(film, ContactSolution) and film.converged
     }
     found: list[RunningFilm | None] = []
     for contact, film in zip(contacts, films, strict=True):
-        if film is not None and film.converged:
+        if isinstance(film, FormulaFilm):
+            running = _by_formula(film)
+        elif film is not None and film.converged:
             running = _solved(film, solved[id(film)])
         else:
             running = _by_formula(formula_film(contact))

@@ -9,6 +9,7 @@ from ehl.solution import ContactSolution
 
 from ..contacts.contact import BearingContact
 from ..friction.films import film_balance
+from ..friction.formula_films import FormulaFilm
 from ..friction.resistance import resistance_of
 from ..friction.running_films import OilAtInlets, RunningFilm, running_films
 from ..quasistatic.solution import QuasistaticSolution
@@ -21,7 +22,7 @@ from .shear_torque import SolvedShear, no_balance_message
 def films_torque(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: Sequence[ContactSolution | None],
+    films: Sequence[ContactSolution | FormulaFilm | None],
     friction: FrictionInput,
     inlet: InletFactors,
     rheology: Rheology,
@@ -77,7 +78,7 @@ def balanced_torque(
 def films_as_they_run(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: Sequence[ContactSolution | None],
+    films: Sequence[ContactSolution | FormulaFilm | None],
     friction: FrictionInput,
     inlet: InletFactors,
 ) -> tuple[RunningFilm | None, ...]:

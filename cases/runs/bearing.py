@@ -4,12 +4,13 @@ from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial
 from time import perf_counter
-from typing import Any
+from typing import Any, NamedTuple
 
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.contacts import contact_conditions
 from bearing.contacts.finite_bodies import FiniteBodies, finite_bodies, with_finite_bodies
 from bearing.contacts.traction import ContactTraction, contact_traction
+from bearing.friction.formula_films import FormulaFilm, formula_film
 from bearing.friction.sources import FilmTraction, LawTraction
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.frequencies import bearing_frequencies
@@ -30,7 +31,7 @@ from ..format.contact import FilmModel
 from ..format.operation import SELF_HEATED
 from ..version import version
 from .equilibrium import case_equilibrium
-from .films import Progress, Solve, heat_message, solve_contacts, wanted_contacts
+from .films import Progress, Solve, film_plan, heat_message, solve_contacts, wanted_contacts
 from .heating import Printed, at_its_balance, at_its_temperature, self_heated
 from .interrupt import interruptible
 from .load_cases import solve_load_cases
@@ -115,16 +116,13 @@ def _run(case: Case, workers: int | None, notify: Progress, solve: Solve | None)
     except KeyboardInterrupt:
         raise Interrupted(None) from None
     timing = {"quasistatic": perf_counter() - start}
-    wanted, messages = wanted_contacts(case, state, contacts)
-    messages += heat_message(case, state, contacts) if state.converged else ()
     start = perf_counter()
-    solver = solve if case.films.model is FilmModel.NEWTONIAN else case.films.solve
-    solutions, interrupted = solve_contacts(wanted, case.solver, workers, notify, solver)
+    films = _films(case, state, contacts, (workers, notify, solve))
     timing["contacts"] = perf_counter() - start
-    numbers = (case, state, contacts, solutions, timing, notify)
-    friction = None if interrupted else _stopped_friction(*numbers)
+    numbers = (case, state, contacts, films, timing, notify)
+    friction = None if films.interrupted else _stopped_friction(*numbers)
     traction = traction_messages(case.traction, state, contacts)
-    messages = (*case.warnings, *case.films.messages, *traction, *messages)
+    messages = (*case.warnings, *case.films.messages, *traction, *films.messages)
     timing["total"] = sum(timing.values())
     results = BearingResults(
         version=version(),
@@ -132,7 +130,8 @@ def _run(case: Case, workers: int | None, notify: Progress, solve: Solve | None)
         quasistatic=state,
         lubricant=case.lubricant,
         contacts=contacts,
-        solutions=solutions,
+        solutions=films.solutions,
+        formula_films=films.formulas,
         frequencies=bearing_frequencies(state),
         messages=messages if friction is not None else (*messages, STOPPED),
         interrupted=friction is None,
@@ -143,6 +142,45 @@ def _run(case: Case, workers: int | None, notify: Progress, solve: Solve | None)
         **(friction or {}),
     )
     return _complete(results)
+
+
+class _Films(NamedTuple):
+    """Films of the contacts, solved ones and those of formulas in place of some."""
+
+    solutions: tuple[ContactSolution | None, ...]
+    formulas: tuple[FormulaFilm | None, ...]
+    interrupted: bool
+    messages: tuple[str, ...]
+
+    @property
+    def known(self) -> tuple[ContactSolution | FormulaFilm | None, ...]:
+        """The one or the other of each contact."""
+        return tuple(a or b for a, b in zip(self.solutions, self.formulas, strict=True))
+
+
+def _films(
+    case: Case,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    how: tuple[int | None, Progress, Solve | None],
+) -> _Films:
+    """Films that the case asks for; those that its mesh does not resolve by formulas scaled to a
+    film at the lowest speed at which it does.
+    """
+    workers, notify, solve = how
+    wanted, messages = wanted_contacts(case, state, contacts)
+    messages += heat_message(case, state, contacts) if state.converged else ()
+    plan = film_plan(wanted, case.solver)
+    solver = solve if case.films.model is FilmModel.NEWTONIAN else case.films.solve
+    solutions, interrupted = solve_contacts(plan.wanted, case.solver, workers, notify, solver)
+    bases: tuple[ContactSolution | None, ...] = (None,) * len(contacts)
+    if any(plan.bases) and not interrupted:
+        bases, interrupted = solve_contacts(plan.bases, case.solver, workers, notify, solver)
+    formulas = tuple(
+        None if asked is None else formula_film(contact, base if base and base.converged else None)
+        for contact, asked, base in zip(contacts, plan.bases, bases, strict=True)
+    )
+    return _Films(solutions, formulas, interrupted, messages)
 
 
 def _prepared(case: Case, workers: int | None, notify: Progress, solve: Solve | None) -> Case:
@@ -196,14 +234,15 @@ def _friction(
     case: Case,
     state: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    solutions: Sequence[ContactSolution | None],
+    films: _Films,
     timing: dict[str, float],
     notify: Progress,
 ) -> dict[str, Any]:
     """Shear of the contacts, balls as balanced by the torque, friction torque, self-heating."""
     start = perf_counter()
     notify(0, 1, "friction torque")
-    torque = _torque(case, state, contacts, solutions)
+    solutions = films.solutions
+    torque = _torque(case, state, contacts, films)
     shear = None if torque is None else torque.shear
     balanced = () if shear is None else shear.tractions
     tractions = _tractions(case, state, contacts, solutions, balanced)
@@ -268,24 +307,21 @@ def _tractions(
 
 
 def _torque(
-    case: Case,
-    state: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    solutions: Sequence[ContactSolution | None],
+    case: Case, state: QuasistaticSolution, contacts: Sequence[BearingContact], films: _Films
 ) -> TorqueBreakdown | None:
     """Friction torque by every model; integrated from a friction law or the films."""
     if case.friction is None or not state.converged:
         return None
     shear = None
     if state.operation.inner_speed != state.operation.outer_speed:
-        shear = _law_shear(case, state, contacts) or _film_shear(case, state, contacts, solutions)
+        shear = _law_shear(case, state, contacts) or _film_shear(case, state, contacts, films)
     return torque_breakdown(
         state,
         contacts,
         case.lubricant,
         case.friction,
         shear=shear,
-        solutions=solutions,
+        solutions=films.solutions,
         inlet=case.inlet,
     )
 
@@ -306,14 +342,11 @@ def _law_shear(
 
 
 def _film_shear(
-    case: Case,
-    state: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    solutions: Sequence[ContactSolution | None],
+    case: Case, state: QuasistaticSolution, contacts: Sequence[BearingContact], films: _Films
 ) -> SolvedShear | None:
     """Torque by the shear of the films, of formulas where none converged."""
     if case.rheology is None or case.friction is None:
         return None
     return films_torque(
-        state, contacts, solutions, case.friction, case.inlet, case.rheology, case.lubricant
+        state, contacts, films.known, case.friction, case.inlet, case.rheology, case.lubricant
     )

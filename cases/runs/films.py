@@ -4,8 +4,10 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import Future, as_completed
 from dataclasses import fields, replace
 from math import degrees, isclose
+from typing import NamedTuple
 
 from bearing.contacts.contact import BearingContact
+from bearing.friction.resolvable import CELLS_BY_POINTS, CELLS_BY_TOLERANCE, resolvable, too_thick
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.supply.starved_films import starved_films
 from bearing.supply.supply import AMPLE, Supply, inlet_layer
@@ -47,6 +49,34 @@ def wanted_contacts(
         pairs = zip(wanted, layers, strict=True)
         wanted = [own and replace(own, inlet_layer=layer) for own, layer in pairs]
     return wanted, ()
+
+
+class FilmPlan(NamedTuple):
+    """Which films of contacts are solved, and how; None for the others."""
+
+    wanted: list[ContactConditions | None]
+    # contacts that the mesh does not resolve, at the lowest speed at which it does
+    bases: list[ContactConditions | None]
+
+
+def film_plan(wanted: Sequence[ContactConditions | None], options: SolverOptions) -> FilmPlan:
+    """Contacts whose films are solved, without those that are too light for a film and those that
+    the mesh does not resolve; behind layers all of them.
+    """
+    by_tolerance = options.wanted_tolerance is not None
+    cells = CELLS_BY_TOLERANCE if by_tolerance else CELLS_BY_POINTS
+    solved: list[ContactConditions | None] = []
+    bases: list[ContactConditions | None] = []
+    for own in wanted:
+        base = None
+        if own is not None and own.inlet_layer is None:
+            fine = None if too_thick(own) else resolvable(own, options.most_points, cells)
+            base = None if fine is own else fine
+            solved.append(own if fine is own else None)
+        else:
+            solved.append(own)
+        bases.append(base)
+    return FilmPlan(solved, bases)
 
 
 def heat_message(

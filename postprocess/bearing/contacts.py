@@ -9,6 +9,8 @@ from bearing.contacts.contact import BearingContact
 from bearing.contacts.shoulder import Truncation, truncation
 from bearing.contacts.stress import ContactStress, contact_stress
 from bearing.contacts.surface_tension import SurfaceTension, edge_tension
+from bearing.friction.formula_films import FormulaFilm
+from bearing.friction.resolvable import too_thick
 from bearing.geometry import Race
 from bearing.shoulder_diameter import ESTIMATED_HEIGHT, shoulder_diameter
 from bearing.supply.starved_films import StarvedFilm
@@ -33,6 +35,7 @@ class ContactRecord(FilmRecord):
     surface: dict[str, float] | None
     edge_tension: float | None  # of the dry contact without friction [Pa]
     tension: SurfaceTension | None  # under the film's pressure and shear
+    formula: FormulaFilm | None = None  # in place of a film that the mesh does not resolve
 
     @property
     def loaded(self) -> bool:
@@ -43,6 +46,8 @@ class ContactRecord(FilmRecord):
     def lambda_ratio(self) -> float | None:
         """Minimum film over the rms roughness of race and ball together [-]."""
         film = None if self.film is None else self.film.film_minimum
+        if self.formula is not None:
+            film = self.formula.minimum
         return lambda_ratio(self.contact, film, self.surface)
 
     @property
@@ -204,6 +209,7 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
     tensions = results.tensions or (None,) * count
     starved = torque.films if torque is not None and torque.films else (None,) * count
     tractions = results.tractions or (None,) * count
+    formulas = results.formula_films or (None,) * count
     return [
         ContactRecord(
             contact=contact,
@@ -215,6 +221,7 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
             surface=results.case.get("surface"),
             edge_tension=edge_tension(results.quasistatic.bearing, contact),
             tension=tensions[i],
+            formula=formulas[i],
         )
         for i, contact in enumerate(results.contacts)
     ]
@@ -226,11 +233,34 @@ def contact_values(record: ContactRecord) -> dict[str, Any]:
     return {
         **values_of(record, CONTACT_QUANTITIES),
         **film_values(record),
+        **_formula_values(record.formula),
+        "film_origin": _origin(record),
         "lambda_ratio_formula": record.lambda_ratio_formula,
         "film_formulas_um": formula_films(record.contact.conditions),
         "domain": None if film is None else list(film.domain),
         "points": None if film is None else list(film.P.shape),
     }
+
+
+def _formula_values(film: FormulaFilm | None) -> dict[str, float | None]:
+    """Films in place of one that the mesh does not resolve [um]."""
+    if film is None:
+        return {}
+    ratio = 1.0 if film.minimum is None else film.minimum / film.central
+    values = {
+        "film_central_um": film.central,
+        "film_central_uncertainty_um": film.uncertainty,
+        "film_minimum_um": film.minimum,
+        "film_minimum_uncertainty_um": ratio * film.uncertainty,
+    }
+    return {key: value and from_si(key, value) for key, value in values.items()}
+
+
+def _origin(record: ContactRecord) -> str | None:
+    """Whether a film is solved or that of a formula; None without."""
+    if record.formula is not None:
+        return "formula"
+    return None if record.film is None or not record.film.converged else "solved"
 
 
 def combined_roughness(race: str, surface: dict[str, float]) -> float:
@@ -265,14 +295,27 @@ def _absent_films(results: BearingResults) -> Iterator[str]:
     """Why contacts have no film, race by race."""
     complete = results.quasistatic.converged and not results.interrupted
     absent: dict[tuple[str, str], list[str]] = {}
-    for contact, solution in zip(results.contacts, results.solutions, strict=True):
-        reason = contact.note if contact.conditions is None else "not asked for by [ehl] film_maps"
+    formulas = results.formula_films or (None,) * len(results.contacts)
+    pairs = zip(results.solutions, formulas, strict=True)
+    known = [film or by_formula for film, by_formula in pairs]
+    for contact, solution in zip(results.contacts, known, strict=True):
+        reason = contact.note or "not asked for by [ehl] film_maps"
+        if contact.conditions is not None and too_thick(contact.conditions):
+            reason = "too light a contact for its speed: by formula the film is beyond 2 % of R_x"
         if contact.conditions is None or (solution is None and complete):
             absent.setdefault((contact.race.value, reason), []).append(str(contact.ball))
     for (race, reason), balls in absent.items():
         yield f"{race} race, {balls_text(balls)}: film null, {reason}"
     if absent:
         yield f"contacts: residual and mass_imbalance null where {NO_FILM}"
+    if any(formulas):
+        both = zip(results.contacts, formulas, strict=True)
+        balls = ", ".join(f"{contact.ball} {contact.race.value}" for contact, one in both if one)
+        yield (
+            f"contacts: films of formulas (film_origin) at ball {balls}, which the mesh does not "
+            "resolve: scaled to films solved at the lowest speed at which it does, error 5 % per "
+            "unit of the logarithm of the speed; they have no maps"
+        )
 
 
 def _ratio_messages(results: BearingResults) -> Iterator[str]:

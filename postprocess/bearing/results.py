@@ -9,6 +9,7 @@ from bearing.contacts.surface_tension import SurfaceTension
 from bearing.contacts.traction import ContactTraction
 from bearing.fits.clearance import ClearanceBudget
 from bearing.fits.ring_strength import Strength
+from bearing.friction.formula_films import FormulaFilm
 from bearing.heating.self_heating import SelfHeatingSolution
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.duty_cycle import DutyCycle
@@ -32,6 +33,8 @@ class BearingResults(Results):
     contacts: tuple[BearingContact, ...]  # ball by ball, inner race then outer
     solutions: tuple[ContactSolution | None, ...]  # of the contacts; equal ones share an object
     frequencies: Frequencies
+    # of contacts that the mesh does not resolve, None for the others; empty is None for all
+    formula_films: tuple[FormulaFilm | None, ...] = ()
     interrupted: bool = False  # before all films were computed
     torque: TorqueBreakdown | None = None  # None without an equilibrium
     tractions: tuple[ContactTraction | None, ...] = ()  # of the contacts; empty is None for all
