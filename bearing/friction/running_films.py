@@ -143,7 +143,7 @@ def _with_asperities(
         return film
     return replace(
         film,
-        asperity_share=asperities.share(contact.race, film.central),
-        flooded_share=asperities.share(contact.race, film.flooded_central),
+        asperity_share=asperities.share(contact, film.central),
+        flooded_share=asperities.share(contact, film.flooded_central),
         boundary=asperities.boundary,
     )

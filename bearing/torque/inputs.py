@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 
-from ..friction.asperities import Asperities
+from ..friction.asperities import Asperities, LoadSharing, Spectrum
 from ..friction.resistance import Cage
 from ..geometry import Bearing
 from ..supply.supply import InletFilm, Supply, cavity_volume, oil_fraction
@@ -37,6 +37,8 @@ class FrictionInput:
     oil_fraction: float | None = None  # share of the cavity filled with oil [-]
     # rms of inner race and balls, outer race and balls [m]
     roughness: tuple[float, float] | None = None
+    sharing: LoadSharing = LoadSharing.ZHOU_HOEPRICH  # of asperities and film
+    spectrum: Spectrum | None = None  # of the roughness [m]; None: no wave is flattened
     # flow of oil and what is assumed of it, or the layer at the inlets
     supply: Supply | InletFilm | None = None
     flooded: bool = False  # the total stays that of flooded films although a supply is given
@@ -56,7 +58,13 @@ class FrictionInput:
         if self.roughness is None:
             return None
         inner, outer = self.roughness
-        return Asperities(inner_roughness=inner, outer_roughness=outer, boundary=self.boundary)
+        return Asperities(
+            inner_roughness=inner,
+            outer_roughness=outer,
+            boundary=self.boundary,
+            sharing=self.sharing,
+            spectrum=self.spectrum,
+        )
 
     def oil_share(self, bearing: Bearing) -> float | None:
         """Share of the cavity of a bearing that oil fills [-]: by the flow, else as given; None:

@@ -126,7 +126,7 @@ def _flooded_torque(
     pairs = [(c, film) for c, film in zip(contacts, whole, strict=True) if film is not None]
     tractions = _tractions(solution, pairs, rheology, balance)
     torque = integrated_torque(solution, tractions, [film for _, film in pairs])
-    return replace(torque, resistance=balance.resisted)
+    return _as_balanced(torque, balance)
 
 
 def law_torque(
@@ -174,7 +174,7 @@ def _balanced_law(
     motion = balance.kinematics.reshape(-1, 4)
     forces = balance.forces.reshape(-1, 4)
     torque = _law_torque(solution, kinematics, law, motion, forces)
-    return replace(torque, resistance=balance.resisted)
+    return _as_balanced(torque, balance)
 
 
 def _balanced_shear(
@@ -184,13 +184,20 @@ def _balanced_shear(
     balance: BalancedFriction,
 ) -> SolvedShear:
     """Both torques, with what the drag takes from the balls in balance."""
-    balanced = replace(torque, resistance=balance.resisted)
+    balanced = _as_balanced(torque, balance)
     return SolvedShear(
         hypothesis=hypothesis,
         balanced=balanced,
         cage_driven=cage_driven_balls(solution, balance),
         note=imbalance_message(balanced),
     )
+
+
+def _as_balanced(torque: IntegratedTorque, balance: BalancedFriction) -> IntegratedTorque:
+    """With the rings' power of the balance itself [W]: the force of a node of a film on a line of
+    pure rolling is another one at a motion a rounding away.
+    """
+    return replace(torque, shaft_power=balance.shaft_power, resistance=balance.resisted)
 
 
 def _law_torque(

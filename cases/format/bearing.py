@@ -6,6 +6,7 @@ from dataclasses import replace
 from math import acos, asin, cos, degrees, floor, hypot, pi, radians
 from typing import Annotated
 
+from bearing.friction.asperities import LoadSharing, Spectrum
 from bearing.geometry import ANGULAR_CONTACT, Bearing, BearingType, contact_angle_to_clearance
 from bearing.library.catalogue import CLEARANCE_CLASSES, clearance_class
 from bearing.library.tolerances import TOLERANCE_CLASSES
@@ -16,7 +17,7 @@ from ehl.units import MICROMETRE, from_si, to_si
 
 from .fields import Name, OneOf, Table, above, between, described, length, within
 from .problems import CaseFault, shown
-from .rules import CaseValues, Needs, Where, bounded
+from .rules import Below, CaseValues, Needs, Where, bounded
 
 
 class BearingTable(Table):
@@ -68,6 +69,14 @@ class SurfaceTable(Table):
     inner_ring_roughness_um: float = between(0, 100, "rms roughness of the inner raceway", ...)
     outer_ring_roughness_um: float = between(0, 100, "rms roughness of the outer raceway", ...)
     ball_roughness_um: float = between(0, 100, "rms roughness of the balls", ...)
+    load_sharing: Annotated[str, OneOf(LoadSharing)] = described(
+        "of asperities and film, by the central film over the roughness", "zhou-hoeprich"
+    )
+    shortest_wavelength_um: float | None = above(
+        0, 1e4, "of the roughness; with the longest, the film flattens long waves"
+    )
+    longest_wavelength_um: float | None = above(0, 1e4, "of the roughness; its cut-off")
+    hurst_exponent: float = between(0, 1, "of the roughness between them; assumed", 0.8)
     kappa_exponent: float = above(0, 5, "kappa = lambda to this power; 1.3 is unverified", 1.3)
 
 
@@ -97,6 +106,9 @@ RELATIONS = (
         for name in (*GEOMETRY, "ball_material")
     ),
     Needs("bearing.cage_material", Where("temperatures.cage_C")),
+    Needs("surface.longest_wavelength_um", Where("surface.shortest_wavelength_um")),
+    Needs("surface.shortest_wavelength_um", Where("surface.longest_wavelength_um")),
+    Below("surface.shortest_wavelength_um", "surface.longest_wavelength_um"),
     *(
         Needs(
             "bearing.ring_material", Where("bearing"), "needed: a material", (f"bearing.{ring}",)
@@ -316,6 +328,18 @@ def rating(table: BearingTable, contamination_factor: float | None) -> RatingInp
         static_rating=si["basic_static_rating"],
         nominal_contact_angle=nominal_contact_angle(table),
         contamination_factor=contamination_factor,
+    )
+
+
+def spectrum(table: SurfaceTable | None) -> Spectrum | None:
+    """Lengths of the waves of the roughness [m]; None where they are not given."""
+    if table is None or table.shortest_wavelength_um is None:
+        return None
+    si = table.si("shortest_wavelength_um", "longest_wavelength_um")
+    return Spectrum(
+        shortest=si["shortest_wavelength"],
+        longest=si["longest_wavelength"],
+        hurst=table.hurst_exponent,
     )
 
 

@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import create_model
 
+from bearing.friction.asperities import LoadSharing
 from bearing.friction.resistance import Cage
 from bearing.library.bearings import named_designation
 from bearing.library.catalogue import nearest_series
@@ -21,7 +22,7 @@ from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.traction.coefficient_kernels import COEFFICIENTS, Constant
 from ehl.units import to_si
 
-from .bearing import BearingTable, SurfaceTable, nominal_contact_angle, roughness
+from .bearing import BearingTable, SurfaceTable, nominal_contact_angle, roughness, spectrum
 from .fields import LENGTH_MAXIMUM, OneOf, Table, above, between, described
 from .lubricant import LubricantTable, Oil
 from .problems import CaseFault, shown
@@ -235,6 +236,10 @@ def friction(
         viscous_factor=table.palmgren_viscous_factor,
         load_factor=table.palmgren_load_factor,
         roughness=roughness(surface),
+        sharing=LoadSharing.ZHOU_HOEPRICH
+        if surface is None
+        else LoadSharing(surface.load_sharing),
+        spectrum=spectrum(surface),
         supply=_supply(table, lubricant),
         flooded=lubricant.supply == "flooded",
         all_models=table.models == "all",

@@ -310,9 +310,9 @@ def _absent_films(results: BearingResults) -> Iterator[str]:
         yield f"contacts: residual and mass_imbalance null where {NO_FILM}"
     if any(formulas):
         both = zip(results.contacts, formulas, strict=True)
-        balls = ", ".join(f"{contact.ball} {contact.race.value}" for contact, one in both if one)
+        places = ", ".join(f"{contact.ball} {contact.race.value}" for contact, one in both if one)
         yield (
-            f"contacts: films of formulas (film_origin) at ball {balls}, which the mesh does not "
+            f"contacts: films of formulas (film_origin) at ball {places}, which the mesh does not "
             "resolve: scaled to films solved at the lowest speed at which it does, error 5 % per "
             "unit of the logarithm of the speed; they have no maps"
         )

@@ -59,6 +59,7 @@ def torque_block(results: BearingResults) -> dict[str, Any]:
         "parts": _parts(torque),
         "inlet_shear_heating_factor": None if inlet is None else inlet.shear_heating,
         "replenishment_factor": None if inlet is None else inlet.replenishment,
+        "asperity_load_share": None if shear is None else shear.asperity_share,
         "coulomb_coefficient": None if torque is None else torque.coefficient,
         "models": {name: _model(torque, name) for name in shown_models(results)},
         "power_balance": {**values_of(shear, POWER_BALANCE), "hypothesis": hypothesis},
