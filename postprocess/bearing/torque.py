@@ -52,6 +52,7 @@ def torque_block(results: BearingResults) -> dict[str, Any]:
     hypothesis = None if shear is None else results.quasistatic.model.ball_kinematics.value
     extent = _extent(results)
     inlet = None if torque is None else torque.inlet
+    rough = results.case.get("surface") is not None
     return {
         "total": TORQUE.value(torque),
         "model": None if torque is None else torque.chosen,
@@ -59,7 +60,7 @@ def torque_block(results: BearingResults) -> dict[str, Any]:
         "parts": _parts(torque),
         "inlet_shear_heating_factor": None if inlet is None else inlet.shear_heating,
         "replenishment_factor": None if inlet is None else inlet.replenishment,
-        "asperity_load_share": None if shear is None else shear.asperity_share,
+        "asperity_load_share": shear.asperity_share if shear is not None and rough else None,
         "coulomb_coefficient": None if torque is None else torque.coefficient,
         "models": {name: _model(torque, name) for name in shown_models(results)},
         "power_balance": {**values_of(shear, POWER_BALANCE), "hypothesis": hypothesis},
