@@ -5,15 +5,21 @@ jet by an estimate. A flow therefore gives a band, not a number.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ehl import ContactSolution
 from ehl.oil.lubricant import Lubricant
 
 from ..contacts.contact import BearingContact
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.starved_films import least_lambda, mean_share, of_driven_balls, starved_films
-from ..supply.supply import Supply
+from ..supply.starved_films import (
+    StarvedFilm,
+    least_lambda,
+    mean_share,
+    of_driven_balls,
+    starved_films,
+)
+from ..supply.supply import Supply, supplied_shares
 from .inputs import FrictionInput
 from .starved import StarvedTorque, starved_torque
 
@@ -52,7 +58,8 @@ def supply_band(
     """Films and torque at both ends of the captured share [-]; None without a flow, or where no
     ball that both races load has a film.
 
-    `solutions`: flooded films; formulas where one is missing or was solved behind a layer.
+    `solutions`: flooded films, or films with the flooded ones beside; formulas where one is
+    missing, and in the torque where one was solved behind a layer.
     """
     supply = friction.supply
     if not isinstance(supply, Supply):
@@ -60,9 +67,7 @@ def supply_band(
     flooded = [None if one is None or one.supply else one for one in solutions or ()]
     ends = []
     for end in supply.band:
-        films = starved_films(
-            contacts, end, solution.bearing.balls, friction.roughness, flooded or None
-        )
+        films = _films(contacts, end, solution.bearing.balls, friction, solutions)
         driven = of_driven_balls(solution, contacts, films)
         if not driven:
             return None
@@ -80,3 +85,30 @@ def supply_band(
             )
         )
     return SupplyBand(low=ends[0], high=ends[1])
+
+
+def _films(
+    contacts: Sequence[BearingContact],
+    end: Supply,
+    balls: int,
+    friction: FrictionInput,
+    solutions: Sequence[ContactSolution | None] | None,
+) -> list[StarvedFilm | None]:
+    """Films at one end by the law of starvation, also where they were solved behind the layer of
+    another share.
+    """
+    films: list[StarvedFilm | None] = []
+    known = starved_films(contacts, end, balls, friction.roughness, solutions)
+    for contact, film, solution in zip(
+        contacts, known, solutions or [None] * len(contacts), strict=True
+    ):
+        if film is not None and solution is not None and solution.supply is not None:
+            shares = supplied_shares(contact, film.flooded_central, end, balls)
+            film = replace(
+                film,
+                share=shares.central.value,
+                minimum_share=shares.minimum.value,
+                rolling_share=shares.rolling_moment.value,
+            )
+        films.append(film)
+    return films

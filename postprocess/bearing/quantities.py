@@ -169,12 +169,12 @@ SUPPLY_BAND = quantities(  # at the least and the most of a flow that lands on t
     ("film_share_low", "film share with it", "low.film_share"),
     ("film_share_least_low", "least film share with it", "low.film_share_least"),
     ("lambda_least_low", "least lambda with it", "low.lambda_least"),
-    ("torque_low_N_mm", "torque with it", "low.total"),
+    ("torque_low_N_mm", "torque of the model starved with it", "low.total"),
     ("track_share_high", "most of the flow on the tracks", "high.track_share"),
     ("film_share_high", "film share with it", "high.film_share"),
     ("film_share_least_high", "least film share with it", "high.film_share_least"),
     ("lambda_least_high", "least lambda with it", "high.lambda_least"),
-    ("torque_high_N_mm", "torque with it", "high.total"),
+    ("torque_high_N_mm", "torque of the model starved with it", "high.total"),
 )
 DECAY = quantities(
     "",

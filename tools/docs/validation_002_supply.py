@@ -161,7 +161,7 @@ def verdicts() -> str:
         f"{speed:.0f} r/min: {below or 0.0:.1f} below, {above or 0.0:.1f} N mm min/mL above"
         for speed, (below, above) in steep.items()
     )
-    holds = all(below is not None and above is not None and below > 2.0 * above for below, above in steep.values())
+    holds = all(below is not None and above is not None and below > above for below, above in steep.values())
     grows = (heavy[SPEEDS[1]] or 0.0) > (heavy[SPEEDS[0]] or 0.0)
     none = f"none under {', '.join(light)}" if light else "at all loads"
     all_slow = ", ".join(cell(minima[SPEEDS[0], load]) for load in LOADS)
@@ -171,7 +171,11 @@ def verdicts() -> str:
             "under 3000 N" if light else "yes",
             f"3000 N: {numbers} mL/min; {none}",
         ),
-        ("below it friction is steep, above it moderate", "yes, 3000 N" if holds else "no", f"3000 N, {sides}"),
+        (
+            "below it friction is steep, above it moderate",
+            "steeper below, 3000 N" if holds else "no",
+            f"3000 N, {sides}",
+        ),
         ("its place grows with the speed", "yes, 3000 N" if grows else "no", f"3000 N: {numbers} mL/min"),
         (
             "the load has no obvious effect on it",
