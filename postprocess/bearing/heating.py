@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from typing import Any
 
+from bearing.heating.self_heating import SelfHeatingSolution
 from ehl.units import from_si
 
 from ..quantities import values_of
@@ -47,10 +48,7 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
     if heating is None:
         yield "self_heating: null, the case gives no friction.heat_transfer_W_K, or nothing turns"
     elif heating.balance is None or not heating.converged:
-        yield (
-            f"self_heating: null, not converged: {heating.note}; try another heat_transfer_W_K or "
-            "heating_torque"
-        )
+        yield f"self_heating: null, not converged: {heating.note}; {_remedy(results, heating)}"
     else:
         balanced = from_si("temperature_C", heating.balance.temperature)
         given = from_si("temperature_C", results.quasistatic.operation.temperature)
@@ -73,3 +71,25 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
             )
         if heating.note:
             yield f"self_heating: {heating.note}"
+
+
+def _remedy(results: BearingResults, heating: SelfHeatingSolution) -> str:
+    """What to change of a bearing that is heated more than it is cooled."""
+    balance = heating.balance
+    oil = results.lubricant
+    if balance is None or balance.power <= heating.cooling.heat(balance.temperature):
+        return "try another friction.heat_transfer_W_K or heating_torque"
+    cooling = heating.cooling
+    taken = cooling.heat(balance.temperature)
+    least = (balance.power - taken) / (balance.temperature - cooling.ambient)
+    ways = [f"heat_transfer_W_K above {cooling.conductance + least:.3g}"]
+    if oil.thermal is not None:
+        rise = balance.temperature - cooling.oil_supply
+        flow = (balance.power - taken) / (oil.density * oil.thermal.specific_heat * rise)
+        added = flow + cooling.oil_flow / (oil.density * oil.thermal.specific_heat)
+        ways.append(f"cooling_oil_mL_min above {from_si('flow_mL_min', added):.2g}")
+    return (
+        f"friction is {balance.power:.4g} W there, cooling {taken:.4g} W: try in [friction] "
+        f"{' or '.join(ways)}, a thinner oil, or less speed; oilfilm init with --speed lays out "
+        "oil and cooling"
+    )

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from math import pi
 
 import pytest
 
+from cases.cli.first_operation import FirstOperation
+from cases.cli.new_case import case_of_designation
 from cases.format.case import case_from_text
 from cases.format.problems import CaseError
 from cases.runs.bearing import run_case
@@ -102,3 +105,19 @@ def test_an_oil_without_temperature_is_refused():
         found(TEXT.replace('name = "iso vg 32"', "viscosity_mPa_s = 20.0\npressure_viscosity_1_GPa = 18.0"))
     with pytest.raises(CaseError, match="viscosity_mPa_s"):
         found(TEXT.replace('name = "iso vg 32"', 'name = "iso vg 32"\nviscosity_mPa_s = 20.0'))
+
+
+@pytest.mark.parametrize("key", ["heat_transfer_W_K", "cooling_oil_mL_min"])
+def test_what_is_advised_where_there_is_no_balance_gives_one(key, tmp_path):
+    """A 6220 in a bath at 20000 r/min; a tenth more cooling than the advice names as the least."""
+    text = case_of_designation("6220", FirstOperation()).replace('film_maps = "all"', 'film_maps = "none"')
+    text = re.sub(r"inner_speed_rpm = .*", "inner_speed_rpm = 20000.0", text)
+    found = summary(run_case(case_from_text(text, "hot")))
+    assert found["self_heating"]["converged"] is False
+    advice = next(message for message in found["messages"] if message.startswith("self_heating: null"))
+    least = float(re.search(rf"{key} above ([\d.e+]+)", advice).group(1))
+    text = re.sub(r"heat_transfer_W_K = .*\n", "", text) if key == "heat_transfer_W_K" else text
+    text = text.replace("[friction]\n", f"[friction]\n{key} = {1.1 * least}\n")
+    heating = summary(run_case(case_from_text(text, "cooled")))["self_heating"]
+    assert heating["converged"] is True
+    assert 100.0 < heating["temperature_C"] < 150.0
