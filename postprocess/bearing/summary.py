@@ -26,6 +26,7 @@ from .torque import rolling_messages, torque_block, torque_messages
 def bearing_summary(results: BearingResults) -> dict[str, Any]:
     """The document of a bearing in named units."""
     state = results.quasistatic
+    torque = torque_block(results)
     document = {
         "ring": _ring(state),
         "equilibrium": {
@@ -46,7 +47,8 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
         "load_cases": load_case_blocks(results),
         "frequencies_Hz": values_of(results.frequencies, FREQUENCIES),
         "kinematic_frequencies_Hz": kinematic_block(results),
-        "torque_N_mm": torque_block(results),
+        "torque_N_mm": torque,
+        "power_balance": torque["power_balance"],
         "supply": supply_block(results),
         "decay": decay_block(results),
         "self_heating": heating_block(results),
