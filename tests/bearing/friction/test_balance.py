@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import pi
 
 import numpy as np
@@ -18,6 +19,8 @@ from bearing import (
     contact_conditions,
     solve_quasistatic,
 )
+from bearing.contacts.motion import ball_speeds
+from bearing.friction import balance
 from bearing.friction.coulomb import Ellipses, balanced_friction, coulomb_dissipation, line_dissipation
 from bearing.torque.pure_rolling_lines import rolling_lines
 from ehl import Lubricant
@@ -133,6 +136,21 @@ def test_balance_closes_the_energy_and_forgets_the_hypothesis(axial, radial):
     assert torques[2] == pytest.approx(torques[0], rel=2e-4)
     assert torques[3] == pytest.approx(torques[1], rel=2e-4)
     assert 0.97 < torques[0] / torques[1] < 1.0  # lines leave out the sliding across
+
+
+def test_the_gyroscopic_couple_is_the_change_of_the_angular_momentum():
+    """J w_m e_x x w by the cross product, for balls that also turn about the tangent; it is linear in the rotation."""
+    state = solve_quasistatic(B6206, Operation(inner_speed=9000.0 * RPM, force=(600.0, 300.0, 0.0)))
+    pivot = np.linspace(-80.0, 120.0, state.azimuth.size)
+    state = replace(state, pivot_speed=pivot)
+    orbit, rotation = ball_speeds(state)
+    couple, matrix = balance._gyroscopic(state, np.ones(orbit.size, dtype=bool))
+    inertia = 7800.0 * np.pi / 60.0 * B6206.ball_diameter**5
+    turned = inertia * orbit[:, None] * np.cross([1.0, 0.0, 0.0], rotation)  # along x, e_r, e_t
+    half = 0.5 * B6206.ball_diameter
+    assert_allclose(couple[:, 1:] * half, turned, rtol=1e-12, atol=1e-15)
+    assert_allclose(np.einsum("bij,bj->bi", matrix[:, 1:, 1:], half * rotation), couple[:, 1:], rtol=1e-12, atol=1e-12)
+    assert not balance._gyroscopic(state, np.zeros(orbit.size, dtype=bool))[0].any()
 
 
 def test_balance_with_gyroscopic_couple():
