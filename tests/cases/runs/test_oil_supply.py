@@ -410,3 +410,24 @@ def test_balls_of_next_to_no_load_do_not_run_away():
     slow = replace(case.operation, inner_speed=2.0 * pi / 60.0, force=(100.0, 1000.0, 0.0))
     torque = run_case(replace(case, operation=slow)).torque
     assert torque.total == pytest.approx(torque.starved.total, rel=0.3)
+
+
+def test_a_flow_gives_a_band_and_the_films_after_it_stops():
+    """The ends of the band enclose the numbers at the share given; the decay begins at the film of the supply."""
+    document = load_case("6208_oil_supply").document
+    changed = {**document["friction"], "supply_decay_s": 10.0, "supply_track_share": 0.3}
+    found = summary(run_case(case_of_document({**document, "friction": changed})))
+    supply, decay = found["supply"], found["decay"]
+    assert (supply["track_share_low"], supply["track_share_high"]) == (0.1, 0.5)
+    assert supply["film_share_low"] < supply["film_share"] < supply["film_share_high"]
+    assert supply["lambda_least_low"] < supply["lambda_least"] < supply["lambda_least_high"]
+    assert any("a band" in message for message in found["messages"])
+    assert (decay["ball"], decay["race"], decay["loss"]) == (1, "inner", 0.07)
+    assert 0.0 < decay["half_time_s"] < 1.0
+    assert decay["final_share"] == 0.0
+
+
+@pytest.mark.parametrize("name", ["supply_track_share_least", "supply_track_share_most"])
+def test_a_band_needs_a_flow(name):
+    with pytest.raises(CaseError, match=name):
+        case_from_text(TEXT + f"[friction]\n{name} = 0.2\n", "case")
