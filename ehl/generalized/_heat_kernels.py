@@ -142,14 +142,19 @@ def source_slope(p, temperature, middle, rise, rate, oil, section, work, flow, s
 
 
 @compiled
-def column_transport(j, i, mesh, symmetric, temperature, inlet, mass, height, section, work, flow):
+def column_transport(
+    j, i, mesh, symmetric, renewed, temperature, inlet, mass, height, section, work, flow
+):
     """Convection into a column: the upwind parts along x and y, and the flow through lines of
     constant z/h, by the heat capacities in `flow`. mass: mass fluxes int_0^z rho u dz of all
-    columns along x over rho_0 [m^2/s]; the column's own is set here.
+    columns along x over rho_0 [m^2/s]; the column's own is set here if it is to be renewed.
+
+    Continuity takes both from one sweep along the flow: against it, where oil recirculates, an own
+    flux of now beside those of the last sweep upstream makes the core of the eddy alternate.
     """
     ny, nx, n = temperature.shape
     cumulative = section[2]
-    for k in range(n):
+    for k in range(n if renewed else 0):
         total = 0.0
         for m in range(n):
             total += height * cumulative[k, m] * work[RHO, m] * flow[U, m]
@@ -200,8 +205,9 @@ def film_conductivity(p, temperature, heat, section, oil):
 
 @compiled
 def solve_heat_column(
-    j, i, p, height, rise, rate, speed, mesh, symmetric, oil, heat, section, differences, rheology,
-    temperature, inlet, history, response, middle, mass, work, flow, slope, out
+    j, i, p, height, rise, rate, speed, mesh, symmetric, renewed, oil, heat, section,
+    differences, rheology, temperature, inlet, history, response, middle, mass, work, flow,
+    slope, out
 ):  # fmt: skip
     """Temperature and stress of one column by Newton's method; heat of shear [W/m^2] and whether
     it converged. heat: conductivity and rho_0 c of the oil at ambient pressure and the temperature
@@ -224,7 +230,7 @@ def solve_heat_column(
             flow[CAPACITY, k] = heat[1] * ratio
         column_motion((t_x, t_y), rise, speed, height, section, work, flow)
         column_transport(
-            j, i, mesh, symmetric, temperature, inlet, mass, height, section, work, flow
+            j, i, mesh, symmetric, renewed, temperature, inlet, mass, height, section, work, flow
         )
         source_slope(p, temperature[j, i], (t_x, t_y), rise, rate, oil, section, work, flow, slope)
         for k in range(n):
@@ -256,6 +262,13 @@ def wall_flux(conductance, differences, temperature, flux):
 
 
 @compiled
+def take_up_heat(j, i, p, height, heat, section, oil, differences, temperature, flux):
+    """Set the flux from a column into both bodies [W/m^2]."""
+    conductivity = film_conductivity(p[j, i], temperature[j, i], heat, section, oil)
+    wall_flux(conductivity / height, differences, temperature[j, i], flux[:, j, i])
+
+
+@compiled
 def heat_sweep(
     p, h, gradient, speed_1, speed_2, mesh, symmetric, forward, oil, heat, section, differences,
     rheology, inlet, bulk, response, weights, temperature, middle, mass, flux, dissipation
@@ -276,6 +289,7 @@ def heat_sweep(
     for j in range(ny):
         for i in range(nx) if forward else range(nx - 1, -1, -1):
             height = h[j, i]
+            renewed = forward == (speed_1[0, j, i] + speed_2[0, j, i] >= 0.0)
             # 1. walls by the heat taken up upstream
             past_1, past_2 = bulk
             past_1 += response[0, j, i] * body_history(flux[0, j], i, speed_1[0, j, i], weights)
@@ -289,24 +303,21 @@ def heat_sweep(
             slide = speed_2[:, j, i] - speed_1[:, j, i]
             rate = (slide[0] / height, slide[1] / height)
             wall_response = (response[0, j, i] * weights[0], response[1, j, i] * weights[0])
-            speed = (speed_1[0, j, i], speed_1[1, j, i])
-            converged = False
+            before = i - 1 if forward else i + 1
             for attempt in range(2):
-                before = i - 1 if forward else i + 1
                 if attempt == 1 and 0 <= before < nx:  # from the neighbour's temperatures
                     temperature[j, i] = temperature[j, before]
                     middle[:, j, i] = np.nan
                 dissipation[j, i], converged = solve_heat_column(
-                    j, i, p[j, i], height, rise, rate, speed, mesh, symmetric, oil, heat, section,
-                    differences, rheology, temperature, inlet, (past_1, past_2), wall_response,
-                    middle, mass, work, flow, slope, out,
+                    j, i, p[j, i], height, rise, rate, speed_1[:, j, i], mesh, symmetric, renewed,
+                    oil, heat, section, differences, rheology, temperature, inlet,
+                    (past_1, past_2), wall_response, middle, mass, work, flow, slope, out,
                 )  # fmt: skip
                 if converged:
                     break
             unsolved += 0 if converged else 1
             # 3. flux into the walls
-            conductivity = film_conductivity(p[j, i], temperature[j, i], heat, section, oil)
-            wall_flux(conductivity / height, differences, temperature[j, i], flux[:, j, i])
+            take_up_heat(j, i, p, height, heat, section, oil, differences, temperature, flux)
     return unsolved
 
 
