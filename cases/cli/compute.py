@@ -49,7 +49,7 @@ def run(
     from ..runs.drawing import drawing_processes
 
     with drawing_processes(ahead=output is not None or not as_json) as drawing:
-        loaded = load_bearing(case, f"run it with 'oilfilm contact {case}'")
+        loaded = load_bearing(case, f"run it with 'oilfilm contact {case}'", heated=False)
         directory = results_directory(case, output, as_json)
         from ehl.multigrid.threads import cores
         from postprocess import summary

@@ -23,15 +23,18 @@ if TYPE_CHECKING:
     from ..runs.films import Progress
 
 
-def load_bearing(name: str, needed: str) -> Case:
-    """The bearing case of a name; `CaseError` saying what is `needed` for a single contact."""
+def load_bearing(name: str, needed: str, *, heated: bool = True) -> Case:
+    """The bearing case of a name; `CaseError` saying what is `needed` for a single contact.
+
+    `heated`: at the temperature that it warms itself to by formulas; a run finds its own.
+    """
     from ..format.case import Case, load_case
     from ..runs.heating import at_its_temperature
 
     case = load_case(name)
     if not isinstance(case, Case):
         raise CaseError(f"{name}: is a single contact; {needed}")
-    return at_its_temperature(case)
+    return at_its_temperature(case) if heated else case
 
 
 def results_directory(case: str, output: Path | None, as_json: bool) -> Path | None:

@@ -71,6 +71,9 @@ def faults(document):
         "axial stiffness": document["ring"]["stiffness"]["matrix"][0][0],
         "radial stiffness": document["ring"]["stiffness"]["matrix"][1][1],
     }
+    balance = numbers["heat balance"]
+    if balance is not None and abs(balance - numbers["temperature"]) > 0.5:
+        found.append(f"two temperatures: {numbers['temperature']} and {balance}")
     life = document["life"]
     if "silicon nitride" not in document["case"]["bearing"]["ring_material"]:
         numbers |= {key: life[key] for key in ("basic_reference_rating_h", "modified_reference_rating_h")}
