@@ -8,7 +8,15 @@ from math import pi
 import numpy as np
 import pytest
 
-from bearing import Bearing, Material, Operation, contact_conditions, solve_quasistatic
+from bearing import (
+    BallKinematics,
+    Bearing,
+    Material,
+    Operation,
+    QuasistaticModel,
+    contact_conditions,
+    solve_quasistatic,
+)
 from bearing.friction.resistance import (
     Cage,
     churning_power,
@@ -18,6 +26,7 @@ from bearing.friction.resistance import (
     rolling_moment,
 )
 from bearing.torque.pure_rolling_lines import rolling_lines
+from bearing.torque.skf import Series, SkfBearing, SkfOperation, skf_constants, skf_torque
 from bearing.torque.sliding import (
     SlidingContact,
     houpert_torque,
@@ -128,19 +137,47 @@ def test_models_side_by_side_under_axial_load():
     assert coulomb_torque(contacts, speed, 0.1) > lines.total
 
 
-def test_friction_of_a_6206_is_that_of_the_sliding_friction_paper_within_its_open_inputs():
-    """Axial 500 N, 500 r/min: 26.416 N mm there with mu 0.0935; groove radii and clearance are not given there."""
-    from bearing.torque.skf import Series, SkfBearing, SkfOperation, skf_constants, skf_torque
-
-    skf = skf_torque(
+def skf_6206(axial, radial):
+    """SKF's model of the 6206 at 500 r/min."""
+    return skf_torque(
         SkfBearing(
             constants=skf_constants(Series.DEEP_GROOVE, "62"), bore=0.03, outside_diameter=0.062, static_rating=11200.0
         ),
-        SkfOperation(radial_load=0.0, axial_load=500.0, speed=500.0 * RPM, viscosity=20e-6),
+        SkfOperation(radial_load=radial, axial_load=axial, speed=500.0 * RPM, viscosity=20e-6),
     )
+
+
+def test_friction_of_a_6206_is_that_of_the_sliding_friction_paper_within_its_open_inputs():
+    """Axial 500 N, 500 r/min: 26.416 N mm there with mu 0.0935; groove radii and clearance are not given there."""
+    skf = skf_6206(500.0, 0.0)
     state, contacts = solved(500.0, 0.0)
     ours = pure_rolling_line_torque(contacts, state.operation.shaft_speed, skf.friction_coefficient).total
     assert 1e3 * ours == pytest.approx(26.416, rel=0.25)
+
+
+@pytest.mark.parametrize(
+    ("kinematics", "tilt", "gap"),
+    [
+        (BallKinematics.OUTER_RACE_CONTROL, None, -0.064),
+        (BallKinematics.HALF_AND_HALF, None, -0.159),
+        (BallKinematics.HALF_AND_HALF, 0.0, -0.253),
+    ],
+)
+def test_under_combined_load_the_ring_of_the_sliding_friction_paper_tilts(kinematics, tilt, gap):
+    """1000 N axial and radial, 500 r/min: 67.6801 N mm there; its load vector has moments, so its ring tilts."""
+    moment = 0.0 if tilt is None else None
+    operation = Operation(
+        inner_speed=500.0 * RPM, force=(1000.0, 1000.0, 0.0), moment=(moment, moment), tilt=(tilt, tilt)
+    )
+    state = solve_quasistatic(B6206, operation, QuasistaticModel(ball_kinematics=kinematics))
+    assert state.converged
+    if tilt is None:
+        assert state.ring_moment == pytest.approx((0.0, 0.0), abs=1e-6)
+        assert max(abs(angle) for angle in state.tilt) == pytest.approx(1.67e-3, rel=0.01)
+    contacts = sliding_contacts(state, contact_conditions(state, OIL))
+    skf = skf_6206(1000.0, 1000.0)
+    ours = pure_rolling_line_torque(contacts, 500.0 * RPM, skf.friction_coefficient).total
+    assert 1e3 * ours / 67.6801 - 1.0 == pytest.approx(gap, abs=0.001)
 
 
 def test_rolling_moment_of_the_oil():
