@@ -9,6 +9,7 @@ CONSTANTS = (  # modules from which kernels take constants and types, beside oth
     "bearing/dynamics/arrays.py",
     "bearing/dynamics/layout.py",
     "ehl/arrays.py",
+    "ehl/oil/heat_properties.py",
     "ehl/oil/lubricant.py",
     "ehl/traction/heated/nahme.py",
 )

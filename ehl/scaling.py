@@ -7,13 +7,14 @@ p_h) -> `ScaledContact`.
 """
 
 from dataclasses import dataclass, replace
-from math import atan2, cos, pi, sin, sqrt
+from math import atan2, cos, inf, pi, sin, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .closed_form.film import moes_film_nijenbanning
 from .closed_form.hertz import ellipse_ratio, hertz_coefficients
+from .closed_form.starvation import StarvationShares, starvation_shares
 from .conditions import ContactConditions, MoesConditions, moes_groups, speed_load_material
 from .oil.inlet_layer import InletLayer
 from .oil.lubricant import (
@@ -32,6 +33,10 @@ CLOSED_FORM_LAWS = (ViscosityLaw.ROELANDS, ViscosityLaw.BARUS, ViscosityLaw.ISOV
 ALIGNMENT_TOLERANCE = 1e-12  # |C| below this is an entrainment along a principal direction
 # speed at the end of the ellipse, over u_m, below which a rotation of the entrainment is left out
 SMALLEST_ROTATION = 1e-3
+# Beyond these the law of starvation, which is of entrainment along a principal direction, counts
+# as left: |C|, the mixed curvature, and the speed of rotation at the end of the ellipse over u_m
+OBLIQUE = 0.05
+TURNING = 0.1
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -258,3 +263,26 @@ def _viscosity_coefficients(
     relative_pressure = pressure / lubricant.roelands_pressure
     exponent = lubricant.exponent
     return product / (exponent * relative_pressure), relative_pressure, exponent
+
+
+def groups_along(contact: ScaledContact) -> tuple[float, float, float]:
+    """M, L and Rx/Ry by the curvatures of the gap along and across the grid's x, which are those
+    of the conditions where the entrainment has a principal direction [-].
+
+    With the radius R/S in place of R: W S^2 and U S give M S^(5/4) and L S^(1/4).
+    """
+    s = contact.curvature_x
+    return (contact.moes_load * s**1.25, contact.moes_lubricant * s**0.25, contact.curvature_y / s)
+
+
+def contact_shares(
+    contact: ScaledContact, ratio: float, flooded_ratio: float = inf
+) -> StarvationShares:
+    """What a layer of `ratio` times the oil of the flooded film leaves of a contact, in the frame
+    of its entrainment; a layer of `flooded_ratio` counts as flooded [-].
+    """
+    shares = starvation_shares(*groups_along(contact), ratio, flooded_ratio)
+    turning = abs(contact.rotation) * max(1.0, contact.semi_axis_ratio)
+    if abs(contact.curvature_xy) <= OBLIQUE and turning <= TURNING:
+        return shares
+    return shares.outside()

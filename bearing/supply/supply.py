@@ -31,9 +31,8 @@ from ehl.closed_form.starvation import (
     starved_share,
 )
 from ehl.conditions import ContactConditions
-from ehl.multigrid.starvation_law import contact_shares
 from ehl.oil.lubricant import Lubricant, density
-from ehl.scaling import scale_contact
+from ehl.scaling import contact_shares, scale_contact
 
 from ..contacts.contact import BearingContact
 from ..geometry import Bearing

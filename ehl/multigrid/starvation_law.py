@@ -5,40 +5,13 @@ from math import exp, hypot, inf, log
 
 import numpy as np
 
-from ..closed_form.starvation import Share, StarvationShares, starvation_shares
+from ..closed_form.starvation import Share
 from ..conditions import ContactConditions, MoesConditions
-from ..scaling import ScaledContact
+from ..scaling import ScaledContact, contact_shares
 from ..solution import Array, ContactSolution, FilmValue, OilSupply
 from .oil_supply import inlet_ratio, pressure_moment
 
 RATIO_STEP = 1e-3  # of ln r, for the slope of a share
-# Beyond these the law, which is of entrainment along a principal direction, counts as left:
-# |C|, the mixed curvature, and the speed of rotation at the end of the ellipse over u_m [-]
-OBLIQUE = 0.05
-TURNING = 0.1
-
-
-def groups_along(contact: ScaledContact) -> tuple[float, float, float]:
-    """M, L and Rx/Ry by the curvatures of the gap along and across the grid's x, which are those
-    of the conditions where the entrainment has a principal direction [-].
-
-    With the radius R/S in place of R: W S^2 and U S give M S^(5/4) and L S^(1/4).
-    """
-    s = contact.curvature_x
-    return (contact.moes_load * s**1.25, contact.moes_lubricant * s**0.25, contact.curvature_y / s)
-
-
-def contact_shares(
-    contact: ScaledContact, ratio: float, flooded_ratio: float = inf
-) -> StarvationShares:
-    """What a layer of `ratio` times the oil of the flooded film leaves of a contact, in the frame
-    of its entrainment; a layer of `flooded_ratio` counts as flooded [-].
-    """
-    shares = starvation_shares(*groups_along(contact), ratio, flooded_ratio)
-    turning = abs(contact.rotation) * max(1.0, contact.semi_axis_ratio)
-    if abs(contact.curvature_xy) <= OBLIQUE and turning <= TURNING:
-        return shares
-    return shares.outside()
 
 
 def behind_layer(

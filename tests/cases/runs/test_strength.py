@@ -60,7 +60,8 @@ def test_map_over_temperature_and_speed(warm):
 
 def test_tension_under_the_films(warm):
     """At the heaviest ball; with the hoop tension of the groove in the inner ring, which pulls along the rolling
-    direction and makes its tension larger than the ball's.
+    direction and makes its tension larger than the ball's; by less than itself, since friction pulls at the ring where
+    it presses on the ball.
     """
     found = summary(warm)
     inner, outer, other = found["contacts"][:3]
@@ -69,7 +70,7 @@ def test_tension_under_the_films(warm):
         assert contact["surface_tension_uncertainty_GPa"] < contact["surface_tension_ring_GPa"]
     groove = 1e-3 * found["strength"]["inner_ring"]["groove_tension_MPa"]
     difference = inner["surface_tension_ring_GPa"] - inner["surface_tension_ball_GPa"]
-    assert 0.5 * groove < difference < 2.0 * groove
+    assert 0.0 < difference < groove
     assert other["surface_tension_ring_GPa"] is None
     assert other["edge_tension_GPa"] < inner["edge_tension_GPa"]
     largest = found["strength"]["inner_ring"]["surface_tension_maximum_GPa"]

@@ -42,7 +42,7 @@ CIRCLE = TableContact(
     curvature_difference=50.0,
 )
 LIMITS = TableRange(load=(40.0, 80.0), speed=(1.0, 2.0), slide_x=0.5, slide_y=0.3, spin=0.3)
-DIGEST = "1bf81bd06cfbc11417616ad3dd7e455e4181bcde19313e86d4b3d6cacd0e578e"  # of both, in files of format 4
+DIGEST = "7b40661801e5e457ca1dae48863f35ff1e2fff4a2070ffc37ef35dab34a792f1"  # of both, in files of format 5
 OPTIONS = TableOptions(points=65, tolerance=0.02, check_films=3, check_motions=40, rounds=1, nodes=(5, 4, 21, 9, 13))
 
 
@@ -223,7 +223,7 @@ def test_files_of_an_older_format_are_refused(table, tmp_path):
     document = json.loads(str(parts["document"]))
     parts["document"] = np.array(json.dumps(document | {"format_version": document["format_version"] - 1}))
     np.savez(path, **parts)
-    with pytest.raises(ValueError, match="format version 3, this program reads 4; make the table again"):
+    with pytest.raises(ValueError, match="format version 4, this program reads 5; make the table again"):
         load_table(path)
 
 
