@@ -10,7 +10,6 @@ from ehl.solution import ContactSolution
 from ..contacts.contact import BearingContact
 from ..friction.films import film_balance
 from ..friction.formula_films import FormulaFilm
-from ..friction.resistance import resistance_of
 from ..friction.running_films import OilAtInlets, RunningFilm, running_films
 from ..quasistatic.solution import QuasistaticSolution
 from .inlet import InletFactors
@@ -32,13 +31,7 @@ def films_torque(
     asperities, cage and drag; films of formulas where one is None or did not converge.
     """
     running = films_as_they_run(solution, contacts, films, friction, inlet)
-    resistance = resistance_of(
-        friction.cage,
-        solution.bearing,
-        lubricant.viscosity,
-        lubricant.density,
-        friction.oil_share(solution.bearing),
-    )
+    resistance = friction.resistance(solution.bearing, lubricant)
     shear = solved_shear(solution, contacts, running, rheology, resistance)
     known = [film for film in running if film is not None]
     by_formula = sum(film.formula for film in known)
@@ -61,13 +54,7 @@ def balanced_torque(
         If the balls find no balance.
     """
     running = films_as_they_run(solution, contacts, (None,) * len(contacts), friction, inlet)
-    resistance = resistance_of(
-        friction.cage,
-        solution.bearing,
-        lubricant.viscosity,
-        lubricant.density,
-        friction.oil_share(solution.bearing),
-    )
+    resistance = friction.resistance(solution.bearing, lubricant)
     balance = film_balance(solution, contacts, running, rheology, resistance)
     if not balance.converged:
         raise ValueError(f"the torque of films: {no_balance_message(balance)}")

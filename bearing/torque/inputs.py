@@ -2,8 +2,10 @@
 
 from dataclasses import dataclass
 
+from ehl.oil.lubricant import Lubricant
+
 from ..friction.asperities import Asperities, LoadSharing, Spectrum
-from ..friction.resistance import Cage
+from ..friction.resistance import Cage, Resistance, resistance_of
 from ..geometry import Bearing
 from ..supply.supply import InletFilm, Supply, cavity_volume, oil_fraction
 from . import skf
@@ -73,6 +75,11 @@ class FrictionInput:
         if isinstance(self.scarce, Supply) and bearing.width is not None:
             return oil_fraction(self.scarce, cavity_volume(bearing))
         return self.oil_fraction
+
+    def resistance(self, bearing: Bearing, oil: Lubricant) -> Resistance:
+        """What holds balls and cage of a bearing back: drag, land and pockets."""
+        share = self.oil_share(bearing)
+        return resistance_of(self.cage, bearing, oil.viscosity, oil.density, share)
 
     @property
     def scarce(self) -> Supply | InletFilm | None:

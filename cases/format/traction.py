@@ -8,7 +8,6 @@ from typing import Any
 
 from bearing.friction.law import BallTraction, TractionLaw
 from bearing.friction.race_tables import Solids, Tables
-from bearing.friction.resistance import resistance_of
 from bearing.friction.sources import (
     CoefficientTraction,
     CoulombTraction,
@@ -45,11 +44,10 @@ def ball_traction(
     """Friction of balls on races and drag on the balls, SI; `UnfitKey` if the file of a table
     cannot be read, or is of another bearing or oil.
     """
-    share = friction.oil_share(bearing)
-    resistance = resistance_of(friction.cage, bearing, oil.viscosity, oil.density, share)
     source = _law(table, bearing, oil, films.films) or _films(friction, films)
     if isinstance(source, LawTraction | FilmTraction):
         source = replace(source, rolling_factor=inlet.rolling)
+    resistance = friction.resistance(bearing, oil)
     return BallTraction(source=source, lubricant=oil, resistance=resistance)
 
 

@@ -141,13 +141,10 @@ def _behind_layer(
         extent = -oil.meniscus_ahead()
     elif extent is None:
         note = "the layer at the inlet floods the box of the film, and the oil ends on its edge"
-    residual = solution.record.residual[-1] if solution.record.residual else 0.0
     value = box + change + beyond
     return RollingMoment(
         value=value,
-        uncertainty=abs(change)
-        + RESIDUAL_ERROR * residual * abs(value)
-        + FAR_FIELD_ERROR * abs(beyond),
+        uncertainty=abs(change) + _left_by_cycles(solution, value) + FAR_FIELD_ERROR * abs(beyond),
         box=box + change,
         layer=layer,
         extent=None if extent is None else -a * extent,
@@ -166,8 +163,7 @@ def _by_law(solution: ContactSolution, layer: float, scale: float) -> RollingMom
     share = supply.law.rolling_moment
     flooded = scale * sum(supply.flooded_moment)
     value = share.value * flooded
-    residual = solution.record.residual[-1] if solution.record.residual else 0.0
-    of_film = scale * abs(supply.flooded_moment[1]) + RESIDUAL_ERROR * residual * abs(flooded)
+    of_film = scale * abs(supply.flooded_moment[1]) + _left_by_cycles(solution, flooded)
     return RollingMoment(
         value=value,
         uncertainty=hypot(share.value * of_film, share.uncertainty * flooded),
@@ -207,8 +203,13 @@ def _solution_error(solution: ContactSolution, contact: ScaledContact, moment: f
     centre = int(np.abs(solution.X).argmin())
     mesh = float(np.gradient(solution.X)[centre]) / half_length
     lever = MESH_ERROR * mesh**1.5 * half_length * a
+    return lever * conditions.load + _left_by_cycles(solution, moment)
+
+
+def _left_by_cycles(solution: ContactSolution, moment: float) -> float:
+    """What the cycles of a solution leave open of a moment, in its unit."""
     residual = solution.record.residual[-1] if solution.record.residual else 0.0
-    return lever * conditions.load + RESIDUAL_ERROR * residual * abs(moment)
+    return RESIDUAL_ERROR * residual * abs(moment)
 
 
 def _starved_note(solution: ContactSolution, contact: ScaledContact, extent: float) -> str:
