@@ -4,8 +4,11 @@ from .oil.lubricant import DensityLaw, Lubricant, ViscosityLaw
 from .options import SolverOptions
 from .solution import ContactSolution, ConvergenceRecord, FilmValue, OilSupply
 from .solver import solve_contact
+from .traction.atlas.films import AtlasFilms, AtlasValue, atlas_films
 
 __all__ = [
+    "AtlasFilms",
+    "AtlasValue",
     "ContactConditions",
     "ContactSolution",
     "ConvergenceRecord",
@@ -17,5 +20,6 @@ __all__ = [
     "OilSupply",
     "SolverOptions",
     "ViscosityLaw",
+    "atlas_films",
     "solve_contact",
 ]

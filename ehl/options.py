@@ -19,7 +19,8 @@ class SolverOptions:
     # relative error bar of central and minimum film to reach [-]; None: `TOLERANCE` without
     # points, else none, and the film is solved on the points
     tolerance: float | None = None
-    max_cycles: int = 20  # multigrid cycles allowed on the finest level
+    # multigrid cycles on the finest level; from six on three times as many where they lead nearer
+    max_cycles: int = 20
     # that share the lines of one contact; films do not depend on it beyond round-off, and below
     # some 257 points they do not help
     threads: int = 1

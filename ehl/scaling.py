@@ -102,6 +102,11 @@ class ScaledContact:
         return X * c - Y * s, X * s + Y * c
 
     @property
+    def turning(self) -> float:
+        """Speed at the end of the ellipse by the rotation of the entrainment, over u_m [-]."""
+        return abs(self.rotation) * max(1.0, self.semi_axis_ratio)
+
+    @property
     def symmetric(self) -> bool:
         """Whether the solution is even in Y."""
         return abs(self.curvature_xy) < ALIGNMENT_TOLERANCE and not self.lateral
@@ -282,7 +287,6 @@ def contact_shares(
     of its entrainment; a layer of `flooded_ratio` counts as flooded [-].
     """
     shares = starvation_shares(*groups_along(contact), ratio, flooded_ratio)
-    turning = abs(contact.rotation) * max(1.0, contact.semi_axis_ratio)
-    if abs(contact.curvature_xy) <= OBLIQUE and turning <= TURNING:
+    if abs(contact.curvature_xy) <= OBLIQUE and contact.turning <= TURNING:
         return shares
     return shares.outside()

@@ -15,6 +15,7 @@ from .multigrid.flow_model import FlowModel
 from .multigrid.full_multigrid import (
     ACCEPTED_ERROR,
     ATTEMPTS,
+    CAUTIOUS,
     Attempt,
     AttemptResult,
     add_level,
@@ -35,6 +36,7 @@ from .solution import ContactSolution, ConvergenceRecord, FilmValue
 Array = NDArray[np.float64]
 
 FLOODED_ONLY = "inlet_layer: films with shear or heat are solved flooded only"
+CAUTIOUS_LEVEL = "finer mesh with damping halved, less Gauss-Seidel"
 LOAD_STEPS = (1.0 / 16.0, 0.25)  # shares of the load through which a fallback reaches it
 # Hc/(S hx^2) of the first mesh times the tolerance, Hc of the film formula
 FIRST_FINENESS = 6.0
@@ -95,8 +97,10 @@ def solve_attempts(
         if _reached(solution, tolerance) or film_over_radius(solution) > MAX_FILM_OVER_RADIUS:
             break
         given = replace(given, points=2 * points - 1)
-        finer, finer_result = _solve_finer(problem, given, result, attempts, progress)
-        if solution.converged and solution.resolved and not finer.converged:
+        sound = solution.converged and solution.resolved
+        anew = () if sound else attempts
+        finer, finer_result = _solve_finer(problem, given, result, anew, progress)
+        if sound and not finer.converged:
             stopped = "; a finer mesh did not converge"  # these films stand, with their wider bars
             break
         points = 2 * points - 1
@@ -252,13 +256,21 @@ def _solve_finer(
     attempts: tuple[Attempt, ...],
     progress: Progress,
 ) -> tuple[ContactSolution, AttemptResult]:
-    """A contact on twice the points: from its solution, or anew where there is none or it does not
-    lead to one, by what converged before first.
+    """A contact on twice the points: from its solution, or by attempts anew where there is none or
+    it does not lead to one, what came closest before first. Without attempts the coarser films
+    are what stands if their solution does not lead to one with more damping either.
     """
-    if coarse.converged and not coarse.attempt.newton:
-        result = add_level(coarse, problem.domain, options, progress)
-        if result.converged and result.error < ACCEPTED_ERROR:
-            return _assembled(problem.conditions, options, result, progress), result
+    results: list[AttemptResult] = []
+    dampings = [] if coarse.attempt.newton or not coarse.converged else [coarse.state.damping]
+    for damping in dampings if attempts else [*dampings, CAUTIOUS]:
+        if results:
+            progress.fallbacks.append(CAUTIOUS_LEVEL)
+        results.append(add_level(coarse, problem.domain, options, progress, damping))
+        if results[-1].converged and results[-1].error < ACCEPTED_ERROR:
+            break
+    if results and (not attempts or results[-1].error < ACCEPTED_ERROR):
+        best = min(results, key=lambda result: result.rank)
+        return _assembled(problem.conditions, options, best, progress), best
     attempts = (coarse.attempt, *(a for a in attempts if a is not coarse.attempt))
     return _solve(problem, options, attempts, progress)
 

@@ -99,8 +99,7 @@ def balance_driven_balls(
     counts as not driving it. So it does for balls that are cage-driven in the equilibrium, and for
     those whose inner contact has no film, being of negligible load.
     """
-    with_film = np.array([c.conditions is not None for c in contacts]).reshape(-1, 2)[:, 0]
-    driven = (solution.inner_load > 0.0) & ~solution.cage_driven & with_film
+    driven = may_be_driven(solution, contacts)
     balance = balance_balls(solution, contacts, law, driven=driven, resistance=resistance)
     for _ in range(SKID_ROUNDS):
         skidding = driven & (sliding_ratio(balance, contacts) > SKID_RATIO)
@@ -109,6 +108,14 @@ def balance_driven_balls(
         driven = driven & ~skidding
         balance = balance_balls(solution, contacts, law, driven=driven, resistance=resistance)
     return balance
+
+
+def may_be_driven(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact]
+) -> NDArray[np.bool_]:
+    """Balls that the inner race drives unless they skid, (balls,) [-]."""
+    with_film = np.array([c.conditions is not None for c in contacts]).reshape(-1, 2)[:, 0]
+    return np.asarray((solution.inner_load > 0.0) & ~solution.cage_driven & with_film)
 
 
 def sliding_ratio(balance: BalancedFriction, contacts: Sequence[BearingContact]) -> Array:

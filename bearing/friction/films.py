@@ -23,7 +23,14 @@ from ..contacts.motion import bearing_kinematics
 from ..contacts.traction import TRACTION_POINTS
 from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
-from .balance import BalancedFriction, balance_balls, balance_driven_balls
+from .balance import (
+    SKID_RATIO,
+    BalancedFriction,
+    balance_balls,
+    balance_driven_balls,
+    may_be_driven,
+    sliding_ratio,
+)
 from .coulomb import contact_ellipses, coulomb_dissipation
 from .law import REFERENCE_TRACTION, TINY, ContactLaw, Dissipation
 from .resistance import NO_RESISTANCE, Resistance
@@ -44,13 +51,18 @@ def film_balance(
     films: RunningFilms,
     rheology: Rheology,
     resistance: Resistance = NO_RESISTANCE,
+    near: BalancedFriction | None = None,
 ) -> BalancedFriction:
     """Motion of all balls in which the shear of their films balances itself, at given loads; the
     forces contain the hydrodynamic rolling moment.
 
     `contacts`: inner then outer, ball by ball; `films`: one per contact, None without load;
-    `resistance`: what holds the balls back beside the races.
+    `resistance`: what holds the balls back beside the races; `near`: of a similar state, where the
+    search begins.
     """
+    begun = None if near is None else _begun(solution, contacts, films, rheology, resistance, near)
+    if begun is not None:
+        return begun
     # 1. which balls the inner race drives, and their motion, with the nodes that matter most
     coarse, exact = (
         film_law(solution, contacts, films, rheology, left_out=left_out)
@@ -62,6 +74,29 @@ def film_balance(
     return balance_balls(
         solution, contacts, exact, driven=first.driven, initial_guess=guess, resistance=resistance
     )
+
+
+def _begun(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    films: RunningFilms,
+    rheology: Rheology,
+    resistance: Resistance,
+    near: BalancedFriction,
+) -> BalancedFriction | None:
+    """The balance from a near one with the same balls driven by the inner race, which are all that
+    may be; None where it has others, is not found, or a ball skids.
+    """
+    if near.driven.size != solution.azimuth.size:
+        return None
+    if not np.array_equal(near.driven, may_be_driven(solution, contacts)):
+        return None
+    law = film_law(solution, contacts, films, rheology)
+    balance = balance_balls(
+        solution, contacts, law, driven=near.driven, initial_guess=near, resistance=resistance
+    )
+    skids = balance.driven & (sliding_ratio(balance, contacts) > SKID_RATIO)
+    return balance if balance.converged and not skids.any() else None
 
 
 def film_law(

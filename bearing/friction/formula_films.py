@@ -2,13 +2,12 @@
 
 The pressure is Hertz', the film flat: the central one of Chittenden et al. (1985), or, in light
 contacts that they were not made for, that of Nijenbanning, Venner and Moes (1994) as corrected
-here. Minimum over central film after Hamrock and Dowson (1977), rolling moment after Biboulet and
-Houpert (2010). Where the same contact was solved at another speed or with another oil, film and
+here. Minimum over central film after Hamrock and Dowson (1977), rolling moment as `formula_moment`
+has it. Where the same contact was solved at another speed or with another oil, film and
 moment are those of that solution times the ratio of the formulas here and there.
 
 Against solved films of 6208, 6306, 7012 AC, 6205, 6312 and 61808 (129 points, M 50 to 10 000):
-central films within 12 % but one (18 %), minimum films within 20 %, moments 0 to 10 % too small
-above M = 300 and up to 33 % at M = 50.
+central films within 12 % but one (18 %), minimum films within 20 %.
 """
 
 from dataclasses import dataclass, replace
@@ -31,7 +30,7 @@ from ehl.traction.rolling_moment import rolling_moment
 
 from ..contacts.contact import BearingContact
 from ..geometry import Array
-from .resistance import rolling_moment as formula_moment
+from .formula_moment import flooded_moment
 
 POINTS = 33  # along and across the ellipse [-]; 65 change the torque of a 6208 by 0.1 %
 # of R_x, the thickest film that counts: beyond, no elastohydrodynamic formula holds [-]
@@ -77,14 +76,15 @@ def formula_film(
     limit = THICKEST_FILM * conditions.radius_x
     central = formula_central(conditions)
     ratio = _minimum_ratio(conditions)
-    moment = formula_moment(conditions, *axes)
+    moment = flooded_moment(conditions, *axes, min(central, limit))
     if base is not None and isinstance(base.conditions, ContactConditions):
         there = base.conditions
         solved = _known(base.film_minimum) / _known(base.film_central)
         central *= _known(base.film_central) / formula_central(there)
         other = _minimum_ratio(there)
         ratio = solved if ratio is None or other is None else ratio * solved / other
-        moment *= rolling_moment(base).value / formula_moment(there, *axes)
+        by_formula = flooded_moment(there, *axes, formula_central(there))
+        moment *= rolling_moment(base).value / by_formula
     central = min(central, limit)
     minimum = None if ratio is None else min(ratio, 1.0) * central
     return FormulaFilm(

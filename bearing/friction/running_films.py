@@ -14,7 +14,7 @@ from ehl.traction.rolling_moment import rolling_moment
 from ..contacts.contact import BearingContact
 from ..supply.supply import InletFilm, Supply, supplied_shares
 from .asperities import Asperities
-from .formula_films import FormulaFilm, formula_film, with_gap
+from .formula_films import FORMULA_ERROR, FormulaFilm, formula_film, with_gap
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -32,6 +32,13 @@ class RunningFilm:
     flooded_share: float = 0.0  # the same of the flooded film [-]
     formula: bool = False  # whether the film is not solved
     boundary: float = 0.0  # friction of asperities, mu_b [-]
+
+    @property
+    def error(self) -> float:
+        """Of the central film over it [-]."""
+        if self.formula:
+            return FORMULA_ERROR
+        return self.film.film_central_dimensionless.relative_uncertainty
 
     @property
     def rolling_moment(self) -> float:
@@ -70,7 +77,7 @@ def running_films(
     solved = {
         id(film): rolling_moment(film).value
         for film in films
-        if isinstance(film, ContactSolution) and film.converged
+        if film is not None and not isinstance(film, FormulaFilm) and film.converged
     }
     found: list[RunningFilm | None] = []
     for contact, film in zip(contacts, films, strict=True):

@@ -1,5 +1,14 @@
-"""Temperature of a bearing from its friction.
+"""Temperatures of a bearing from its friction.
 
-heat_balance  - temperature at which friction power and cooling agree
-self_heating  - the balance with equilibrium, clearance and oil solved anew at each temperature
+capacities      - heat capacities of the parts
+conductances    - conductances in closed form, each with its range
+films_heat      - heat of films of formulas in balance
+friction_heat   - heat of friction by where it arises; conductances of the contacts
+heat_balance    - one node: temperature at which friction power and cooling agree
+heat_state      - heat and temperatures at one film temperature and clearance
+network         - nodes, paths and boundaries; temperatures and flows of heat
+paths           - rings, seats, shaft, housing, oil and air as paths of heat
+remedy          - the least cooling that keeps a bearing below a limit
+self_heating    - temperatures at which friction, clearance, films and cooling agree
+stability       - margin against thermal runaway, ends of the temperatures
 """

@@ -1,81 +1,50 @@
-"""Self-heating: torque to temperature, to viscosity and clearance, to loads, to torque."""
+"""Self-heating: heat to temperatures of the parts, to viscosity and clearance, to loads, films and
+friction, to heat.
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
+Friction depends on the temperatures by two numbers, that of the films T_f = w T and the clearance
+P_d(T): at both of them the equilibrium is solved, its friction is spread over the nodes, and the
+network gives the temperatures T', and with them T_f' and P_d'. Wanted is T_f' = T_f, P_d' = P_d:
+a secant method on T_f alone, then Newton's method on both with differences as its matrix, which
+gives the stability as well.
+"""
 
-from ehl.oil.lubricant import Lubricant
+from collections.abc import Callable
+from dataclasses import dataclass
 
-from ..contacts.contact import BearingContact
-from ..contacts.contacts import contact_conditions
-from ..fits.clearance import Fit, TemperatureRise, clearance_budget
-from ..geometry import Bearing
-from ..operation import Operation, QuasistaticModel
-from ..quasistatic.solution import QuasistaticSolution
-from ..quasistatic.solver import solve_quasistatic
-from ..rows import SINGLE, Row
-from .heat_balance import Cooling, HeatBalance, heat_balance
+import numpy as np
 
-TorqueModel = Callable[[QuasistaticSolution, Sequence[BearingContact], Lubricant], float]  # [N m]
+from ehl.units import ZERO_CELSIUS
 
+from ..geometry import Array
+from .capacities import heat_capacities
+from .heat_balance import HIGHEST_TEMPERATURE, HeatBalance
+from .heat_state import HeatState, SelfHeatingProblem, heat_state
+from .network import NODES
+from .paths import Surroundings
+from .stability import Slopes, Stability, stability
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class SelfHeatingProblem:
-    """A bearing whose temperature follows from its friction."""
-
-    bearing: Bearing  # with its clearance at the reference temperature, before mounting
-    operation: Operation  # its temperature is replaced
-    model: QuasistaticModel
-    oil: Callable[[float], Lubricant]  # lubricant at a temperature [K]
-    torque: TorqueModel  # friction torque [N m] of an equilibrium, its contacts and its oil
-    fit: Fit | None = None
-    # temperature at which clearance and fits were measured; None: the clearance is the operating
-    # one, and stays
-    reference: float | None = 293.15  # [K]
-    # inner ring and shaft above the one temperature of the node, outer ring and housing as much
-    # below it
-    inner_excess: float = 0.0  # [K]
-    rows: tuple[Row, ...] = SINGLE  # of balls on the one inner ring
-
-    def clearance(self, temperature: float) -> float:
-        """Diametral clearance [m] at a temperature [K]."""
-        if self.reference is None:
-            return self.bearing.diametral_clearance
-        ball = temperature - self.reference
-        inner = ball + self.inner_excess
-        outer = ball - self.inner_excess
-        rise = TemperatureRise(
-            inner_ring=inner, shaft=inner, outer_ring=outer, housing=outer, ball=ball
-        )
-        return clearance_budget(self.bearing, self.operation, self.fit, rise).operating
-
-    def torque_at(self, temperature: float) -> float:
-        """Friction torque [N m] at a temperature [K]: of the equilibrium with the clearance and
-        the oil there.
-
-        Raises
-        ------
-        ValueError
-            If there is no equilibrium at that temperature [K].
-        """
-        # 1. clearance, 2. equilibrium, 3. viscosity, 4. torque
-        operation = replace(self.operation, temperature=temperature)
-        bearing = replace(self.bearing, diametral_clearance=self.clearance(temperature))
-        solution = solve_quasistatic(bearing, operation, self.model, rows=self.rows)
-        if not solution.converged:
-            raise ValueError(f"no equilibrium at {temperature:.1f} K: {solution.message}")
-        oil = self.oil(temperature)
-        return self.torque(solution, contact_conditions(solution, oil), oil)
+NEAR = 1.0  # film temperature from which Newton's method takes over [K]
+TOLERANCE = 1.0e-4  # of the film temperature [K]
+CLEARANCE_TOLERANCE = 1.0e-10  # [m]
+SECANT_STEPS = 14
+NEWTON_STEPS = 8
+FALL = (
+    0.02  # of the friction with the temperature, for the first step, oils have 0.015 to 0.04 [1/K]
+)
+LARGEST_STEP = 25.0  # [K]
+STEP = 0.5  # of the film temperature for differences [K]
+CLEARANCE_STEP = 0.5e-6  # likewise [m]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SelfHeatingSolution:
-    """Temperature of a bearing heated by its own friction, or why there is none."""
+    """Temperatures of a bearing heated by its own friction, or why there are none."""
 
     model: str  # of the friction torque
+    around: Surroundings
     balance: HeatBalance | None  # None where the torque could not be computed
-    cooling: Cooling
-    viscosity: float | None = None  # of the oil at that temperature [Pa s]
-    clearance: float | None = None  # on the diameter at that temperature [m]
+    state: HeatState | None = None  # the last one
+    stability: Stability | None = None  # at the balance
     note: str = ""  # why there is no balance
 
     @property
@@ -84,33 +53,198 @@ class SelfHeatingSolution:
         return self.balance is not None and self.balance.converged
 
     @property
+    def viscosity(self) -> float | None:
+        """Of the oil in the films [Pa s]."""
+        return None if self.state is None else self.state.viscosity
+
+    @property
+    def clearance(self) -> float | None:
+        """On the diameter [m]."""
+        return None if self.state is None else self.state.clearance
+
+    @property
     def oil_heat(self) -> float | None:
         """Heat that the oil removes [W]."""
-        if self.balance is None:
+        if self.state is None:
             return None
-        return self.cooling.oil_flow * (self.balance.temperature - self.cooling.oil_supply)
+        oil = float(self.state.temperatures[NODES.index("oil")])
+        return self.around.oil_flow * (oil - self.around.oil_supply)
+
+    @property
+    def energy_error(self) -> float | None:
+        """Heat left over on a node or in all, over the heat [-]."""
+        if self.state is None:
+            return None
+        return self.state.network.imbalance(self.state.temperatures, self.state.sources)
 
 
-def self_heating(problem: SelfHeatingProblem, cooling: Cooling) -> HeatBalance:
-    """Temperature [K] at which friction equals what surroundings and oil remove."""
-    speed = problem.operation.shaft_speed
-    return heat_balance(problem.torque_at, speed, cooling)
+class _Search:
+    """States of one problem, counted."""
+
+    def __init__(self, problem: SelfHeatingProblem) -> None:
+        self.problem = problem
+        self.fixed = problem.fixed_paths()
+        self.count = 0
+        self.floating = problem.reference is not None
+
+    def at(self, film_temperature: float, clearance: float) -> HeatState:
+        self.count += 1
+        return heat_state(self.problem, self.fixed, film_temperature, clearance)
+
+    def residual(self, state: HeatState) -> Array:
+        """T_f' - T_f [K], P_d' - P_d [m]."""
+        return np.array(
+            [
+                state.found_temperature - state.film_temperature,
+                self.problem.clearance(state.temperatures) - state.clearance,
+            ]
+        )
+
+    def slopes(self, state: HeatState) -> Slopes:
+        """Differences of the state by film temperature and clearance."""
+        warmer = self.at(state.film_temperature + STEP, state.clearance)
+        wider = None
+        if self.floating:
+            wider = self.at(state.film_temperature, state.clearance + CLEARANCE_STEP)
+        return Slopes(state=state, warmer=warmer, wider=wider)
 
 
-def solve_self_heating(
-    problem: SelfHeatingProblem, cooling: Cooling, model: str
-) -> SelfHeatingSolution:
-    """`self_heating` with oil and clearance at the temperature [K], or why there is none."""
+def solve_self_heating(problem: SelfHeatingProblem, model: str) -> SelfHeatingSolution:
+    """Temperatures [K] at which friction equals what surroundings and oil remove, or why there
+    are none.
+    """
+    around = problem.around
     try:
-        balance = self_heating(problem, cooling)
-        if not balance.converged:
+        search = _Search(problem)
+        start = _nearby(search)
+        if start.film_temperature >= HIGHEST_TEMPERATURE:
             return SelfHeatingSolution(
-                model=model, balance=balance, cooling=cooling, note=balance.message
+                model=model,
+                around=around,
+                balance=_balance(start, search, converged=False),
+                state=start,
+                note=NO_BALANCE,
             )
-        oil = problem.oil(balance.temperature)
-        clearance = problem.clearance(balance.temperature)
+        state, slopes = _newton(search, start)
+        converged = _settled(search.residual(state))
+        stable = stability(
+            slopes,
+            problem,
+            heat_capacities(
+                problem.bearing,
+                around,
+                problem.oil(state.film_temperature),
+                problem.oil_share,
+                len(problem.rows),
+            ),
+        )
     except ValueError as error:
-        return SelfHeatingSolution(model=model, balance=None, cooling=cooling, note=str(error))
+        return SelfHeatingSolution(model=model, around=around, balance=None, note=str(error))
     return SelfHeatingSolution(
-        model=model, balance=balance, cooling=cooling, viscosity=oil.viscosity, clearance=clearance
+        model=model,
+        around=around,
+        balance=_balance(state, search, converged=converged),
+        state=state,
+        stability=stable,
+        note="" if converged else UNSETTLED,
     )
+
+
+NO_BALANCE = (
+    "no balance: friction exceeds the cooling up to "
+    f"{HIGHEST_TEMPERATURE - ZERO_CELSIUS:.0f} C, beyond the range of lubricants"
+)
+UNSETTLED = "film temperature and clearance do not come to rest together"
+
+
+def _balance(state: HeatState, search: _Search, *, converged: bool) -> HeatBalance:
+    power = state.friction.power
+    removed = state.network.removed(state.temperatures)
+    return HeatBalance(
+        temperature=float(state.film_temperature),
+        torque=state.friction.torque,
+        power=power,
+        evaluations=search.count,
+        residual=(power - removed) / power if power > 0.0 else 0.0,
+        converged=converged,
+        message="converged" if converged else NO_BALANCE,
+    )
+
+
+def _settled(residual: Array) -> bool:
+    return bool(abs(residual[0]) <= TOLERANCE and abs(residual[1]) <= CLEARANCE_TOLERANCE)
+
+
+def _nearby(search: _Search) -> HeatState:
+    """A state whose film temperature is right to `NEAR`, found by it alone: the clearance is that
+    of the last state's temperatures, moved together. At `HIGHEST_TEMPERATURE` there is none.
+    """
+    problem = search.problem
+    around = problem.around
+    coldest = min(around.ambient, around.oil_supply)
+    at = min(max(problem.operation.temperature, coldest), HIGHEST_TEMPERATURE)
+    state = search.at(at, problem.clearance(np.full(len(NODES), at)))
+    low: float | None = None
+    high: float | None = None
+    known: tuple[float, float] | None = None
+    for _ in range(SECANT_STEPS):
+        excess = state.found_temperature - state.film_temperature
+        if abs(excess) <= NEAR:
+            break
+        low, high = (at, high) if excess > 0.0 else (low, at)
+        if at >= HIGHEST_TEMPERATURE and excess > 0.0:
+            break
+        slope = -1.0 - FALL * max(state.found_temperature - coldest, 0.0)
+        if known is not None and known[0] != at:
+            secant = (excess - known[1]) / (at - known[0])
+            slope = secant if secant < 0.0 else slope
+        known = (at, excess)
+        at = _inside(at - excess / slope, at, (low, high), coldest)
+        moved = at - state.film_temperature
+        state = search.at(at, problem.clearance(state.temperatures + moved - excess))
+    return state
+
+
+def _inside(
+    wanted: float, at: float, bracket: tuple[float | None, float | None], coldest: float
+) -> float:
+    """A step of at most `LARGEST_STEP` within what is known of the balance [K]."""
+    low, high = bracket
+    wanted = min(max(wanted, at - LARGEST_STEP), at + LARGEST_STEP)
+    wanted = min(max(wanted, coldest), HIGHEST_TEMPERATURE)
+    if low is not None and high is not None and not low < wanted < high:
+        wanted = 0.5 * (low + high)
+    return wanted
+
+
+def _newton(search: _Search, state: HeatState) -> tuple[HeatState, Slopes]:
+    """Both numbers together, and the slopes near them."""
+    slopes = search.slopes(state)
+    matrix = _matrix(search.residual, slopes)
+    residual = search.residual(state)
+    for _ in range(NEWTON_STEPS):
+        if _settled(residual):
+            break
+        step = -np.linalg.solve(matrix, residual)
+        step *= min(1.0, LARGEST_STEP / max(abs(step[0]), 1e-30))
+        state = search.at(
+            min(state.film_temperature + step[0], HIGHEST_TEMPERATURE), state.clearance + step[1]
+        )
+        after = search.residual(state)
+        # Broyden's update, lengths in the scales of both steps
+        scale = np.array([STEP, CLEARANCE_STEP]) ** -2.0
+        matrix = matrix + np.outer(after - residual - matrix @ step, step * scale) / (
+            step @ (scale * step)
+        )
+        residual = after
+    return state, slopes
+
+
+def _matrix(residual: Callable[[HeatState], Array], slopes: Slopes) -> Array:
+    """Derivatives of the residual by film temperature and clearance (2, 2)."""
+    here = residual(slopes.state)
+    warmer = (residual(slopes.warmer) - here) / STEP
+    if slopes.wider is None:
+        return np.array([[warmer[0], 0.0], [warmer[1], -1.0]])
+    wider = (residual(slopes.wider) - here) / CLEARANCE_STEP
+    return np.stack([warmer, wider], axis=1)

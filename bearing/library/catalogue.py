@@ -267,7 +267,9 @@ def with_designation(entry: dict[str, Any], designation: Designation) -> dict[st
         low, high = clearance_class(entry["bore_mm"], name)
         entry |= {"clearance_class": name, "diametral_clearance_um": 0.5 * (low + high)}
         entry["range"]["diametral_clearance_um"] = [low, high]
-        entry["source"] += f"; clearance: middle of the class {name}"
+        told = entry["source"].split("; ")
+        told = [part for part in told if not part.startswith("clearance: ")]
+        entry["source"] = "; ".join((*told, f"clearance: middle of the class {name}"))
         if "diametral_clearance_um" not in entry["estimated"]:
             entry["estimated"].append("diametral_clearance_um")
     if designation.tolerance_class:

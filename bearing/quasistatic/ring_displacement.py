@@ -1,5 +1,6 @@
 """Displacement of elastic rings on their seats under all balls of an equilibrium."""
 
+from dataclasses import replace
 from math import cos, sin
 
 import numpy as np
@@ -7,7 +8,7 @@ import numpy as np
 from ehl.solid.bodies.ring_field import RingField, ring_field
 
 from ..geometry import Array, Race
-from ..rings.compliance import response_of
+from ..rings.compliance import response_of, ring_compliance
 from .solution import QuasistaticSolution
 
 
@@ -23,7 +24,34 @@ def ring_displacements(state: QuasistaticSolution, race: Race) -> tuple[RingFiel
     loads = _loads(ball_forces(state, race), race, ring.contact_angle)
     balls = state.bearing.balls
     rows = [slice(first, first + balls) for first in range(0, state.azimuth.size, balls)]
-    return tuple(ring_field(response, state.azimuth[row], loads[:, row]) for row in rows)
+    if not ring.supports:
+        return tuple(ring_field(response, state.azimuth[row], loads[:, row]) for row in rows)
+    pressed, moved = seat_reactions(state, race)
+    outward = pressed if race is Race.INNER else -pressed
+    fields = []
+    for row, force, move in zip(rows, outward, moved, strict=True):
+        turns = np.concatenate([state.azimuth[row], ring.supports])
+        both = np.zeros((4, turns.size))
+        both[:3, :balls] = loads[:, row]
+        both[3, balls:] = force
+        field = ring_field(response, turns, both)
+        fields.append(replace(field, displacement=field.displacement + np.array([0.0, *move])))
+    return tuple(fields)
+
+
+def seat_reactions(state: QuasistaticSolution, race: Race) -> tuple[Array, Array]:
+    """Forces of the places of a split seat on the ring of each row, shape (rows, places) [N], and
+    the movement of that ring as a whole (y, z), shape (rows, 2) [m]; no rows for other seats.
+    """
+    rings = state.model.rings
+    ring = None if rings is None else getattr(rings, race.value)
+    if rings is None or ring is None or not ring.supports:
+        return np.zeros((0, 0)), np.zeros((0, 2))
+    angle = state.inner_contact_angle if race is Race.INNER else state.outer_contact_angle
+    directions = np.stack([np.sin(angle), np.cos(angle)])
+    groove = getattr(ring_compliance(rings, state.azimuth, state.bearing.balls), race.value)
+    pressed, moved = groove.reactions(ball_forces(state, race), directions)
+    return pressed.reshape(-1, len(ring.supports)), moved
 
 
 def ball_forces(state: QuasistaticSolution, race: Race) -> Array:

@@ -2,4 +2,5 @@
 
 compliance   - what the balls' forces move at each other's places
 elastic_ring - an elastic ring: section, material, seat
+seat_places  - reactions of a seat that presses a ring at places only
 """

@@ -26,6 +26,7 @@ from ehl.solid import bodies
 
 from ..geometry import Array
 from .elastic_ring import ElasticRing, ElasticRings
+from .seat_places import SeatPlaces, seat_places
 
 
 class OpeningForce(NamedTuple):
@@ -42,6 +43,7 @@ class GrooveCompliance(NamedTuple):
     entries: Array  # G_xx, G_rr, G_ro, G_oo, shape (4, N, N) [m/N]
     angle: float  # alpha, at which the opening counts as one [rad]
     outward: float  # sign of the radial force that balls press with: 1 outer, -1 inner ring [-]
+    places: SeatPlaces | None = None  # of a seat that presses there only
 
     def opening_force(self, force: Array, V: Array) -> OpeningForce:
         """Of forces, shape (2, N) [N]; unloaded balls have the direction of V, shape (2, N)."""
@@ -56,33 +58,53 @@ class GrooveCompliance(NamedTuple):
 
     def deflection(self, force: Array, V: Array) -> Array:
         """Movement of the groove's centre at the balls (x, r), shape (2, N) [m]."""
-        axial, radial, _, _ = self.entries
-        opened = self.outward * self.entries[2]
         part = self.opening_force(force, V)
-        moved = part.slope * self._opened(force, part)
+        axial, radial, opened, opening = self._matrices(force, part)
+        moved = part.slope * (opened.T @ force[1] + opening @ part.size)
         moved[0] += axial @ force[0]
         moved[1] += radial @ force[1] + opened @ part.size
         return np.asarray(moved)
 
     def derivative(self, force: Array, V: Array) -> Array:
         """d(deflection)/dF, shape (2, N, 2, N) [m/N]."""
-        axial, radial, opened, opening = self.entries
-        opened = self.outward * opened
         part = self.opening_force(force, V)
+        axial, radial, opened, opening = self._matrices(force, part)
         whole = np.einsum("vj,jk,wk->vjwk", part.slope, opening, part.slope)
         whole[0, :, 0] += axial
         whole[1, :, 1] += radial
         whole[1] += np.einsum("jk,wk->jwk", opened, part.slope)
-        whole[:, :, 1] += np.einsum("vj,jk->vjk", part.slope, opened)
+        whole[:, :, 1] += np.einsum("vj,kj->vjk", part.slope, opened)
         balls = np.arange(force.shape[1])
-        bend = part.curvature * self._opened(force, part)
+        bend = part.curvature * (opened.T @ force[1] + opening @ part.size)
         whole[:, balls, :, balls] += bend.transpose(2, 0, 1)
         return np.asarray(whole)
 
-    def _opened(self, force: Array, part: OpeningForce) -> Array:
-        """Opening of the groove at the balls, shape (N,) [m]."""
-        _, _, opened, opening = self.entries
-        return np.asarray(self.outward * opened @ force[1] + opening @ part.size)
+    def reactions(self, force: Array, V: Array) -> tuple[Array, Array]:
+        """Forces of the places of the seat [N], and the movement of the ring as a whole towards
+        them (y, z), shape (rows, 2) [m]; nothing without places.
+        """
+        if self.places is None:
+            return np.zeros(0), np.zeros((0, 2))
+        part = self.opening_force(force, V)
+        pressed, moved = self.places.reactions(np.concatenate([force[1], part.size]))
+        return pressed, -self.outward * moved.reshape(-1, 2)
+
+    def _matrices(self, force: Array, part: OpeningForce) -> tuple[Array, Array, Array, Array]:
+        """Compliance of the movements, G_xx, G_rr, G_ro, G_oo, less what the places of the
+        seat take from it.
+        """
+        axial, radial, opened, opening = self.entries
+        opened = self.outward * opened
+        count = force.shape[1]
+        if self.places is None:
+            return axial, radial, opened, opening
+        less = self.places.taken(np.concatenate([force[1], part.size]))
+        return (
+            axial,
+            radial - less[:count, :count],
+            opened - less[:count, count:],
+            opening - less[count:, count:],
+        )
 
 
 class RingCompliance(NamedTuple):
@@ -132,7 +154,12 @@ def _on_outer_ring(inner_force: Array, centrifugal: Array) -> Array:
 def response_of(ring: ElasticRing) -> bodies.RingResponse:
     """Displacement of a ring under unit forces, computed once a process."""
     return bodies.ring_response(
-        ring.profile, ring.elasticity, ring.seat, ring.contact_angle, ring.cells
+        ring.profile,
+        ring.elasticity,
+        ring.seat,
+        ring.contact_angle,
+        ring.cells,
+        place=ring.half_support if ring.supports else None,
     )
 
 
@@ -148,9 +175,18 @@ def ring_compliance(rings: ElasticRings, azimuths: Array, balls: int) -> RingCom
     for ring, outward in ((rings.inner, -1.0), (rings.outer, 1.0)):
         entries = np.zeros((4, azimuths.size, azimuths.size))
         angle = 0.5 * np.pi
+        places = None
         if ring is not None:
             between = response_of(ring).at(2.0 * np.pi * np.arange(balls // 2 + 1) / balls)
             entries = np.where(together, between[:, steps], 0.0)
             angle = ring.contact_angle
-        grooves.append(GrooveCompliance(entries, angle, outward))
+            places = _places(ring, azimuths, balls, outward)
+        grooves.append(GrooveCompliance(entries, angle, outward, places))
     return RingCompliance(*grooves)
+
+
+def _places(ring: ElasticRing, azimuths: Array, balls: int, outward: float) -> SeatPlaces | None:
+    response = response_of(ring).places
+    if response is None:
+        return None
+    return seat_places(response, np.array(ring.supports), (azimuths, balls), outward)

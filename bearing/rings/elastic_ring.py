@@ -1,7 +1,8 @@
 """An elastic ring on its seat: section, elastic constants, and what carries it."""
 
 from dataclasses import dataclass
-from math import degrees, radians
+from itertools import pairwise
+from math import degrees, pi, radians
 
 from ehl.solid.bodies.ring_profile import Elasticity, RingCells, RingProfile, Seat
 
@@ -26,6 +27,25 @@ class ElasticRing:
     contact_angle: float  # at which axial forces act [rad]
     estimated_shoulder: bool = False  # its diameter is an estimate
     cells: RingCells | None = None  # of its mesh; None: those of `ring_mesh`
+    supports: tuple[float, ...] = ()  # azimuths of the places of `Seat.SPLIT` [rad]
+
+    def __post_init__(self) -> None:
+        if (self.seat is Seat.SPLIT) != bool(self.supports):
+            raise ValueError("supports belong to a split seat")
+        if not self.supports:
+            return
+        turns = sorted(azimuth % (2.0 * pi) for azimuth in self.supports)
+        gaps = [b - a for a, b in pairwise([*turns, turns[0] + 2.0 * pi])]
+        if max(gaps) > pi - self.half_support:
+            raise ValueError("supports must be three or more, none of them 180 deg from the next")
+        if min(gaps) < 2.0 * self.half_support:
+            least = 2.0 * degrees(self.half_support)
+            raise ValueError(f"supports must be {least:.1f} deg apart, twice the wall of the ring")
+
+    @property
+    def half_support(self) -> float:
+        """Half the angle of a place of a split seat, as wide as twice the wall [rad]."""
+        return self.profile.wall / self.profile.seat_radius
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,11 +62,13 @@ def elastic_ring(
     seat: Seat,
     shoulder: tuple[float, bool],
     body: tuple[float, Material] | None = None,
+    supports: tuple[float, ...] = (),
 ) -> ElasticRing:
     """The elastic ring of a bearing; its clearance plays no part.
 
     `shoulder`: diameter [m], and whether it is an estimate; `body`: bore of the shaft or outside
-    diameter of the housing [m] with its material, for `Seat.ELASTIC`.
+    diameter of the housing [m] with its material, for `Seat.ELASTIC`; `supports`: azimuths of
+    the places of `Seat.SPLIT` [rad].
 
     Raises
     ------
@@ -88,6 +110,7 @@ def elastic_ring(
         seat=seat,
         contact_angle=_contact_angle(bearing, profile),
         estimated_shoulder=shoulder[1],
+        supports=supports,
     )
 
 

@@ -8,14 +8,13 @@ from ehl.oil.rheology import Rheology
 from ehl.solution import ContactSolution
 
 from ..contacts.contact import BearingContact
-from ..friction.films import film_balance
 from ..friction.formula_films import FormulaFilm
 from ..friction.running_films import OilAtInlets, RunningFilm, running_films
 from ..quasistatic.solution import QuasistaticSolution
 from .inlet import InletFactors
 from .inputs import FrictionInput
 from .integrated import solved_shear
-from .shear_torque import SolvedShear, no_balance_message
+from .shear_torque import SolvedShear
 
 
 def films_torque(
@@ -36,30 +35,6 @@ def films_torque(
     known = [film for film in running if film is not None]
     by_formula = sum(film.formula for film in known)
     return replace(shear, by_formula=by_formula, lubricated=len(known))
-
-
-def balanced_torque(
-    solution: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    friction: FrictionInput,
-    inlet: InletFactors,
-    rheology: Rheology,
-    lubricant: Lubricant,
-) -> float:
-    """Torque of films of formulas alone [N m], without seals, as `films_torque` in balance has it.
-
-    Raises
-    ------
-    ValueError
-        If the balls find no balance.
-    """
-    running = films_as_they_run(solution, contacts, (None,) * len(contacts), friction, inlet)
-    resistance = friction.resistance(solution.bearing, lubricant)
-    balance = film_balance(solution, contacts, running, rheology, resistance)
-    if not balance.converged:
-        raise ValueError(f"the torque of films: {no_balance_message(balance)}")
-    power = float(balance.power.sum()) + balance.resisted.heat
-    return power / solution.operation.shaft_speed
 
 
 def films_as_they_run(

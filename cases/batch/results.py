@@ -11,11 +11,8 @@ from postprocess.files import write_json
 from ..runs.integrity import write_digests
 from ..version import version
 from .engine import Batch
-from .store import read_point
+from .store import DATA, SUMMARY, TABLE, read_point
 
-SUMMARY = "summary.json"
-TABLE = "batch.csv"
-DATA = "results.nc"
 MISSING: dict[str, Any] = {
     "status": "lost",
     "message": "its file is damaged; --resume computes it again",

@@ -9,13 +9,14 @@ tables/KEY.zip      traction tables that several points share
 """
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
 from bearing.files import write_bytes
 
 from ..format.problems import CaseError
+from ..runs.integrity import DIGESTS
 from ..runs.interrupt import say
 from ..runs.output_directory import check_output
 from .keys import digest, document_text
@@ -24,6 +25,9 @@ POINTS = "points"
 CONTACTS = "contacts"
 TABLES = "tables"
 SWEEP_FILE = "sweep.toml"
+SUMMARY = "summary.json"
+TABLE = "batch.csv"
+DATA = "results.nc"
 DONE = "done"
 FAILED = "failed"
 LOST = "lost"
@@ -43,10 +47,21 @@ def open_folder(directory: Path, *, resume: bool) -> None:
     if not resume and any((directory / POINTS).glob("*.json")):
         allowed = "allowed: --resume to go on, or another -o"
         raise CaseError(f"{directory}: holds finished points of an earlier batch; {allowed}")
+    for file in _own_files(directory):
+        if file.is_dir():
+            wanted = "is a folder in the place of a file of the batch; allowed: without it"
+            raise CaseError(f"{file}: {wanted}, or another -o")
     (directory / POINTS).mkdir(parents=True, exist_ok=True)
     # of a process that was killed while it wrote
     for left in (directory / POINTS).glob(".*.part*"):
         left.unlink(missing_ok=True)
+
+
+def _own_files(directory: Path) -> Iterator[Path]:
+    """What stands where files of a batch belong."""
+    yield from (directory / name for name in (SWEEP_FILE, SUMMARY, TABLE, DATA, DIGESTS))
+    for folder in (POINTS, CONTACTS, TABLES):
+        yield from (directory / folder).glob("*.*")
 
 
 def write_file(path: Path, data: bytes) -> None:

@@ -11,7 +11,7 @@
 | cost | what long work will cost |
 | progress | progress as a bar or as lines |
 | output | writing and printing of results, shared by commands |
-| compute | run, contact, slip, stiffness, table |
+| compute | run, contact, film, slip, stiffness, table |
 | dynamics | dynamics |
 | batch | batch |
 | view | view |

@@ -1,4 +1,4 @@
-"""Commands that compute a case: run, contact, slip, stiffness, table."""
+"""Commands that compute a case: run, contact, film, slip, stiffness, table."""
 
 from __future__ import annotations
 
@@ -109,6 +109,27 @@ def contact(
 
 @app.command()
 @guarded
+def film(case: CaseName, as_json: Json = False, quiet: Quiet = False) -> int:
+    """Films of a contact, or of each contact of a bearing, by the film atlas, without a solve."""
+    from postprocess.bearing.atlas import atlas_bearing_summary, atlas_bearing_table
+    from postprocess.contact.atlas import atlas_contact_summary, atlas_contact_table
+
+    from ..format.case import ContactCase, load_case
+    from ..runs.heating import at_its_temperature
+    from ..runs.studies.atlas import run_atlas_bearing, run_atlas_contact
+
+    loaded = load_case(case)
+    if isinstance(loaded, ContactCase):
+        own = run_atlas_contact(loaded, case)
+        document = atlas_contact_summary(own)
+        return report(document, lambda: atlas_contact_table(own), None, as_json, quiet)
+    found = run_atlas_bearing(at_its_temperature(loaded), case)
+    document = atlas_bearing_summary(found)
+    return report(document, lambda: atlas_bearing_table(found), None, as_json, quiet)
+
+
+@app.command()
+@guarded
 def slip(
     case: CaseName,
     output: Output = None,
@@ -167,7 +188,7 @@ def stiffness(
 
     loaded = load_bearing(case, "a stiffness needs a bearing")
     directory = results_directory(case, output, as_json)
-    from ..runs.stiffness import run_stiffness
+    from ..runs.studies.stiffness import run_stiffness
 
     ends = None if speeds is None else (speeds[0] * RPM, speeds[1] * RPM)
     with progress_bar(quiet=quiet) as progress:

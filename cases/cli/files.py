@@ -113,6 +113,10 @@ def _check(name: str) -> tuple[str, ...]:
 @guarded
 def init(  # noqa: PLR0913
     name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the new case file.")],
+    suffixes: Annotated[
+        list[str] | None,
+        typer.Argument(metavar="[SUFFIX]...", help="More of the designation, as the C3 there."),
+    ] = None,
     template: Annotated[
         str | None, typer.Option("--from", metavar="CASE", help="Case or sweep to start from.")
     ] = None,
@@ -139,10 +143,12 @@ def init(  # noqa: PLR0913
     more += ["--angle"] * (angle != 0.0)
     asked = {"speed": speed, "radial": radial, "axial": axial}
     _check_options(template, bearing, given, more, asked)
+    if suffixes and bearing is None:
+        raise CaseError(f"oilfilm init: {' '.join(suffixes)} after NAME without --bearing")
     operation = FirstOperation(speed=speed, radial_load=radial, axial_load=axial)
     try:
         if bearing is not None:
-            text = case_of_designation(bearing, operation)
+            text = case_of_designation(" ".join((bearing, *(suffixes or ()))), operation)
         elif bore is not None and outside is not None and width is not None:
             text = case_of_dimensions(
                 BoundaryDimensions(

@@ -41,7 +41,11 @@ def results_directory(case: str, output: Path | None, as_json: bool) -> Path | N
     """Where the results go; None with --json alone."""
     if output is None and as_json:
         return None
-    return held_directory(output or Path(f"{Path(case).stem}_results"))
+    from ..runs.output_directory import check_replaceable
+
+    directory = held_directory(output or Path(f"{Path(case).stem}_results"))
+    check_replaceable(directory)
+    return directory
 
 
 def held_directory(directory: Path) -> Path:

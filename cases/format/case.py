@@ -27,7 +27,7 @@ from . import contact as contacts
 from . import fits
 from .document import BearingFile, ContactFile, check_document, read_text, validate_text
 from .dynamics import cage_friction, guiding_land
-from .film_model import NEWTONIAN, CaseFilms, FilmPhysics, case_films
+from .film_model import NEWTONIAN, CaseFilms, FilmPhysics, case_films, require_frequencies
 from .fits import HeatingInput
 from .friction import SHEAR_ASSUMED, friction, rheology
 from .library import material_table, materials
@@ -93,6 +93,7 @@ class ContactCase(AnyCase):
 
     conditions: ContactConditions | MoesConditions
     temperature: float | None = None  # of the oil [K]
+    frequencies: tuple[float, ...] = ()  # of the response [Hz]
 
 
 def load_case(name_or_path: str | Path) -> Case | ContactCase:
@@ -315,14 +316,16 @@ def _contact_case(file: ContactFile) -> ContactCase:
         document["ehl"]["starvation"] = starvation.value
     document["lubricant"] = _lubricant_document(document, lubricant_keys(fluid, moes=moes))
     bodies = [library[name] for name in names[:2] if name is not None]
+    conditions = contacts.contact(table, library, fluid)
+    require_frequencies(file.ehl, conditions)
     return ContactCase(
         **_common(file, case_films(file.ehl, shear, bodies, starvation)),
         document=document,
         conditions=replace(
-            contacts.contact(table, library, fluid),
-            inlet_layer=contacts.inlet_layer(starvation, file.lubricant),
+            conditions, inlet_layer=contacts.inlet_layer(starvation, file.lubricant)
         ),
         temperature=temperature,
+        frequencies=tuple(file.ehl.response_frequencies_Hz),
     )
 
 

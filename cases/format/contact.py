@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 from enum import Enum
 from typing import Annotated, Any
 
-from pydantic import model_validator
+from pydantic import Field, model_validator
 
 from bearing.material import Material, reduced_modulus
 from ehl import ContactConditions, InletLayer, Lubricant, MoesConditions
@@ -86,8 +86,15 @@ class GridTable(Table):
         return {**table, "tolerance": TOLERANCE}
 
 
+Frequency = Annotated[float, Field(gt=0.0, le=1e9, allow_inf_nan=False)]
+
+
 class ContactEhlTable(GridTable):
-    """Grid of a single contact."""
+    """Grid of a single contact, and its response to movement."""
+
+    response_frequencies_Hz: list[Frequency] = described(
+        "at which stiffness and damping are computed beside those of slow movement", []
+    )
 
 
 class EhlTable(GridTable):

@@ -201,6 +201,10 @@ def _domain(value: object) -> tuple[float, ...] | None:
 def _film_maps(value: object) -> object:
     if isinstance(value, str) and value in FILM_MAPS:
         return value
+    return _azimuths(value)
+
+
+def _azimuths(value: object) -> tuple[float, ...] | None:
     azimuths = _entries(value)
     return numbers(azimuths, len(azimuths), 360.0) if azimuths else None
 
@@ -219,6 +223,11 @@ FilmMaps = Annotated[
     WithJsonSchema(
         {"anyOf": [{"enum": FILM_MAPS}, {"type": "array", "items": {"type": "number"}}]}
     ),
+]
+Azimuths = Annotated[
+    Any,
+    checked(_azimuths, "a list of azimuths in degrees"),
+    WithJsonSchema({"type": "array", "items": {"type": "number"}, "minItems": 1}),
 ]
 SpeedRange = Annotated[Any, _range(SPEED_MAXIMUM, "<"), _list_schema(2)]
 AxialRange = Annotated[Any, _range(FORCE_MAXIMUM, "<"), _list_schema(2)]

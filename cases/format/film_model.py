@@ -3,13 +3,16 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from bearing.heating.friction_heat import solid_thermal
 from bearing.material import Material, list_materials, material_data
-from ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
+from ehl import ContactConditions, ContactSolution, MoesConditions, SolverOptions, solve_contact
 from ehl.generalized.solver import solve_generalized
 from ehl.oil.rheology import Rheology
 from ehl.solid.heat import SolidThermal
+from ehl.traction.response.normal import highest_frequency
 
-from .contact import FilmModel, GridTable, Starvation
+from .contact import ContactEhlTable, FilmModel, GridTable, Starvation
+from .problems import UnfitKey, shown
 
 WIDE_RANGE = 1.5  # of a conductivity, from which on a result with heat says so [-]
 
@@ -86,7 +89,7 @@ def case_films(
     model = FilmModel(table.film_model)
     solids = None
     if model is FilmModel.THERMAL:
-        ball, race = map(_solid, bodies)
+        ball, race = (solid_thermal(body, 'with ehl.film_model = "thermal"') for body in bodies)
         solids = (ball, race)
     notes = () if solids is None else tuple(dict.fromkeys(map(_conductivity_note, bodies)))
     films = FilmPhysics(
@@ -109,14 +112,19 @@ def _conductivity_note(body: Material) -> str:
     return f"{given}; flash temperatures depend on it" if high > WIDE_RANGE * low else ""
 
 
-def _solid(body: Material) -> SolidThermal:
-    if body.thermal_conductivity is None or body.specific_heat is None:
-        raise ValueError(
-            f"materials.{body.name}: thermal_conductivity_W_m_K and specific_heat_J_kg_K are "
-            'needed with ehl.film_model = "thermal"'
-        )
-    return SolidThermal(
-        conductivity=body.thermal_conductivity,
-        density=body.density,
-        specific_heat=body.specific_heat,
-    )
+def require_frequencies(
+    table: ContactEhlTable, conditions: ContactConditions | MoesConditions
+) -> None:
+    """`UnfitKey` where a frequency of the response is beyond what a mesh carries, or the contact
+    has no lengths.
+    """
+    given = table.response_frequencies_Hz
+    if not given:
+        return
+    key = ("ehl", "response_frequencies_Hz")
+    if isinstance(conditions, MoesConditions):
+        raise UnfitKey(key, f"{shown(given)}", "nothing: Moes' groups have no unit of time")
+    limit = highest_frequency(conditions)
+    if max(given) > limit:
+        allowed = f"at most {limit:.4g}: faster, the film's wave is shorter than a mesh carries"
+        raise UnfitKey(key, shown(max(given)), allowed)

@@ -5,6 +5,7 @@ operation, and the heat balance.
 import warnings
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from math import radians
 from typing import Literal
 
 from bearing.fits.clearance import (
@@ -15,19 +16,30 @@ from bearing.fits.clearance import (
     clearance_budget,
 )
 from bearing.geometry import Bearing, Race
-from bearing.heating.heat_balance import Cooling
+from bearing.heating.paths import PUMPED_TO_OIL, Surroundings
 from bearing.library.tolerances import TOLERANCE_CLASSES, inner_interference, outer_interference
-from bearing.material import Material
+from bearing.material import Material, load_material
 from bearing.operation import Operation
 from bearing.rings.elastic_ring import ElasticRing, ElasticRings, elastic_ring
 from bearing.shoulder_diameter import shoulder_diameter
+from bearing.torque.skf import Lubrication
 from ehl import Lubricant
 from ehl.oil.rheology import Rheology
 from ehl.solid.bodies.ring_profile import Seat
 from ehl.units import to_si
 
 from .bearing import BearingTable
-from .fields import LENGTH_MAXIMUM, Name, Table, between, described, length, within
+from .fields import (
+    LENGTH_MAXIMUM,
+    Azimuths,
+    Name,
+    Table,
+    between,
+    described,
+    length,
+    rounded,
+    within,
+)
 from .friction import FrictionTable, rheology
 from .lubricant import Oil, lubricant
 from .problems import CaseFault, UnfitKey, shown
@@ -54,12 +66,17 @@ class RingsTable(Table):
     contacts alone.
     """
 
-    inner_seat: Literal["rigid", "elastic", "free"] | None = described(
-        "of the inner ring: a rigid shaft, the shaft of [fit], or loose under a cosine pressure"
+    inner_seat: Literal["rigid", "elastic", "free", "split"] | None = described(
+        "of the inner ring: a rigid shaft, the shaft of [fit], loose under a cosine pressure, or "
+        "pressed at places only"
     )
-    outer_seat: Literal["rigid", "elastic", "free"] | None = described(
+    outer_seat: Literal["rigid", "elastic", "free", "split"] | None = described(
         "likewise, in a rigid housing or that of [fit], which is held on its outside"
     )
+    inner_supports_deg: Azimuths | None = described(
+        "azimuths from the load line of the places that press a split seat, three or more"
+    )
+    outer_supports_deg: Azimuths | None = described("likewise, of the housing")
 
 
 class TemperaturesTable(Table):
@@ -96,6 +113,8 @@ RELATIONS = (
         'needed with rings.inner_seat = "elastic": the bore of the shaft, 0 of a solid one',
     ),
     Needs("fit.housing_outside_diameter_mm", Where("rings.outer_seat", "elastic")),
+    Needs("rings.inner_supports_deg", Where("rings.inner_seat", "split")),
+    Needs("rings.outer_supports_deg", Where("rings.outer_seat", "split")),
     Excludes("rings", "dynamics", "one of them: in simulations rings are rigid"),
 )
 
@@ -224,21 +243,32 @@ def elastic_rings(
             key = f"{race.value}_shoulder_diameter_mm"
             raise UnfitKey(("bearing", key), f"needed with rings.{race.value}_seat; no estimate")
         body = (diameter, materials[material]) if seat == "elastic" else None
+        places = getattr(table, f"{race.value}_supports_deg") or ()
+        supports = tuple(radians(azimuth) for azimuth in places)
         try:
-            rings[race.value] = elastic_ring(given, race, Seat(seat), shoulder, body)
+            rings[race.value] = elastic_ring(given, race, Seat(seat), shoulder, body, supports)
         except ValueError as error:
             raise UnfitKey(("rings", f"{race.value}_seat"), f"no such ring: {error}") from error
     return ElasticRings(**rings)
 
 
 def part_temperatures(
-    table: TemperaturesTable | None, mean_C: float, excess: float
+    table: TemperaturesTable | None, parts: Mapping[str, float]
 ) -> TemperaturesTable:
-    """Temperatures of the parts about that of the bearing [degrees Celsius]: inner ring and shaft
-    above, outer ring and housing below it by an excess [K].
+    """Temperatures of the parts as a network of heat found them [degrees Celsius]; the outer ring
+    has the mean of its halves, the reference stays.
     """
-    parts = {"inner_ring_C": 1.0, "shaft_C": 1.0, "outer_ring_C": -1.0, "housing_C": -1.0}
-    values = {key: mean_C + sign * excess for key, sign in parts.items()} | {"ball_C": mean_C}
+    outer = 0.5 * (parts["outer_ring_loaded"] + parts["outer_ring_unloaded"])
+    values = {
+        "inner_ring_C": parts["inner_ring"],
+        "outer_ring_C": outer,
+        "ball_C": parts["balls"],
+        "shaft_C": parts["shaft"],
+        "housing_C": parts["housing"],
+    }
+    if table is not None and table.cage_C is not None:
+        values["cage_C"] = parts["cage"]
+    values = {key: rounded(value) for key, value in values.items()}
     return TemperaturesTable(**values) if table is None else table.model_copy(update=values)
 
 
@@ -302,12 +332,11 @@ class HeatingInput:
     delivered: Bearing  # with its clearance before mounting, where there are fits or temperatures
     oil: Callable[[float], Lubricant]  # at a temperature [K]
     rheology: Callable[[Lubricant], Rheology]  # how an oil shears
-    cooling: Cooling
+    around: Surroundings
     model: str  # of the friction torque
     fit: Fit | None = None
     # temperature at which clearance and fits were measured [K]; None: the clearance stays
     reference: float | None = None
-    inner_excess: float = 0.0  # of the inner ring over the mean temperature of the rings [K]
 
 
 def heating(
@@ -318,39 +347,49 @@ def heating(
     delivered: Bearing,
     fit: Fit | None,
 ) -> HeatingInput | None:
-    """Cooling [W/K], oil over temperature [K], fits; None where no heat transfer is given.
+    """Surroundings [W/K], oil over temperature [K], fits; None where no heat transfer is given.
     `UnfitKey` if oil removes heat and its specific heat is not known.
     """
     if table.heat_transfer_W_K is None:
         return None
     reference = None if fit is None else REFERENCE
-    excess = 0.0
     if temperatures is not None:
         reference = temperatures.si()["reference"]
-        excess = 0.5 * (temperatures.inner_ring_C - temperatures.outer_ring_C)
     return HeatingInput(
         delivered=delivered,
         oil=lambda temperature: lubricant(oil, temperature),
         rheology=lambda fluid: rheology(oil, fluid),
-        cooling=_cooling(table, at_operation),
+        around=_surroundings(table, at_operation, fit),
         model=table.heating_torque,
         fit=fit,
         reference=reference,
-        inner_excess=excess,
     )
 
 
-def _cooling(table: FrictionTable, oil: Lubricant) -> Cooling:
-    """Heat to the surroundings and to the oil that flows through [W/K, K]."""
+def _surroundings(table: FrictionTable, oil: Lubricant, fit: Fit | None) -> Surroundings:
+    """Heat to the surroundings and to the oil that flows through [W/K, K]; shaft and housing of
+    steel where no fit names them.
+    """
     si = table.si()
     key = "supply_mL_min" if table.cooling_oil_mL_min is None else "cooling_oil_mL_min"
     flow = to_si(key, getattr(table, key))
     if flow and oil.thermal is None:
         needs = "the heat that oil carries needs lubricant.specific_heat_J_kg_K"
         raise UnfitKey(("friction", key), needs)
-    return Cooling(
-        conductance=si["heat_transfer"],
+    steel = load_material(FitTable.model_fields["shaft_material"].default)
+    air = (Lubrication.GREASE.value, Lubrication.OIL_AIR.value)
+    # a flow that is to cool wets the walls, whatever lubricates
+    filled = table.cooling_oil_mL_min is not None or table.lubrication not in air
+    return Surroundings(
         ambient=si["ambient"],
+        conductance=si["heat_transfer"],
         oil_flow=flow * oil.density * oil.thermal.specific_heat if flow and oil.thermal else 0.0,
         oil_supply=si["ambient"] if table.cooling_oil_C is None else si["cooling_oil_C"],
+        shaft_material=steel if fit is None else fit.shaft_material,
+        housing_material=steel if fit is None else fit.housing_material,
+        shaft_bore=0.0 if fit is None else fit.shaft_bore,
+        housing_diameter=None if fit is None else fit.housing_outside_diameter,
+        filled=filled,
+        # without oil that passes, that of the inlets stays on the tracks
+        pumped_to_oil=PUMPED_TO_OIL if filled else 0.0,
     )

@@ -12,14 +12,18 @@ from bearing.contacts.finite_bodies import FiniteBodies, finite_bodies, with_fin
 from bearing.contacts.traction import ContactTraction, contact_traction
 from bearing.friction.formula_films import FormulaFilm, formula_film
 from bearing.friction.sources import FilmTraction, LawTraction
+from bearing.geometry import Array
+from bearing.heating.films_heat import running_conductances
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.frequencies import bearing_frequencies
 from bearing.rating.life import bearing_life
+from bearing.rating.load_rating import static_rating
+from bearing.rating.reference_speed import reference_speed
 from bearing.supply.decay import film_decay
 from bearing.supply.starved_films import starved_films
 from bearing.supply.supply import AMPLE
 from bearing.torque.breakdown import INTEGRATED, TorqueBreakdown, torque_breakdown
-from bearing.torque.films_torque import films_torque
+from bearing.torque.films_torque import films_as_they_run, films_torque
 from bearing.torque.integrated import law_torque
 from bearing.torque.shear_torque import SolvedShear
 from bearing.torque.supply_band import supply_band
@@ -101,7 +105,9 @@ def _in_balance(results: BearingResults, case: Case) -> BearingResults:
         note = f"the temperature still moves by {moved:.2g} K after {WARM_ROUNDS} rounds of films"
         balance = replace(heating.balance, converged=False, message=note)
         return replace(results, heating=replace(heating, balance=balance, note=note))
-    return replace(results, heating=at_its_balance(heating, case, results.torque.total))
+    printed = _printed(case, results.quasistatic, results.contacts, results.torque, results.films)
+    assert printed is not None
+    return replace(results, heating=at_its_balance(heating, case, printed))
 
 
 def _run(case: Case, workers: int | None, notify: Progress, solve: Solve | None) -> BearingResults:
@@ -193,7 +199,14 @@ def _prepared(case: Case, workers: int | None, notify: Progress, solve: Solve | 
 def _ratings(case: Case, state: QuasistaticSolution) -> dict[str, Any]:
     """Life, clearance and strength."""
     rating = case.rating
+    friction = case.friction
+    speed = None
+    if rating is not None and friction is not None:
+        angle = friction.nominal_contact_angle
+        static = friction.static_rating or static_rating(case.bearing, angle)
+        speed = reference_speed(case.bearing, static, friction.series)
     return {
+        "reference_speed": speed,
         "life": None if rating is None else bearing_life(state, case.lubricant, rating),
         "clearance": case.clearance,
         "strength": case_strength(case),
@@ -251,18 +264,51 @@ def _friction(
     timing["strength"] = perf_counter() - start - timing["torque"]
     if case.heating is not None:
         notify(0, 1, "self-heating")
-    printed = None
-    if torque is not None and torque.total is not None:
-        seal = torque.models[INTEGRATED].components.get("seal", 0.0)
-        printed = Printed(state, contacts, torque.total, seal)
+    printed = _printed(case, state, contacts, torque, films.known)
     heating = self_heated(case, printed) if state.converged else None
     return {
         "tractions": tractions,
         "torque": torque,
         "heating": heating,
         "tensions": tensions,
+        "conductances": _conductances(case, state, contacts, films.known),
         **_supply(case, state, contacts, solutions),
     }
+
+
+def _conductances(
+    case: Case,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    films: Sequence[ContactSolution | FormulaFilm | None],
+) -> Array | None:
+    """Of heat through the films of all contacts [W/K]; None where heat properties of oil or bodies
+    are not known.
+    """
+    bodies = case.bearing
+    materials = (bodies.ball_material, bodies.inner_ring_material, bodies.outer_ring_material)
+    known = all(m.thermal_conductivity and m.specific_heat for m in materials)
+    if case.lubricant.thermal is None or case.friction is None or not (known and state.converged):
+        return None
+    running = films_as_they_run(state, contacts, films, case.friction, case.inlet)
+    return running_conductances(state, contacts, running)
+
+
+def _printed(
+    case: Case,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    torque: TorqueBreakdown | None,
+    films: Sequence[ContactSolution | FormulaFilm | None],
+) -> Printed | None:
+    """The total with its films as they run [N m]; None where there is none."""
+    if torque is None or torque.total is None or case.friction is None:
+        return None
+    running = None
+    if case.heating is not None:
+        running = films_as_they_run(state, contacts, films, case.friction, case.inlet)
+    seal = torque.models[INTEGRATED].components.get("seal", 0.0)
+    return Printed(state, contacts, torque.total, seal, running)
 
 
 def _supply(

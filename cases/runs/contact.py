@@ -7,11 +7,13 @@ from time import perf_counter
 from ehl import ContactConditions, ContactSolution, MoesConditions, SolverOptions, solve_contact
 from ehl.finite_element.solver import solve_contact_finite_element
 from ehl.kinematics import contact_kinematics
+from ehl.traction import NormalResponse, normal_response
 from ehl.traction.rolling_moment import rolling_moment
 from ehl.traction.shear import TractionResult, integrate_traction
 from postprocess.contact.results import ContactResults
 
 from ..format.case import ContactCase
+from ..format.contact import FilmModel
 from ..version import version
 from .films import shared_options
 
@@ -26,6 +28,8 @@ START_NOTE = (
 NO_START_NOTE = "the multigrid gave no start: reached through lighter loads"
 START_POINTS = 257  # of the multigrid at most
 NO_CERTIFICATE = "ehl.certify: not used by finite elements, which are solved by Newton's method"
+NO_ELEMENTS = "the film was solved by finite elements"
+MOST_RESPONSE_POINTS = 257  # more are left to `normal_response`
 NO_LAYER = "ehl.starvation: not used by finite elements, the film is flooded"
 NO_TOLERANCE = "ehl.tolerance: not used by finite elements, the film is solved on ehl.points"
 
@@ -52,6 +56,8 @@ def run_contact(
         solve: Callable[..., ContactSolution] = case.films.solve
         solution = solve(case.conditions, options)
     traction = _contact_traction(case, solution)
+    no_response = NO_ELEMENTS if finite_element else _no_response(case, solution)
+    response = None if no_response else _response(case)
     return ContactResults(
         version=version(),
         case=case.document,
@@ -59,7 +65,29 @@ def run_contact(
         messages=messages,
         timing={"total": perf_counter() - start},
         traction=traction,
+        response=response,
+        no_response=no_response,
     )
+
+
+def _no_response(case: ContactCase, solution: ContactSolution) -> str:
+    """Why stiffness and damping are not computed; empty if they are."""
+    if not isinstance(case.conditions, ContactConditions):
+        return "the case gives no lengths"
+    if case.conditions.inlet_layer is not None:
+        return "the film stands behind a layer"
+    if case.films.model is not FilmModel.NEWTONIAN:
+        return "the film was solved with shear or heat"
+    return "" if solution.converged else "the film did not converge"
+
+
+def _response(case: ContactCase) -> NormalResponse:
+    """Stiffness and damping on the points of the case, 257 of them at most."""
+    assert isinstance(case.conditions, ContactConditions)
+    points = case.solver.points
+    few = None if points is None or points > MOST_RESPONSE_POINTS else points
+    options = replace(case.solver, points=few, threads=1)
+    return normal_response(case.conditions, options, case.frequencies)
 
 
 def _by_elements(

@@ -6,20 +6,22 @@ from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from bearing.contacts.contact import BearingContact
-from bearing.heating.self_heating import (
-    SelfHeatingProblem,
-    SelfHeatingSolution,
-    TorqueModel,
-    solve_self_heating,
-)
+from bearing.friction.running_films import RunningFilm
+from bearing.geometry import Array
+from bearing.heating.films_heat import FilmsHeat, formula_conductances, running_conductances
+from bearing.heating.friction_heat import FrictionHeat, heat_of_torque
+from bearing.heating.heat_state import FrictionModel, SelfHeatingProblem, heat_state
+from bearing.heating.network import NODES
+from bearing.heating.self_heating import SelfHeatingSolution, solve_self_heating
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rows import SINGLE
 from bearing.torque.breakdown import INTEGRATED, model_torque
-from bearing.torque.films_torque import balanced_torque
 from bearing.torque.inlet import inlet_factors
 from ehl import Lubricant
-from ehl.units import from_si
+from ehl.units import ZERO_CELSIUS, from_si
 
 from ..format.case import Case, case_of_file
 from ..format.contact import FilmModel
@@ -38,6 +40,7 @@ class Printed(NamedTuple):
     contacts: Contacts
     total: float
     seal: float
+    films: Sequence[RunningFilm | None] | None = None  # of the contacts, as they run
 
 
 def at_its_temperature(case: Case, heating: SelfHeatingSolution | None = None) -> Case:
@@ -56,13 +59,15 @@ def at_its_temperature(case: Case, heating: SelfHeatingSolution | None = None) -
         given = case.file.operation.model_copy(update={"temperature": "given"})
         file = case.file.model_copy(update={"operation": given})
         return replace(case, file=file, warnings=(note, *case.warnings))
+    assert heating.state is not None
     balanced = from_si("temperature_C", heating.balance.temperature)
     file = case.file
     operation = {"temperature_C": rounded(balanced), "temperature": "given"}
     changed: dict[str, Any] = {"operation": file.operation.model_copy(update=operation)}
     if case.heating is not None and case.heating.reference is not None:
-        parts = part_temperatures(file.temperatures, balanced, case.heating.inner_excess)
-        changed["temperatures"] = parts
+        nodes = (heating.state.temperatures - ZERO_CELSIUS).tolist()
+        parts = dict(zip(NODES, nodes, strict=True))
+        changed["temperatures"] = part_temperatures(file.temperatures, parts)
     found = case_of_file(file.model_copy(update=changed), case.title or "case")
     assert isinstance(found, Case)  # a bearing
     found = replace(found, load_cases=case.load_cases)  # each warms itself
@@ -74,11 +79,12 @@ def at_its_temperature(case: Case, heating: SelfHeatingSolution | None = None) -
 
 
 def self_heated(case: Case, printed: Printed | None = None) -> SelfHeatingSolution | None:
-    """Temperature that the case's bearing warms itself to [K]; None where it is not asked for.
+    """Temperatures that the parts of the case's bearing warm themselves to [K]; None where it is
+    not asked for.
 
     Balls in traction equilibrium are taken as half and half: loads hardly depend on it. The
     integrated torque is that of films of formulas at each temperature, in the proportion to the
-    printed total that it has where that was computed.
+    printed total that it has where that was computed; likewise the conductances of the contacts.
     """
     given = case.heating
     if given is None or case.operation.inner_speed == case.operation.outer_speed:
@@ -86,23 +92,12 @@ def self_heated(case: Case, printed: Printed | None = None) -> SelfHeatingSoluti
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # the search looks beyond the range of the oil's data
         try:
-            torque = _torque_model(case, given, printed)
+            problem = _problem(case, given, printed)
         except ValueError as error:
             return SelfHeatingSolution(
-                model=given.model, balance=None, cooling=given.cooling, note=str(error)
+                model=given.model, around=given.around, balance=None, note=str(error)
             )
-        problem = SelfHeatingProblem(
-            bearing=given.delivered,
-            operation=case.operation,
-            model=without_traction_equilibrium(case.model),
-            oil=given.oil,
-            torque=torque,
-            fit=given.fit,
-            reference=given.reference,
-            inner_excess=given.inner_excess,
-            rows=case.rows or SINGLE,
-        )
-        solution = solve_self_heating(problem, given.cooling, given.model)
+        solution = solve_self_heating(problem, given.model)
     if solution.balance is None or not solution.converged:
         return solution
     with warnings.catch_warnings(record=True) as caught:
@@ -111,43 +106,75 @@ def self_heated(case: Case, printed: Printed | None = None) -> SelfHeatingSoluti
     return replace(solution, note="; ".join(str(warning.message) for warning in caught))
 
 
-def at_its_balance(heating: SelfHeatingSolution, case: Case, total: float) -> SelfHeatingSolution:
-    """The balance found, with the torque printed at the temperature of the case [N m]."""
-    assert heating.balance is not None
-    temperature = case.operation.temperature
-    power = total * case.operation.shaft_speed
-    left = power - heating.cooling.heat(temperature)
+def _problem(case: Case, given: HeatingInput, printed: Printed | None) -> SelfHeatingProblem:
+    """The case as the search for temperatures takes it."""
+    assert case.friction is not None  # of every bearing case
+    return SelfHeatingProblem(
+        bearing=given.delivered,
+        operation=case.operation,
+        model=without_traction_equilibrium(case.model),
+        oil=given.oil,
+        friction=_friction_model(case, given, printed),
+        around=given.around,
+        fit=given.fit,
+        reference=given.reference,
+        rows=case.rows or SINGLE,
+        oil_share=case.friction.oil_share(case.bearing),
+    )
+
+
+def at_its_balance(
+    heating: SelfHeatingSolution, case: Case, printed: Printed
+) -> SelfHeatingSolution:
+    """The balance found, with the torque printed at the temperature of the case [N m] and the
+    temperatures that follow from its heat.
+    """
+    assert heating.balance is not None and case.heating is not None
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        problem = _problem(case, case.heating, printed)
+        temperature = case.operation.temperature
+        clearance = case.bearing.diametral_clearance
+        state = heat_state(problem, problem.fixed_paths(), temperature, clearance)
+    power = printed.total * case.operation.shaft_speed
+    left = power - state.network.removed(state.temperatures)
     balance = replace(
         heating.balance,
         temperature=temperature,
-        torque=total,
+        torque=printed.total,
         power=power,
         residual=left / power if power > 0.0 else 0.0,
     )
-    return replace(
-        heating,
-        balance=balance,
-        viscosity=case.lubricant.viscosity,
-        clearance=case.bearing.diametral_clearance,
-    )
+    return replace(heating, balance=balance, state=state)
 
 
-def _torque_model(case: Case, given: HeatingInput, printed: Printed | None) -> TorqueModel:
-    """Friction torque [N m] of an equilibrium by the model that heats."""
+def _friction_model(case: Case, given: HeatingInput, printed: Printed | None) -> FrictionModel:
+    """Heat of an equilibrium by the model that heats."""
     if given.model != INTEGRATED:
-        return partial(_torque, case, given.model)
-    by_formulas = partial(_formula_torque, case, given)
+        return partial(_model_heat, case, given.model)
+    assert case.friction is not None  # of every bearing case
+    by_formulas = partial(_formula_heat, case, given, FilmsHeat(friction=case.friction))
     if printed is None:
-        return partial(_scaled_torque, by_formulas, 1.0, 0.0)
-    state, contacts, total, seal = printed
-    factor = (total - seal) / by_formulas(state, contacts, case.lubricant)
-    return partial(_scaled_torque, by_formulas, factor, seal)
+        return by_formulas
+    found = by_formulas(printed.state, printed.contacts, case.lubricant)
+    factor = (printed.total - printed.seal) / found.torque
+    ratio = np.ones(2)
+    if printed.films is not None:
+        solved = running_conductances(printed.state, printed.contacts, printed.films)
+        sums = solved[0].sum(axis=0), found.conductance[0].sum(axis=0)
+        ratio = np.where(sums[1] > 0.0, sums[0] / np.maximum(sums[1], 1e-300), 1.0)
+    return partial(_scaled_heat, by_formulas, factor, printed.seal, ratio)
 
 
-def _formula_torque(
-    case: Case, given: HeatingInput, state: QuasistaticSolution, contacts: Contacts, oil: Lubricant
-) -> float:
-    """Integrated torque of films of formulas [N m], without seals."""
+def _formula_heat(
+    case: Case,
+    given: HeatingInput,
+    films: FilmsHeat,
+    state: QuasistaticSolution,
+    contacts: Contacts,
+    oil: Lubricant,
+) -> FrictionHeat:
+    """Of films of formulas [W], without seals."""
     assert case.friction is not None  # of every bearing case
     inlet = inlet_factors(
         state.bearing,
@@ -157,28 +184,28 @@ def _formula_torque(
         heated=case.films.model is FilmModel.THERMAL,
         layered=case.friction.scarce is not None or case.inlet_layer is not None,
     )
-    rheology = given.rheology(oil)
-    return balanced_torque(state, contacts, case.friction, inlet, rheology, oil)
+    return films.heat(state, contacts, oil, given.rheology(oil), inlet)
 
 
-def _scaled_torque(
-    torque: TorqueModel,
+def _scaled_heat(
+    heat: FrictionModel,
     factor: float,
     seal: float,
+    conductance: Array,
     state: QuasistaticSolution,
     contacts: Contacts,
     oil: Lubricant,
-) -> float:
-    """Torque in proportion to another one, and that of seals [N m]."""
-    return factor * torque(state, contacts, oil) + seal
+) -> FrictionHeat:
+    """Heat in proportion to another one [W], and that of seals."""
+    return heat(state, contacts, oil).scaled(factor, seal, conductance)
 
 
-def _torque(
+def _model_heat(
     case: Case, name: str, state: QuasistaticSolution, contacts: Contacts, oil: Lubricant
-) -> float:
-    """Friction torque by one model [N m]; `ValueError` if it does not apply."""
+) -> FrictionHeat:
+    """Heat of one torque model [W]; `ValueError` if it does not apply."""
     assert case.friction is not None  # of every bearing case
     torque = model_torque(state, contacts, oil, case.friction, name)
     if torque.total is None:
         raise ValueError(f"the torque model {name} {torque.note}")
-    return torque.total
+    return heat_of_torque(torque.components, state, formula_conductances(state, contacts))

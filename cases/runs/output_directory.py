@@ -35,6 +35,14 @@ def check_output(directory: Path) -> None:
         raise CaseError(f"{directory}: cannot be written: {error.strerror or error}") from None
 
 
+def check_replaceable(directory: Path) -> None:
+    """Whether a new result may take the place of what is in `directory`; `CaseError` before
+    computing if what stands there is not ours.
+    """
+    ours = _earlier_files(directory)
+    _check_foreign(directory, [LAST, MANIFEST, DIGESTS, *ours], [*ours, MANIFEST, DIGESTS])
+
+
 def check_file(file: Path) -> None:
     """Whether a file can be written; `CaseError` before computing if not."""
     if file.is_dir():
@@ -83,17 +91,30 @@ def _files(folder: Path) -> list[str]:
 def _replace(temporary: Path, directory: Path, files: list[str]) -> None:
     """Move the new files in; remove files of an earlier result that have no successor."""
     earlier = [*_earlier_files(directory), DIGESTS]
-    foreign = [name for name in files if name not in earlier and (directory / name).exists()]
-    if foreign:
-        refused = "not written by oilfilm, will not be replaced; choose another -o"
-        raise CaseError(f"{directory / foreign[0]}: {refused}")
+    _check_foreign(directory, [*files, LAST, MANIFEST], [*earlier, LAST, MANIFEST])
     (directory / LAST).unlink(missing_ok=True)
     for name in sorted(set(earlier) - set(files)):
-        (directory / name).unlink(missing_ok=True)
-        _remove_empty(directory / name, directory)
+        if not (directory / name).is_dir():
+            (directory / name).unlink(missing_ok=True)
+            _remove_empty(directory / name, directory)
     for name in [*sorted(files, key=lambda name: name == LAST), MANIFEST]:
         (directory / name).parent.mkdir(parents=True, exist_ok=True)
         os.replace(temporary / name, directory / name)
+
+
+def _check_foreign(directory: Path, names: list[str], ours: list[str]) -> None:
+    """`CaseError` where a file that is not `ours` stands in the place of one of the names, or a
+    folder does, or a file in that of its folder.
+    """
+    known = set(ours)
+    for name in names:
+        file = directory / name
+        folder = file.parent
+        way = [file] if file.is_dir() or (name not in known and file.exists()) else []
+        way += [folder] if folder.exists() and not folder.is_dir() else []
+        if way:
+            refused = "not written by oilfilm, will not be replaced; choose another -o"
+            raise CaseError(f"{way[0]}: {refused}")
 
 
 def add_to_manifest(directory: Path, name: str) -> None:

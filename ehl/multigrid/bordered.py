@@ -83,6 +83,9 @@ def factor_bordered(
 
 
 def _solve(factors: Any, order: NDArray[np.intp] | None, right: Array) -> Array:
+    if np.iscomplexobj(right):
+        parts = (_solve(factors, order, part) for part in (right.real, right.imag))
+        return np.asarray(next(parts) + 1j * next(parts))
     if order is None:
         return np.asarray(factors.solve(right))
     solution = np.empty_like(right)
@@ -99,10 +102,13 @@ def solve_bordered(
 ) -> tuple[Array, float]:
     """p, shape (n,), and h of [A b; w^T c] [p; h] = [f; g], A by its action `operator` [-].
 
+    Both are complex where b is.
+
     right: f and g; tolerance: relative residual of the preconditioned system. LinearSolverError
     where the iteration does not reach it.
     """
     size = len(border.column) + 1
+    kind = border.column.dtype
 
     def product(v: Array) -> Array:
         balance = border.row @ v[:-1] + border.corner * v[-1]
@@ -110,9 +116,9 @@ def solve_bordered(
 
     residuals: list[float] = []
     solution, failed = linalg.gmres(
-        linalg.LinearOperator((size, size), matvec=product, dtype=np.float64),
-        np.append(*right),
-        M=linalg.LinearOperator((size, size), matvec=preconditioner.solve, dtype=np.float64),
+        linalg.LinearOperator((size, size), matvec=product, dtype=kind),
+        np.append(*right).astype(kind),
+        M=linalg.LinearOperator((size, size), matvec=preconditioner.solve, dtype=kind),
         rtol=tolerance,
         restart=RESTART,
         maxiter=RESTARTS,
@@ -122,7 +128,7 @@ def solve_bordered(
     if failed or not np.isfinite(solution).all():
         count = len(residuals)
         raise LinearSolverError(f"GMRES did not reach {tolerance:g} in {count} iterations")
-    return solution[:-1], float(solution[-1])
+    return solution[:-1], solution[-1].item()
 
 
 def nested_dissection(shape: tuple[int, int], separator: tuple[int, int]) -> NDArray[np.intp]:

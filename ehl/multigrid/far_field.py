@@ -10,6 +10,7 @@ from the load balance; the part of the rotation, odd in both directions, is left
 
 from dataclasses import dataclass
 from math import cos, inf, isfinite, sin
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -88,10 +89,29 @@ def exterior_load(field: FarField, grid: Grid, H: Array, layer: float = inf) -> 
     """Integral of the far field outside the box of a grid, from the film on its inlet edge, up to
     where the gap is as wide as a layer [-].
     """
+    return load_outside(field, *_box_and_level(field, grid, H), layer)
+
+
+def squeeze_load(field: FarField, grid: Grid, H: Array) -> float:
+    """Integral of 1/H^2 outside the box of a grid where the far field carries pressure [-]: of the
+    pressure that bodies parting or closing in set up in a paraboloid, integral from R of
+    r/(h + q r^2/2)^2 dr = 1/(q (h + q R^2/2)) along each ray.
+    """
+    box, level = _box_and_level(field, grid, H)
+    rays = _rays(field, box)
+    c = _distance(rays, level)
+    outside = 2.0 / (rays.curvature**2 * (c + rays.radius**2))
+    return float(np.sum(outside[rays.strength > 0.0])) * 2.0 * np.pi / DIRECTIONS
+
+
+def _box_and_level(
+    field: FarField, grid: Grid, H: Array
+) -> tuple[tuple[float, float, float], float]:
+    """Box (x_in, x_out, y_half) of a grid, and the level of the gap seen on its inlet edge [-]."""
     origin = 0 if grid.symmetric else grid.ny // 2
     x_in = float(grid.X[0])
     level = float(H[origin, 0]) - 0.5 * field.curvature_x * x_in**2
-    return load_outside(field, (x_in, float(grid.X[-1]), float(grid.Y[-1])), level, layer)
+    return (x_in, float(grid.X[-1]), float(grid.Y[-1])), level
 
 
 def load_outside(
@@ -106,23 +126,46 @@ def load_outside(
     sqrt(c)).
     """
     # 1. rays from the origin to the edge of the box
-    angle = (np.arange(DIRECTIONS) + 0.5) * 2.0 * np.pi / DIRECTIONS
-    x, y = np.cos(angle), np.sin(angle)
-    strength = np.maximum(-(field.pressure_x * x + field.pressure_y * y), 0.0)
-    x_in, x_out, y_half = box
-    with np.errstate(divide="ignore"):
-        radius = np.minimum(np.where(x < 0.0, x_in / x, x_out / x), y_half / np.abs(y))
-    # 2. gap h + q r^2/2 along each ray, c = 2h/q
-    q = field.curvature_x * x * x + field.curvature_y * y * y + 2.0 * field.curvature_xy * x * y
-    c = 2.0 * level / q
-    # far inside the Hertz gap: the edge of the ray stays outside the contact
-    c = np.maximum(c, -0.9 * radius**2)
+    directions = _rays(field, box)
+    strength, radius, q = directions
+    # 2. gap h + q r^2/2 along each ray
+    c = _distance(directions, level)
     # 3. integral along each ray, and over the angle
     rays = _outside(radius, c)
     if isfinite(layer):
         end = np.sqrt(np.maximum(2.0 * (layer - level) / q, 0.0))
         rays = np.where(end > radius, rays - _outside(np.maximum(end, radius), c), 0.0)
     return float(np.sum(strength * 4.0 / q**2 * rays)) * 2.0 * np.pi / DIRECTIONS
+
+
+class _Rays(NamedTuple):
+    """Rays from the origin over the angle, arrays of shape (n,) [-]."""
+
+    strength: Array  # of the far field without rotation, over r
+    radius: Array  # at the edge of the box
+    curvature: Array  # q of the gap
+
+
+def _rays(field: FarField, box: tuple[float, float, float]) -> _Rays:
+    """Rays through the edge of a box (x_in, x_out, y_half)."""
+    angle = (np.arange(DIRECTIONS) + 0.5) * 2.0 * np.pi / DIRECTIONS
+    x, y = np.cos(angle), np.sin(angle)
+    x_in, x_out, y_half = box
+    with np.errstate(divide="ignore"):
+        radius = np.minimum(np.where(x < 0.0, x_in / x, x_out / x), y_half / np.abs(y))
+    along = field.curvature_x * x * x + field.curvature_y * y * y
+    return _Rays(
+        strength=np.maximum(-(field.pressure_x * x + field.pressure_y * y), 0.0),
+        radius=radius,
+        curvature=along + 2.0 * field.curvature_xy * x * y,
+    )
+
+
+def _distance(rays: _Rays, level: float) -> Array:
+    """c = 2h/q of the gap h + q r^2/2 along each ray; far inside the Hertz gap the edge of the ray
+    stays outside the contact [-].
+    """
+    return np.maximum(2.0 * level / rays.curvature, -0.9 * rays.radius**2)
 
 
 def _outside(radius: Array, c: Array) -> Array:

@@ -31,6 +31,11 @@ STARTING_MESH = (0.2, 0.55)
 SETTLING_CYCLES = 12  # most cycles on the other levels below the finest
 STEP_CYCLES = 5  # under each lighter load, where the load is reached in steps
 ACCEPTED_ERROR = 5e-3  # of the film, left by the cycles; above, further attempts are made
+# deflections after which no further attempt is made, of the finest mesh or of the second, which
+# takes a minute for them, if that is finer; and those that an attempt is counted for in advance
+MOST_WORK = 300
+WORK_MESH = 1025**2  # [nodes]
+ATTEMPT_WORK = 60
 # the origin is a node of the level with this many cells along x, and of all finer ones
 ORIGIN_CELLS = 32
 
@@ -89,6 +94,7 @@ class AttemptResult:
         return not self.converged, self.error
 
 
+TOO_MUCH_WORK = "not tried, too much work"
 WIDE_MESH_MORE_CYCLES = "mesh doubled across the entrainment, three times the cycles"
 CAUTIOUS = replace(Damping().halved(), switch=1.5)
 ATTEMPTS = (
@@ -123,7 +129,8 @@ def solve_with_fallbacks(
     attempts: tuple[Attempt, ...] = ATTEMPTS,
 ) -> AttemptResult:
     """The first attempt that converges to `ACCEPTED_ERROR`, or the one that the cycles left with
-    the smallest error, one that converged before others.
+    the smallest error, one that converged before others. Those for which too little of
+    `MOST_WORK` is left are not made, which the fallbacks say.
 
     `contacts` are the same contact, on a grid along a principal direction and on one along the
     entrainment; `lighter` the first under rising loads below its own.
@@ -138,6 +145,11 @@ def solve_with_fallbacks(
         if attempt.newton and state.levels[-1].P.size > MOST_NODES:
             continue
         if best is not None:
+            left = MOST_WORK * max(best.state.levels[-1].P.size, WORK_MESH)
+            left -= progress.deflected_nodes
+            if attempt.cycles_factor * ATTEMPT_WORK * state.levels[-1].P.size > left:
+                progress.fallbacks.append(f"{attempt.name}: {TOO_MUCH_WORK}")
+                continue
             progress.fallbacks.append(attempt.name)
         result = AttemptResult(state=state, attempt=attempt)
         limit = replace(options, max_cycles=attempt.cycles_factor * options.max_cycles)
@@ -223,6 +235,7 @@ def add_level(
     domain: tuple[float, float, float],
     options: SolverOptions,
     progress: Progress,
+    damping: Damping,
 ) -> AttemptResult:
     """One more level of full multigrid above a solution, of the points of the options; the levels
     are empty if the iteration diverges.
@@ -231,7 +244,7 @@ def add_level(
     state = contact_multigrid(before.contact, domain, options, coarse.attempt, before.flow_model)
     state.approach = before.approach
     state.exterior = before.exterior
-    state.damping = before.damping
+    state.damping = damping
     finest = len(state.levels) - 1
     state.levels[finest - 1].P = before.levels[-1].P
     _start_from_below(state, finest)

@@ -27,6 +27,8 @@ CONVERGED = (5e-3, 1e-3)
 # oil made or lost over the oil supplied, of a contact behind a layer: likewise; 1e-4 as the first
 # would save 5 % of the work (89 random contacts)
 OIL_LOST = (1e-5, 1e-2)
+# cycles with no smaller residual, all above CONVERGED, after which the finest level is given up
+STALLED_CYCLES = 6
 LARGEST_REMAINING = 0.03  # relative film change still to come, above which nothing has converged
 # the film is at rest where the cycles leave this share of the step between the levels, and no
 # less than the first nor more than the second of the film
@@ -70,6 +72,24 @@ class LevelHistory:
         self.residual.append(residual)
         self.imbalance.append(imbalance)
         self.load.append(load_error(state, index))
+
+    @property
+    def stalled(self) -> bool:
+        """Whether the equations were far from holding and came no nearer in the last cycles."""
+        residual = self.residual
+        if len(residual) <= STALLED_CYCLES or min(residual) < CONVERGED[0]:
+            return False
+        return min(residual[-STALLED_CYCLES:]) >= min(residual[:-STALLED_CYCLES])
+
+    @property
+    def nearing(self) -> bool:
+        """Whether more cycles are worth it: the equations hold while the films still move, or came
+        nearer by half in the last cycles.
+        """
+        if self.converged() or len(self.residual) < STALLED_CYCLES:
+            return False
+        near = self.residual[-STALLED_CYCLES:]
+        return self._holds(CONVERGED) or near[-1] < 0.5 * near[0]
 
     @property
     def changes(self) -> list[float]:

@@ -52,6 +52,7 @@ class Linearisation:
     eps_by_film: Array
     couette: tuple[Array, Array, bool]  # rho u; rho v and whether it is used
     content_by_pressure: Array  # (rho'/rho) H
+    density: Array  # rho, over that at ambient pressure
     H: Array
     edge: NDArray[np.bool_]
     edge_by_film: Array  # derivative of the edge pressure, zero inside
@@ -72,7 +73,7 @@ def linearise(state: Multigrid, index: int) -> Linearisation:
     level = state.levels[index]
     level.H = deflected(state, index, level.P) + level.s + state.approach
     # 1. oil
-    density, viscosity = _oil_slopes(state, level)
+    ratio, density, viscosity = _oil_slopes(state, level)
     flow(state, level)
     # 2. edge and load
     edge = edge_nodes(level.grid)
@@ -88,6 +89,7 @@ def linearise(state: Multigrid, index: int) -> Linearisation:
         eps_by_film=_over_film(3.0 * level.eps, level.H),
         couette=(level.flow_x.copy(), level.flow_y.copy(), level.factors.couette_y is not None),
         content_by_pressure=density * level.H,
+        density=ratio,
         H=level.H.copy(),
         edge=edge,
         edge_by_film=_over_film(-2.0 * target, level.H),
@@ -145,11 +147,12 @@ def _over_film(values: Array, H: Array) -> Array:
     return np.divide(values, H, out=np.zeros_like(H), where=H > 0.0)
 
 
-def _oil_slopes(state: Multigrid, level: Level) -> tuple[Array, Array]:
-    """d(ln rho)/dP and d(ln eta)/dP as they act on the flow; zero where P = 0."""
+def _oil_slopes(state: Multigrid, level: Level) -> tuple[Array, Array, Array]:
+    """rho, and d(ln rho)/dP and d(ln eta)/dP as they act on the flow; zero where P = 0."""
     wet = level.P > 0.0
     # density without the velocities, which may vanish
     flow(state, replace(level, factors=FlowFactors()))
+    ratio = level.flow_x.copy()
     density = np.where(wet, level.slope_x / level.flow_x, 0.0)
     below = np.maximum(level.P - SLOPE_STEP, 0.0)
     above = np.maximum(level.P, 0.0) + SLOPE_STEP
@@ -157,7 +160,7 @@ def _oil_slopes(state: Multigrid, level: Level) -> tuple[Array, Array]:
     viscosity = np.where(wet, rise / (above - below), 0.0)
     if level.factors.thinning is not None:  # the part that a thinned oil leaves out
         viscosity = viscosity * (1.0 - level.factors.thinning)
-    return density, viscosity
+    return ratio, density, viscosity
 
 
 def _open_edge(state: Multigrid, level: Level) -> tuple[Array, float, float]:
@@ -176,7 +179,7 @@ def _open_edge(state: Multigrid, level: Level) -> tuple[Array, float, float]:
 
 def product(lin: Linearisation, change: Array, film: Array) -> Array:
     """Derivative of L inside, and of P - k/H^2 on the edge, along a change of pressure and the
-    change of the film that belongs to it, shape (ny, nx) [-].
+    change of the film that belongs to it, shape (ny, nx), real [-].
     """
     by_pressure = np.zeros_like(change)
     by_flow = np.zeros_like(change)

@@ -51,24 +51,19 @@ def box_uncertainty(state: Multigrid) -> float:
     if state.far_field is None:
         return 0.0
     share = abs(state.exterior) / state.contact.load
-    return (BOX_ERROR[0] + BOX_ERROR[1] * _turning(state.contact) ** 2) * share
+    return (BOX_ERROR[0] + BOX_ERROR[1] * state.contact.turning**2) * share
 
 
 def _box(contact: ScaledContact, widening: float) -> Box:
     film = contact.film_guess
     along = film / (contact.curvature_x * contact.half_extent_x**2)
     across = film / (contact.curvature_y * contact.half_extent_y**2)
-    lateral = contact.velocity_y**2 + _turning(contact) ** 2
+    lateral = contact.velocity_y**2 + contact.turning**2
     return (
         -widening * sqrt(INLET[0] ** 2 + INLET[1] * along),
         sqrt(OUTLET[0] ** 2 + OUTLET[1] * along),
         widening * sqrt(SIDE[0] ** 2 + (SIDE[1] + SIDE[2] * lateral) * across),
     )
-
-
-def _turning(contact: ScaledContact) -> float:
-    """Speed of the rotation at the end of the ellipse over u_m [-]."""
-    return abs(contact.rotation) * max(1.0, contact.semi_axis_ratio)
 
 
 def _load_outside(contact: ScaledContact, field: FarField, box: Box) -> float:

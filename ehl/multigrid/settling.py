@@ -16,6 +16,7 @@ from .levels import Multigrid
 
 Array = NDArray[np.float64]
 
+MORE_CYCLES = 3  # times those allowed, on a finest level that is nearing its solution then
 LEVEL_CYCLES = 3  # cycles on levels that the mesh does not resolve
 # of P, above which the iteration has diverged: the spike of a Barus oil at L 20 passes 5
 PRESSURE_LIMIT = 40.0
@@ -42,14 +43,17 @@ def settle(
     strictness: float = 1.0,
 ) -> LevelHistory | None:
     """Cycle on a level until its film is at rest, `most` times at most and `LEVEL_CYCLES` times
-    where the mesh is too coarse for the film; None if the cycles diverged.
+    where the mesh is too coarse for the film; None if the cycles diverged. On the finest level of
+    a Newtonian isothermal film no longer than they bring the equations nearer to holding, and up
+    to `MORE_CYCLES` times as often while they do.
     """
     level = state.levels[index]
     history = start_history(state, index, strictness)
     acceleration = Acceleration()
     before = (level.P.copy(), state.approach)
     finest = index == len(state.levels) - 1
-    for equations in guarded_cycles(state, index, most, progress):
+    longest = MORE_CYCLES * most if finest and state.flow_model is None else most
+    for equations in guarded_cycles(state, index, longest, progress):
         if equations == DIVERGED:
             return None
         history.record(state, index, equations)
@@ -58,7 +62,11 @@ def settle(
             cycles >= LEVEL_CYCLES and not finest and not history.resolved
         ):
             break
-        if PLAIN_CYCLES < cycles < most:
+        if finest and state.flow_model is None and history.stalled:
+            break
+        if cycles >= most and not history.nearing:
+            break
+        if PLAIN_CYCLES < cycles != most:
             mixed, state.approach = acceleration.next(before, (level.P, state.approach))
             level.P = mixed if level.fill is None else np.where(level.P > 0.0, mixed, 0.0)
             update_film(state, index)

@@ -5,6 +5,7 @@ _transform_kernels - convolution along the columns of a grid, compiled
 coating            - a coated body, and its compliance
 compliance         - half-space compliance of bilinear pressures on a graded rectangular mesh
 deformation        - elastic deflection of the half-space by convolution
+film_conductance   - heat that a rolling contact conducts through its film
 heat               - bodies as half-spaces that move past a source of heat
 layered            - compliance of a contact one body of which is coated
 layered_fem        - surface compliance of a coated half space by axisymmetric finite elements

@@ -2,6 +2,7 @@
 moments, tables.
 
 _kernels            - sums over the nodes of a film, and lookups in a table, compiled
+atlas               - films and rolling moment of a contact from a table of solved ones
 coefficient_kernels - coefficients by the local sliding, each law whole: Coulomb, four constants
 film_quadrature     - quadrature over a solved film, and its sliding forces for many motions
 heated              - shear of films that sliding heats

@@ -1,6 +1,6 @@
 from .coefficient_kernels import FourConstants, RampedCoulomb
 from .laws import ContactShape, EllipseLaw, FrictionLaw, TractionForces
-from .response import NormalResponse, normal_response
+from .response.normal import NormalResponse, ResponseValue, normal_response
 from .shear import Cavitation, ShearFields, TractionResult, integrate_traction, shear_fields
 from .table.build import TableOptions, build_table
 from .table.storage import inputs_digest, load_table, save_table
@@ -15,6 +15,7 @@ __all__ = [
     "FrictionLaw",
     "NormalResponse",
     "RampedCoulomb",
+    "ResponseValue",
     "ShearFields",
     "TableContact",
     "TableError",

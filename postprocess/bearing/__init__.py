@@ -1,5 +1,6 @@
 """Results of a bearing run.
 
+atlas         - films of the film atlas of all contacts, as summary and in the terminal
 contacts      - contacts of a bearing: their quantities, and why some are null
 duty_cycle    - a duty cycle: blocks of the summary, lines of the terminal
 finite_bodies - the block `finite_bodies` of the summary: changes beside half-spaces

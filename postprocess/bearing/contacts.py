@@ -12,6 +12,7 @@ from bearing.contacts.surface_tension import SurfaceTension, edge_tension
 from bearing.friction.formula_films import FormulaFilm
 from bearing.friction.resolvable import too_thick
 from bearing.geometry import Race
+from bearing.heating.conductances import Conductance
 from bearing.shoulder_diameter import ESTIMATED_HEIGHT, shoulder_diameter
 from bearing.supply.starved_films import StarvedFilm
 from bearing.torque.rolling_extent import rolling_moments
@@ -19,6 +20,7 @@ from ehl.units import from_si, to_si
 
 from ..contact.quantities import FILM_QUANTITIES, FilmRecord, film_values, formula_films
 from ..quantities import by_key, quantities, values_of
+from .quantities import CONTACT_CONDUCTANCE
 from .results import BearingResults, balls_text
 
 RACES = ("inner", "outer")
@@ -36,6 +38,7 @@ class ContactRecord(FilmRecord):
     edge_tension: float | None  # of the dry contact without friction [Pa]
     tension: SurfaceTension | None  # under the film's pressure and shear
     formula: FormulaFilm | None = None  # in place of a film that the mesh does not resolve
+    conductance: Conductance | None = None  # of heat, through the film
 
     @property
     def loaded(self) -> bool:
@@ -130,6 +133,7 @@ CONTACT_QUANTITIES = (  # columns of contacts.csv
         ("starved_film_minimum_um", "starved minimum film", "minimum"),
     ),
     *quantities("", NOT_STARVED, "starved_lambda_ratio"),
+    *CONTACT_CONDUCTANCE,
     *quantities(
         "stress.",
         NO_LOAD,
@@ -222,6 +226,7 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
             edge_tension=edge_tension(results.quasistatic.bearing, contact),
             tension=tensions[i],
             formula=formulas[i],
+            conductance=results.conductance(i),
         )
         for i, contact in enumerate(results.contacts)
     ]

@@ -3,11 +3,14 @@
 from collections.abc import Iterator
 from typing import Any
 
+from bearing.geometry import Array
+from bearing.heating.network import NODES
+from bearing.heating.remedy import least_heat_transfer, least_oil_flow
 from bearing.heating.self_heating import SelfHeatingSolution
 from ehl.units import from_si
 
 from ..quantities import values_of
-from .quantities import HEATING
+from .quantities import HEATING, PATH, STABILITY, STABILITY_KEYS
 from .results import BearingResults
 
 AGREEMENT = 1.0  # of temperatures that count as one [K]
@@ -16,12 +19,53 @@ AGREEMENT = 1.0  # of temperatures that count as one [K]
 def heating_block(results: BearingResults) -> dict[str, Any]:
     """Temperature, torque, power, oil, clearance; None without a balance of heat."""
     heating = results.heating
-    balanced = heating is not None and heating.balance is not None and heating.converged
     return {
-        **values_of(heating if balanced else None, HEATING),
+        **values_of(_balanced(results), HEATING),
         "torque_model": None if heating is None else heating.model,
         "converged": None if heating is None else heating.converged,
     }
+
+
+def _balanced(results: BearingResults) -> SelfHeatingSolution | None:
+    """The balance of heat, where there is one."""
+    heating = results.heating
+    if heating is None or heating.balance is None or not heating.converged:
+        return None
+    return heating
+
+
+def network_blocks(results: BearingResults) -> dict[str, Any]:
+    """Temperatures by node with their ends, flows of heat by path, margin against runaway; None
+    without a balance of heat.
+    """
+    keys = ("temperatures_C", "temperatures_low_C", "temperatures_high_C", "heat_flows_W")
+    heating = _balanced(results)
+    if heating is None or heating.state is None or heating.stability is None:
+        return dict.fromkeys((*keys, "heat_sources_W", "heat_paths", *STABILITY_KEYS))
+    state, stable = heating.state, heating.stability
+    network = state.network
+    edges = {name: from_si("temperature_C", value) for name, value in network.boundaries.items()}
+    edges |= {"film": from_si("temperature_C", state.film_temperature)}
+    flows = network.flows(state.temperatures)
+    named = list(zip(network.paths, flows, strict=True))
+    return {
+        keys[0]: _by_node(state.temperatures) | edges,
+        keys[1]: _by_node(stable.coldest),
+        keys[2]: _by_node(stable.hottest),
+        keys[3]: {path.name: flow for path, flow in named},
+        "heat_sources_W": dict(zip(NODES, state.sources.tolist(), strict=True)),
+        "heat_paths": [
+            {"path": path.name, "what": path.what, **values_of(path.conductance, PATH)}
+            for path in network.paths
+        ],
+        **values_of(heating, STABILITY),
+    }
+
+
+def _by_node(temperatures: Array) -> dict[str, float]:
+    """Temperatures of the nodes by their names [degrees Celsius]."""
+    values = from_si("temperature_C", temperatures).tolist()
+    return dict(zip(NODES, values, strict=True))
 
 
 def temperature_messages(results: BearingResults) -> Iterator[str]:
@@ -75,21 +119,23 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
 
 def _remedy(results: BearingResults, heating: SelfHeatingSolution) -> str:
     """What to change of a bearing that is heated more than it is cooled."""
-    balance = heating.balance
+    state = heating.state
     oil = results.lubricant
-    if balance is None or balance.power <= heating.cooling.heat(balance.temperature):
+    if state is None or state.found_temperature <= state.film_temperature:
         return "try another friction.heat_transfer_W_K or heating_torque"
-    cooling = heating.cooling
-    taken = cooling.heat(balance.temperature)
-    least = (balance.power - taken) / (balance.temperature - cooling.ambient)
-    ways = [f"heat_transfer_W_K above {cooling.conductance + least:.3g}"]
-    if oil.thermal is not None:
-        rise = balance.temperature - cooling.oil_supply
-        flow = (balance.power - taken) / (oil.density * oil.thermal.specific_heat * rise)
-        added = flow + cooling.oil_flow / (oil.density * oil.thermal.specific_heat)
-        ways.append(f"cooling_oil_mL_min above {from_si('flow_mL_min', added):.2g}")
+    ways = []
+    transfer = least_heat_transfer(state)
+    if transfer is not None:
+        ways.append(f"heat_transfer_W_K above {transfer:.3g}")
+    flow = None if oil.thermal is None else least_oil_flow(state)
+    if flow is not None and oil.thermal is not None:
+        volume = flow / (oil.density * oil.thermal.specific_heat)
+        ways.append(f"cooling_oil_mL_min above {from_si('flow_mL_min', volume):.2g}")
+    ways = [f"in [friction] {' or '.join(ways)}"] if ways else []
+    limit = from_si("temperature_C", state.film_temperature)
+    wanted = from_si("temperature_C", state.found_temperature)
     return (
-        f"friction is {balance.power:.4g} W there, cooling {taken:.4g} W: try in [friction] "
-        f"{' or '.join(ways)}, a thinner oil, or less speed; oilfilm init with --speed lays out "
-        "oil and cooling"
+        f"friction is {state.friction.power:.4g} W at {limit:.0f} C, which would warm the films "
+        f"to {wanted:.4g} C: try {', '.join([*ways, 'a thinner oil'])}, or less speed; oilfilm "
+        "init with --speed lays out oil and cooling"
     )

@@ -204,6 +204,28 @@ HEATING = quantities(
     ("oil_W", "heat of the oil", "oil_heat"),
     *("viscosity_mPa_s", "clearance_um"),
 )
+CONTACT_CONDUCTANCE = quantities(
+    "conductance.",
+    "no oil is entrained, or heat properties of oil or bodies are not known",
+    ("contact_conductance_W_K", "heat conductance through the film", "value"),
+    ("contact_conductance_low_W_K", "its low end", "low"),
+    ("contact_conductance_high_W_K", "its high end", "high"),
+)
+STABILITY = quantities(
+    "",
+    "there is no balance of friction and cooling",
+    ("runaway_margin", "margin against thermal runaway", "stability.margin"),
+    ("thermal_time_constant_s", "longest time constant", "stability.longest_time"),
+    ("energy_error", "heat left over in the network", "energy_error"),
+)
+STABILITY_KEYS = tuple(own.key for own in STABILITY)
+PATH = quantities(
+    "",
+    "",
+    ("conductance_W_K", "conductance of a path", "value"),
+    ("conductance_low_W_K", "its low end", "low"),
+    ("conductance_high_W_K", "its high end", "high"),
+)
 POWER_BALANCE = quantities(
     "",
     "there is no integrated torque",

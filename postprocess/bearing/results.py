@@ -10,6 +10,8 @@ from bearing.contacts.traction import ContactTraction
 from bearing.fits.clearance import ClearanceBudget
 from bearing.fits.ring_strength import Strength
 from bearing.friction.formula_films import FormulaFilm
+from bearing.geometry import Array
+from bearing.heating.conductances import Conductance
 from bearing.heating.self_heating import SelfHeatingSolution
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.duty_cycle import DutyCycle
@@ -19,6 +21,7 @@ from bearing.supply.decay import FilmDecay
 from bearing.torque.breakdown import TorqueBreakdown
 from bearing.torque.supply_band import SupplyBand
 from ehl import ContactSolution, Lubricant
+from ehl.units import from_si
 
 from ..results import Results
 from ..text import listed
@@ -49,6 +52,28 @@ class BearingResults(Results):
     duty_cycle: DutyCycle | None = None  # None where the case has no load cases
     supply_band: SupplyBand | None = None  # None without a flow of oil
     decay: FilmDecay | None = None  # None where it was not asked for, or no ball has a film
+    # heat conductances of the contacts, (3, balls, 2): value, low and high end [W/K]; None where
+    # heat properties are not known
+    conductances: Array | None = None
+    reference_speed: float | None = None  # ISO 15312 [rad/s]; None: not known
+
+    @property
+    def films(self) -> tuple[ContactSolution | FormulaFilm | None, ...]:
+        """Of the contacts, solved ones or those of formulas in their place."""
+        formulas = self.formula_films or (None,) * len(self.solutions)
+        return tuple(a or b for a, b in zip(self.solutions, formulas, strict=True))
+
+    def conductance(self, index: int) -> Conductance | None:
+        """Of heat through one film [W/K]; None without a film or heat properties."""
+        if self.conductances is None:
+            return None
+        ends = self.conductances.reshape(3, -1)[:, index]
+        return Conductance(*ends.tolist()) if ends[0] > 0.0 else None
+
+    @property
+    def reference_speed_rpm(self) -> float | None:
+        """ISO 15312 [r/min]."""
+        return from_si("speed_rpm", self.reference_speed)
 
     @property
     def converged(self) -> bool:

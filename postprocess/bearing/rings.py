@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from bearing.geometry import Race
-from bearing.quasistatic.ring_displacement import ball_forces
+from bearing.quasistatic.ring_displacement import ball_forces, seat_reactions
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rings.compliance import response_of
 from bearing.rings.elastic_ring import ElasticRing
@@ -92,6 +92,12 @@ def ring_messages(state: QuasistaticSolution) -> Iterator[str]:
             f"grooves move by up to {body.deflection / MICROMETRE:.3g} um at the balls, beyond "
             "Hertz' approach; films and pressures are those of half-spaces"
         )
+        for forces, _ in zip(*seat_reactions(state, Race(body.race)), strict=True):
+            places = (
+                f"{np.degrees(azimuth):.4g} deg: {force:.4g} N"
+                for azimuth, force in zip(body.ring.supports, forces, strict=True)
+            )
+            yield f"{body.race} ring: pressed by its supports at {', '.join(places)}"
         tension = seat_tension(state, body)
         if tension > SMALL_TENSION:
             yield (

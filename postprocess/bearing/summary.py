@@ -12,7 +12,7 @@ from ..results import STIFFNESS_ORDER, STIFFNESS_UNITS
 from .contacts import contact_messages, contact_records, contact_values
 from .duty_cycle import duty_cycle_block, duty_cycle_messages, load_case_blocks
 from .finite_bodies import finite_body_block, finite_body_messages
-from .heating import heating_block, heating_messages, temperature_messages
+from .heating import heating_block, heating_messages, network_blocks, temperature_messages
 from .quantities import BALL_QUANTITIES, RING
 from .ratings import clearance_block, life_block, rating_messages
 from .results import BearingResults, distinct_contacts
@@ -52,6 +52,8 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
         "supply": supply_block(results),
         "decay": decay_block(results),
         "self_heating": heating_block(results),
+        **network_blocks(results),
+        "reference_speed_rpm": results.reference_speed_rpm,
         "finite_bodies": finite_body_block(results),
         "timing_s": dict(results.timing),
     }

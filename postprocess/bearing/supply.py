@@ -67,6 +67,12 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
     if torque.behind_layers:
         yield from _layer_messages(results)
         return
+    yield from _unsolved_message(results)
+    if torque.starved is not None and torque.starved.oil_fraction >= 1.0:
+        yield (
+            "supply: the flow would fill the cavity within supply_residence_s, it counts as full; "
+            "drag and starved torque are an upper bound, not a prediction"
+        )
     yield (
         f"supply: {kind}; starved are starved_film_... of the contacts (flooded films "
         f"{_origin(films)}), supply, the torque model starved{_total_text(results)}; film_..., "
@@ -81,6 +87,16 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
         yield "supply: torque and oil_fraction null as the model starved"
     if films and all(film.share > 1.0 - FLOOD_MARGIN for film in films):
         yield f"supply: ample, every contact keeps its flooded film to {FLOOD_MARGIN:.1%}"
+
+
+def _unsolved_message(results: BearingResults) -> Iterator[str]:
+    """That no film was solved behind its layer although the case asks for it."""
+    ehl = results.case.get("ehl", {})
+    if ehl.get("starvation") == "solved" and ehl.get("film_maps") == "none":
+        yield (
+            'supply: [ehl] starvation = "solved" solves no film here, since film_maps is "none"; '
+            "what follows is the law of starvation over films of formulas"
+        )
 
 
 def _band_messages(results: BearingResults) -> Iterator[str]:

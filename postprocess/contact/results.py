@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 from ehl import ContactSolution
+from ehl.traction import NormalResponse
 from ehl.traction.shear import TractionResult
 
 from ..results import Results
@@ -14,6 +15,8 @@ class ContactResults(Results):
 
     solution: ContactSolution
     traction: TractionResult | None = None
+    response: NormalResponse | None = None
+    no_response: str = ""  # why there is none
 
     @property
     def converged(self) -> bool:

@@ -9,6 +9,7 @@ from ehl.units import MILLIMETRE, from_si
 
 from ..files import plain_document
 from .quantities import NO_CYCLE, NO_TRACTION, FilmRecord, film_values, formula_films
+from .response import response_messages, response_values
 from .results import ContactResults
 from .supply import contact_starved_values, contact_supply_messages
 
@@ -53,22 +54,30 @@ def contact_summary(results: ContactResults) -> dict[str, Any]:
         "approach_dimensionless": solution.approach_dimensionless,
         "pressure_centre_dimensionless": _centre(solution),
         **contact_starved_values(results),
+        **response_values(results.response),
         "resolved": solution.resolved,
         "domain": list(solution.domain),
         "points": list(solution.P.shape),
         "certified": None if certificate is None else certificate.certified,
-        "cycles": solution.record.cycles,
-        "fft_equivalents": solution.record.fft_equivalents,
-        "flooded_fft_equivalents": None
-        if solution.supply is None
-        else solution.supply.flooded_fft_equivalents,
-        "fallbacks": list(solution.record.fallbacks),
-        "wall_s": solution.record.wall_time,
+        **_work(solution),
         "finest_grid": _finest_grid(solution),
         "film_formulas_um": formula_films(given),
         "timing_s": dict(results.timing),
     }
     return plain_document(results.head(results.converged, _messages(results, record)) | document)
+
+
+def _work(solution: ContactSolution) -> dict[str, Any]:
+    """Cycles, deflections, fallbacks and time [s] of the solve."""
+    record = solution.record
+    supply = solution.supply
+    return {
+        "cycles": record.cycles,
+        "fft_equivalents": record.fft_equivalents,
+        "flooded_fft_equivalents": None if supply is None else supply.flooded_fft_equivalents,
+        "fallbacks": list(record.fallbacks),
+        "wall_s": record.wall_time,
+    }
 
 
 def _record(results: ContactResults) -> FilmRecord:
@@ -117,6 +126,7 @@ def _messages(results: ContactResults, record: FilmRecord) -> Iterator[str]:
     conditions = solution.conditions
     yield from solution_messages("contact", solution)
     yield from contact_supply_messages(results)
+    yield from response_messages(results)
     if not isinstance(conditions, ContactConditions):
         yield "load_N, semi-axes, films in um: null, the case gives Moes' groups and no lengths"
     elif conditions.coating is not None:

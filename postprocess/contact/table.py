@@ -8,6 +8,7 @@ from ehl.units import GIGAPASCAL, MICROMETRE
 
 from ..table import facts_table
 from ..text import value_with_error
+from .response import response_row
 from .results import ContactResults
 
 DECIMALS = 4  # of films [um]
@@ -29,6 +30,8 @@ def contact_table(results: ContactResults) -> Group:
     if traction is not None and traction.sliding_loss > 0.0:  # the surfaces slide
         heat = f"heat {traction.power_loss:.4g} W"
         rows["traction"] = f"coefficient {traction.coefficient:.4f}, {heat}"
+    if response := response_row(results.response):
+        rows["stiffness, damping"] = response
     if not solution.converged:
         rows["NOT CONVERGED"] = solution.message
     if not solution.resolved:

@@ -90,3 +90,11 @@ def root_attributes(document: dict[str, Any], kind: str) -> dict[str, Any]:
         "case": json.dumps(case, ensure_ascii=False),
         "messages": json.dumps(document["messages"], ensure_ascii=False),
     }
+
+
+def close_in_silence() -> None:
+    """Have files that cannot be opened closed without a complaint.
+
+    h5netcdf (1.8) asks this attribute when it closes a file, and sets it late in its opening.
+    """
+    h5netcdf.File._writable = False

@@ -9,7 +9,7 @@ import xarray
 from ..dynamics.history import FORMAT as HISTORY_FORMAT
 from ..dynamics.history import HISTORY_FILE
 from ..files import SUMMARY_FILE
-from .groups import FIELDS_FILE, FORMAT
+from .groups import FIELDS_FILE, FORMAT, close_in_silence
 
 KINDS = ("bearing", "contact", "batch", "slip", "stiffness")  # that a file names
 FOREIGN = "is a netCDF file, but not one of oilfilm's results"
@@ -50,6 +50,7 @@ def _data_file(path: Path) -> Path:
 
 def _open_tree(path: Path) -> xarray.DataTree:
     """The groups of a netCDF-4 file, read when they are used; ValueError if it is damaged."""
+    close_in_silence()
     try:
         return xarray.open_datatree(path, engine="h5netcdf")
     except (OSError, KeyError, ValueError, TypeError, RuntimeError) as error:

@@ -43,6 +43,24 @@ def test_reduced_radii_of_the_6208(bearings):
         assert_allclose(reduced_radii(bearings.b6208, race, 0.0), expected, rtol=1e-9)
 
 
+def test_moduli_belong_to_their_rings(bearings):
+    """E' of a ball on its own ring: 2/E' = 2 (1 - nu^2)/E of equal materials, 206 and 310 GPa."""
+    nitride = bearings.b6208.ball_material
+    mixed = replace(bearings.b6208, outer_ring_material=bearings.b218.ball_material)
+    assert contact_modulus(mixed, Race.INNER) == pytest.approx(310e9 / (1.0 - 0.26**2), rel=1e-12)
+    parts = 2.0 / ((1.0 - nitride.poisson_ratio**2) / 310e9 + (1.0 - 0.3**2) / 206.8e9)
+    assert contact_modulus(mixed, Race.OUTER) == pytest.approx(parts, rel=1e-12)
+
+
+def test_conformities_and_the_kind_by_the_free_angle(bearings):
+    """Groove over ball of the 6208: 6.17/12 and 6.29/12; deep groove bearings reach 13.5 degrees, spindles have 15."""
+    b = bearings.b6208
+    assert (b.inner_conformity, b.outer_conformity) == pytest.approx((6.17 / 12.0, 6.29 / 12.0), rel=1e-12)
+    for degrees, angular in ((13.5, False), (15.0, True)):
+        play = contact_angle_to_clearance(radians(degrees), 6.17e-3, 6.29e-3, 12e-3)
+        assert replace(b, diametral_clearance=play).angular_contact is angular
+
+
 @pytest.mark.parametrize("race", Race)
 def test_stiffness_series_is_exact(bearings, race):
     """Against the elliptic integrals between the nodes: round-off."""

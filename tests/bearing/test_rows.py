@@ -302,6 +302,7 @@ def test_life_of_equal_rows(bearings):
     single, pair_life = (bearing_life(found, oil, rating) for found in (one, two))
     assert pair_life.basic_life == pytest.approx(2.0**-0.9 * single.basic_life, rel=1e-6)
     assert pair_life.equivalent_load == pytest.approx(2.0 * single.equivalent_load, rel=1e-6)
+    assert pair_life.fatigue_load_limit == pytest.approx(2.0 * single.fatigue_load_limit, rel=1e-12)
     assert pair_life.static_safety_factor == pytest.approx(single.static_safety_factor, rel=1e-6)
     assert any("2 rows together" in message for message in pair_life.messages)
 

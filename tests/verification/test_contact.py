@@ -27,6 +27,7 @@ from ehl import (
     solver,
 )
 from ehl.conditions import moes_groups
+from ehl.multigrid import full_multigrid
 from ehl.multigrid.cycle import cycle, start_level, update_film
 from ehl.multigrid.extrapolation import extrapolate
 from ehl.multigrid.flow_model import FlowFactors
@@ -262,7 +263,8 @@ def test_a_mesh_too_coarse_for_the_tolerance_is_refined_from_its_solution(monkey
 
 def test_films_stand_where_a_finer_mesh_does_not_converge(monkeypatch):
     def unsettled(*arguments):
-        finer, result = solver._solve(*arguments[:2], *arguments[3:])
+        assert arguments[3] == ()  # nothing is tried anew where coarser films stand
+        finer, result = solver._solve(*arguments[:2], ATTEMPTS, arguments[4])
         return replace(finer, converged=False, message="not converged"), result
 
     monkeypatch.setattr(solver, "FIRST_FINENESS", 0.4)
@@ -544,3 +546,12 @@ def test_minimum_is_never_above_the_centre():
             s = solve_contact(replace(CIRCULAR, load_parameter=load, radius_ratio=ratio), SolverOptions(points=65))
             central, minimum = s.film_central_dimensionless, s.film_minimum_dimensionless
             assert not s.converged or minimum.value <= central.value
+
+
+def test_attempts_end_with_the_work_they_may_take(monkeypatch):
+    """The first attempt is always made; the others are named as left out."""
+    monkeypatch.setattr(full_multigrid, "MOST_WORK", 0)
+    s = solve_contact(CIRCULAR, SolverOptions(points=65, max_cycles=1))
+    assert not s.converged
+    taken = [name for name in s.record.fallbacks if not name.startswith("cycle")]
+    assert taken and all(name.endswith(full_multigrid.TOO_MUCH_WORK) for name in taken)

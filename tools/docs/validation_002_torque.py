@@ -125,7 +125,7 @@ def statement_rows() -> str:
         (
             "Fig. 5: below the optimum the temperature falls with the supply",
             "under 3000 N at 5000 r/min",
-            f"{loaded[0]:.1f} to {loaded[1]:.1f} °C at 0.2 and 0.4 mL/min; under 900 N it rises, "
+            f"{loaded[0]:.1f} to {loaded[1]:.1f} °C at 0.2 and 0.4 mL/min; under 900 N it ends higher, "
             f"{heat[5000.0, 900.0, 0.2]:.1f} to {heat[5000.0, 900.0, 2.0]:.1f} °C at 0.2 and 2 "
             "mL/min",
         ),
@@ -154,12 +154,12 @@ def of_heat() -> dict[str, object]:
     ample = states[5000.0, 900.0, 2.0]
     assert ample.balance is not None
     return {
-        "conductance": ample.cooling.conductance,
-        "ambient": ample.cooling.ambient - ZERO,
+        "conductance": ample.around.conductance,
+        "ambient": ample.around.ambient - ZERO,
         "heat_heads": " | ".join(f"{flow:g} mL/min" for flow in flows),
         "heat_dashes": "|".join(["---"] * len(flows)),
         "temperatures": temperature_rows(states),
-        "heat_flow": ample.cooling.oil_flow,
+        "heat_flow": ample.around.oil_flow,
         "heat_of_oil": ample.oil_heat,
         "power": ample.balance.power,
         "cooled_sweep": COOLED,

@@ -10,6 +10,7 @@ ring_field           - displacement of a whole ring under all its balls, by supe
 ring_mesh            - mesh of a grooved ring, alone or with its shaft or housing
 ring_profile         - section of a grooved ring, and what it sits on
 ring_stress          - stress in a ring below a contact: half-space and difference
+seat_places          - a ring whose seat touches it at places only
 smoothed_aggregation - linear systems of elasticity and conduction: multigrid, else factors
 sphere               - surface of a ball under two opposite contacts, less that of a half-space
 surface_difference   - the difference as constant, tilt, curvatures and rest

@@ -33,6 +33,7 @@ from .flat_block import flat_block, indentation
 from .hexahedra import quadratic_line, surface_weights, volume_weights
 from .ring_mesh import RingMesh, ring_mesh
 from .ring_profile import Elasticity, RingCells, RingProfile, Seat, track_angle
+from .seat_places import SeatResponse, place_forces, seat_response
 
 # half width of the patch in groove radii, that of a contact at 1.5 to 2 GPa; half and double of it
 # change the -0.50 um/kN of a 6208 inner ring on a rigid shaft to -0.54 and -0.40, beside 9.3 um
@@ -56,7 +57,9 @@ class RingResponse:
     # d(alpha, -alpha), shape (4, n) [m/N]
     displacement: Array
     half_space: Array  # part of it at theta = 0 that a half-space has, shape (4,) [m/N]
-    field: Array  # of all nodes (x, y, z), shape (nodes, 3, 2) [m/N]
+    # of all nodes (x, y, z), shape (nodes, 3, 2); under a place, too: (nodes, 3, 3) [m/N]
+    field: Array
+    places: SeatResponse | None  # where the seat touches at places only
     unknowns: int
     iterations: int
     residual: float  # relative [-]
@@ -85,15 +88,18 @@ def ring_response(
     contact_angle: float,
     cells: RingCells | None = None,
     patch: float = PATCH,
+    place: float | None = None,
 ) -> RingResponse:
     """Displacement of a ring under unit loads on its track, at the bottom of the groove and at a
-    contact angle [rad]; half a ring between planes of symmetry.
+    contact angle [rad]; half a ring between planes of symmetry. `place`: half the angle of the
+    places that a seat touches at [rad].
     """
     mesh = ring_mesh(profile, cells)
     angles = np.array([0.0, contact_angle])
     half_width = patch * profile.groove_radius
     patches = [_patch(mesh, angle, half_width) for angle in angles]
-    forces = np.stack([_forces(mesh, *part) for part in patches], axis=-1)
+    loads = [_forces(mesh, *part) for part in patches]
+    forces = np.stack([*loads, *([] if place is None else [place_forces(mesh, place)])], axis=-1)
     young = np.where(mesh.is_ring, elasticity.young, elasticity.body_young)
     poisson = np.where(mesh.is_ring, elasticity.poisson, elasticity.body_poisson)
     body = elastic_body(mesh.body, young, poisson)
@@ -122,6 +128,7 @@ def ring_response(
         displacement=moved,
         half_space=np.concatenate(flat),
         field=field,
+        places=None if place is None else seat_response(mesh, field, contact_angle, place),
         unknowns=body.unknowns,
         iterations=solution.iterations,
         residual=solution.residual,

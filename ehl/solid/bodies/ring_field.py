@@ -32,7 +32,7 @@ def ring_field(response: RingResponse, turns: Array, loads: Array) -> RingField:
     """Displacement under loads at azimuths from y towards z [rad], shape (N,).
 
     `loads`: along the normal at the bottom, at the contact angle of the response, and at its
-    mirror image, shape (3, N) [N].
+    mirror image, shape (3, N); where the seat touches at places, outward on it, too, (4, N) [N].
     """
     theta, section, parts = _cylindrical(response)
     around = _lines(np.asarray(turns))
@@ -54,7 +54,7 @@ def ring_field(response: RingResponse, turns: Array, loads: Array) -> RingField:
 
 def _cylindrical(response: RingResponse) -> tuple[Array, Array, Array]:
     """Lines of theta, shape (n,) [rad]; the ring's section (x, r), shape (2, m, k) [m]; and the
-    fields of three unit loads (x, r, tangential), shape (3, n, m, k, 3) [m/N].
+    fields of the unit loads (x, r, tangential), shape (3 or 4, n, m, k, 3) [m/N].
     """
     body = response.mesh.body
     parameters = body.parameters.round(12)
@@ -64,14 +64,14 @@ def _cylindrical(response: RingResponse) -> tuple[Array, Array, Array]:
     in_ring = depth[0, 0] <= 1.0
     x, y, z = (row[order].reshape(shape)[:, :, in_ring] for row in body.points)
     section = np.stack([x[0], np.hypot(y, z)[0]])
-    field = response.field[order].reshape(*shape, 3, 2)[:, :, in_ring]
+    field = response.field[order].reshape(*shape, 3, -1)[:, :, in_ring]
     c, s = np.cos(theta), np.sin(theta)
     c, s = (part[:, :, in_ring, None] for part in (c, s))
     axial, along_y, along_z = np.moveaxis(field, 3, 0)
     turned = np.stack([axial, along_y * c + along_z * s, along_z * c - along_y * s], axis=3)
-    bottom, here = np.moveaxis(turned, -1, 0)
+    bottom, here, *places = np.moveaxis(turned, -1, 0)
     image = here[:, ::-1] * np.array([-1.0, 1.0, 1.0])
-    return theta[:, 0, 0], section, np.stack([bottom, here, image])
+    return theta[:, 0, 0], section, np.stack([bottom, here, image, *places])
 
 
 def _lines(turns: Array) -> Array:

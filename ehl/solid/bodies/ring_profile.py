@@ -19,6 +19,9 @@ class Seat(Enum):
     # loose: the load enters over the seat as a radial pressure, proportional to the cosine from
     # its direction, and as an even axial traction
     FREE = "free"
+    # on rigid places at some azimuths, which press radially and let go where they would pull;
+    # axial forces and moments as in a loose ring
+    SPLIT = "split"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -27,13 +27,23 @@ which is exact for oils after Vogel, b is the secant between wall and middle,
 f(stress)/viscosity, so that one mean fluidity determines the stress,
 :math:`\tau = f^{-1}(s/(h\,\overline{1/\eta}))`. Left out: that sliding changes pressure and film,
 and that the two walls may differ in temperature where g is evaluated.
+
+As heat acts along a line alone, the friction of a line with it over that without is a smooth
+function of two numbers, the line's sliding speed and the slide-roll ratio, which sets how fast
+both bodies move under the heat: it is marched at some of each, and multiplied onto sums without
+heat of sliding.
 """
 
 import numpy as np
 
 from ...compiled import compiled
 from ...oil._rheology_kernels import limiting_stress, shear_stress
-from .._kernels import add_shear, mean_sliding
+from .._kernels import AREA as COLD_AREA
+from .._kernels import SPREAD_X as COLD_SPREAD_X
+from .._kernels import SPREAD_Y as COLD_SPREAD_Y
+from .._kernels import TINY, mean_sliding, sliding_sums
+from .._kernels import X as COLD_X
+from .._kernels import Y as COLD_Y
 from .nahme import LARGEST_ROOT, PROFILE, ROOTS
 
 # columns of a node
@@ -141,46 +151,109 @@ def line_walls(j, history, flux, wall_response, between):
 
 
 @compiled
-def heated_sums(film, law, wall_response, motion, surface, flux, out):
-    """Forces and moments on body 1 by sliding over the lines of a film, added to out: F_x, F_y,
-    M_n, M_y.
+def heated_line(line, span, history, law, response, slide, flux):
+    """Friction of a line that slides at one speed [m/s] everywhere, with the heat of that over
+    that without [-].
 
-    film: lines, shape (L, N, 13), nodes one behind the other along each line, columns as named
-    above; span, shape (L,), length of the lines; history, shape (N, N), weights of the fluxes over
-    a line of unit length. law: constants of base law and limiting stress.
-    wall_response: 1/(sqrt(pi u) e) of both bodies. motion: slide_x, slide_y, spin, rolling.
-    surface: 1/(2R) and the half width over which it counts. flux, shape (2, N): workspace.
+    line: nodes one behind the other along it, shape (N, 13), columns as named above; span: its
+    length [m]; history, shape (N, N), weights of the fluxes over a line of unit length. law:
+    constants of base law and limiting stress. response: 1/(sqrt(pi u) e) of both bodies. flux,
+    shape (2, N): workspace.
     """
-    lines, span, history = film
     base, limits = law
-    for k in range(lines.shape[0]):
-        root = np.sqrt(span[k])
-        response = (wall_response[0] * root, wall_response[1] * root)
-        rise = generated = 0.0
-        for j in range(lines.shape[1]):
-            node = lines[k, j]
-            s_x, s_y, s, curvature_height = mean_sliding(
-                node[X], node[Y], node[SPREAD_X], node[SPREAD_Y], motion, surface
-            )
-            between = node[CONDUCTIVITY] / node[FILM]
-            walls, split, across = line_walls(j, history, flux, response, between)
-            outward = 12.0 * between / (1.0 + 12.0 * between * walls[1])
-            start = node[CAPACITY] * rise + outward * walls[0]
-            total = node[CAPACITY] + outward
-            tau, rise, leaving, generated = heated_stress(
-                s, node, start, (total, outward), walls, base, limits, generated
-            )
-            flux[0, j] = leaving * split + across
-            flux[1, j] = leaving - flux[0, j]
-            if s > 0.0:
-                add_shear(out, node[X], node[Y], curvature_height, node[AREA] * tau / s, s_x, s_y)
+    root = np.sqrt(span)
+    response = (response[0] * root, response[1] * root)
+    rise = generated = hot = cold = 0.0
+    for j in range(line.shape[0]):
+        node = line[j]
+        between = node[CONDUCTIVITY] / node[FILM]
+        walls, split, across = line_walls(j, history, flux, response, between)
+        outward = 12.0 * between / (1.0 + 12.0 * between * walls[1])
+        start = node[CAPACITY] * rise + outward * walls[0]
+        total = node[CAPACITY] + outward
+        tau, rise, leaving, generated = heated_stress(
+            slide, node, start, (total, outward), walls, base, limits, generated
+        )
+        flux[0, j] = leaving * split + across
+        flux[1, j] = leaving - flux[0, j]
+        limit = limiting_stress(node[PRESSURE], node[TEMPERATURE], *limits)
+        hot += node[AREA] * tau
+        cold += node[AREA] * shear_stress(slide / node[FILM], node[VISCOSITY], limit, *base)
+    return hot / max(cold, TINY)
 
 
 @compiled
-def heated_sums_many(film, law, wall_response, motions, surface, out):
-    """`heated_sums` for n motions; wall_response (n, 2), added to out (n, 4)."""
-    flux = np.zeros((2, film[0].shape[1]))
+def line_factors(film, law, responses, slides, out):
+    """`heated_line` of all lines for pairs of responses, shape (R, 2), and sliding speeds; out,
+    shape (L, R, S).
+    """
+    lines, span, history = film
+    flux = np.zeros((2, lines.shape[1]))
+    for k in range(lines.shape[0]):
+        for r in range(responses.shape[0]):
+            response = (responses[r, 0], responses[r, 1])
+            for m in range(slides.size):
+                out[k, r, m] = heated_line(
+                    lines[k], span[k], history, law, response, slides[m], flux
+                )
+
+
+@compiled
+def line_slide(nodes, motion, surface):
+    """Root mean square of the sliding over the area of a line's nodes [m/s]."""
+    total = area = 0.0
+    for k in range(nodes.shape[1]):
+        spread = (nodes[COLD_SPREAD_X, k], nodes[COLD_SPREAD_Y, k])
+        s = mean_sliding(nodes[COLD_X, k], nodes[COLD_Y, k], *spread, motion, surface)[2]
+        total += nodes[COLD_AREA, k] * s * s
+        area += nodes[COLD_AREA, k]
+    return np.sqrt(total / max(area, TINY))
+
+
+@compiled
+def factor_at(factors, weights, place):
+    """A line's factor at a place of the sliding speed counted in nodes: cubics through the four
+    nearest nodes, of the weighted sum over the responses.
+
+    factors, shape (R, S); weights, shape (R,).
+    """
+    count = factors.shape[1]
+    place = min(max(place, 0.0), count - 1.0)
+    i = min(max(int(place) - 1, 0), count - 4)
+    t = place - i
+    w_0 = -(t - 1.0) * (t - 2.0) * (t - 3.0) / 6.0
+    w_1 = t * (t - 2.0) * (t - 3.0) / 2.0
+    w_2 = -t * (t - 1.0) * (t - 3.0) / 2.0
+    w_3 = t * (t - 1.0) * (t - 2.0) / 6.0
+    total = 0.0
+    for r in range(weights.size):
+        if weights[r] != 0.0:
+            row = factors[r]
+            here = w_0 * row[i] + w_1 * row[i + 1] + w_2 * row[i + 2] + w_3 * row[i + 3]
+            total += weights[r] * here
+    return total
+
+
+@compiled
+def factored_sums(lines, law, axis, motions, weights, surface, out):
+    """Forces and moments on body 1 by sliding over the lines of a film for n motions, added to
+    out, shape (n, 4): those without heat of sliding, times the factor of each line.
+
+    lines: nodes, shape (L, 8, N), rows of a film's nodes, and factors, shape (L, R, S). law: base
+    law and its constants. axis: ln of the first sliding speed and nodes per unit. motions:
+    slide_x, slide_y, spin, rolling. weights, shape (n, R): of the responses. surface: 1/(2R) and
+    the half width over which it counts.
+    """
+    nodes, factors = lines
     slide_x, slide_y, spin, rolling = motions
-    for k in range(slide_x.size):
-        motion = (slide_x[k], slide_y[k], spin[k], rolling[k])
-        heated_sums(film, law, wall_response[k], motion, surface, flux, out[k])
+    part = np.empty(4)
+    for n in range(slide_x.size):
+        motion = (slide_x[n], slide_y[n], spin[n], rolling[n])
+        for k in range(nodes.shape[0]):
+            part[:] = 0.0
+            sliding_sums(nodes[k], law, motion, surface, part)
+            slide = line_slide(nodes[k], motion, surface)
+            place = (np.log(max(slide, TINY)) - axis[0]) * axis[1]
+            factor = factor_at(factors[k], weights[n], place)
+            for column in range(4):
+                out[n, column] += factor * part[column]

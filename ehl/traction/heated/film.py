@@ -1,16 +1,23 @@
 """A film solved with heat, ready to shear: lines that sliding heats, forces of motions."""
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 import scipy
 
-from ...arrays import Array
+from ...arrays import Array, lagrange_weights
 from ...generalized.section import film_section
 from ...generalized.solver import GeneralizedSolution
 from ...oil.film_state import log_mean_fluidity
 from ...oil.lubricant import Lubricant, heat_properties, log_viscosity_ratio
-from ...oil.rheology import Rheology, kernel_rheology, shear_stress, thinning_by_gradient
+from ...oil.rheology import (
+    Rheology,
+    kernel_rheology,
+    limiting_stress,
+    shear_stress,
+    thinning_by_gradient,
+)
 from ...solid.heat import SolidThermal, response_factor
 from ..film_quadrature import (
     SMALLEST_FILM,
@@ -32,10 +39,15 @@ from ..shear import (
 from . import _kernels
 
 SOFTENING_STEP = 0.5  # [K], half of that of the difference quotient
+# slide-roll ratios of the factors of lines, mirrored: near 2 one body stands still, and the heat
+# it takes up turns sharply
+SLIDE_RATIOS = (0.0, 0.5, 1.1, 1.5, 1.8, 1.95, 2.0, 2.2)
+# sliding speeds of the factors over that of entrainment, and their number, even in the logarithm
+SLIDES = (1e-4, 4.0, 28)
 FALL_SPAN = 100.0  # [K] above the film's own temperature, where the fall of the softening is taken
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True)
 class HeatedLines:
     """Lines of nodes over a film's high pressure, as the kernels take them.
 
@@ -57,6 +69,51 @@ class HeatedLines:
         speeds = self.speed + 0.5 * slide_x, self.speed - 0.5 * slide_x
         bodies = zip(speeds, self.solids, strict=True)
         return np.stack([response_factor(u, solid, self.semi_axis) for u, solid in bodies], axis=1)
+
+    @cached_property
+    def nodes(self) -> Array:
+        """Rows of `FilmQuadrature.nodes` at the nodes of each line, shape (L, 8, N)."""
+        x, y, area, film, eta, pressure, temperature = np.moveaxis(self.lines[..., :7], -1, 0)
+        limit = np.broadcast_to(
+            limiting_stress(pressure, self.rheology, temperature), pressure.shape
+        )
+        spread = np.moveaxis(self.lines[..., 9:11], -1, 0)
+        return np.ascontiguousarray(np.stack([x, y, area, film, eta, limit, *spread], axis=1))
+
+    @cached_property
+    def factors(self) -> Array:
+        """Friction of each line with the heat of its sliding over that without [-], shape (L, R,
+        S), at the slide-roll ratios of `_ratio_nodes` and the sliding speeds of `SLIDES`.
+        """
+        slides = self.speed * np.geomspace(*SLIDES)
+        responses = self.wall_response(_ratio_nodes() * self.speed)
+        out = np.empty((self.span.size, responses.shape[0], slides.size))
+        film = (self.lines, self.span, self.history)
+        law, *constants = kernel_rheology(self.rheology)
+        numbers = (law, *map(float, constants))
+        _kernels.line_factors(film, (numbers[:4], numbers[4:]), responses, slides, out)
+        return out
+
+    def ratio_weights(self, slide_x: Array) -> Array:
+        """Weights of the factors' slide-roll ratios at n sliding speeds [m/s], shape (n, R) [-].
+
+        Cubics in the difference of what the bodies conduct, in which the factor is smooth where
+        one of them comes to a stop; from there on linear, and constant beyond the last ratio.
+        """
+        nodes = _ratio_nodes()
+        places = np.clip(slide_x / self.speed, nodes[0], nodes[-1])
+        known = _difference(self.wall_response(nodes * self.speed))
+        at = _difference(self.wall_response(places * self.speed))
+        weights = np.zeros((places.size, nodes.size))
+        for row, place, here in zip(weights, places, at, strict=True):
+            if abs(place) > 2.0:
+                chosen = [0, 1] if place < 0.0 else [nodes.size - 2, nodes.size - 1]
+            else:
+                first = int(np.searchsorted(nodes, place)) - 2
+                first = min(max(first, 1), nodes.size - 5)
+                chosen = list(range(first, first + 4))
+            row[chosen] = lagrange_weights(known[chosen], here)
+        return weights
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -175,13 +232,27 @@ def heated_forces(
     """
     forces = sliding_forces(film.low_pressure, slide, rolling, curvature)
     lines = film.lines
-    law, *constants = kernel_rheology(lines.rheology)
-    numbers = (law, *map(float, constants))
-    nodes = (lines.lines, lines.span, lines.history)
+    first, last, count = SLIDES
+    axis = (np.log(first * lines.speed), (count - 1.0) / np.log(last / first))
     surface = (curvature, film.low_pressure.half_width)
-    response = lines.wall_response(slide[0])
-    motions = (*slide, rolling)
-    _kernels.heated_sums_many(
-        nodes, (numbers[:4], numbers[4:]), response, motions, surface, forces
+    _kernels.factored_sums(
+        (lines.nodes, lines.factors),
+        kernel_rheology(lines.rheology)[:4],
+        axis,
+        (*slide, rolling),
+        lines.ratio_weights(slide[0]),
+        surface,
+        forces,
     )
     return forces
+
+
+def _ratio_nodes() -> Array:
+    """Slide-roll ratios of the factors, from the smallest on [-]."""
+    ratios = np.array(SLIDE_RATIOS)
+    return np.concatenate([-ratios[:0:-1], ratios])
+
+
+def _difference(responses: Array) -> Array:
+    """Of what body 1 and body 2 conduct away, the inverse of their responses [W/(K m^1.5)]."""
+    return np.asarray(1.0 / responses[:, 0] - 1.0 / responses[:, 1])

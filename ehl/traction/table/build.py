@@ -229,7 +229,7 @@ def _scalars(films: list[list[FilmSample]]) -> Array:
     """Logarithms of scales, film, hydrodynamic moment, stiffness, damping, shape (nQ, nU, 7)."""
     known = [[(*film.scales, film.film.central, film.moment) for film in row] for row in films]
     responses = np.array(
-        [[(f.response.stiffness, f.response.damping) for f in row] for row in films]
+        [[(f.response.stiffness.value, f.response.damping.value) for f in row] for row in films]
     )
     responses[np.array([[not f.response.converged for f in row] for row in films])] = np.nan
     if np.min(known) <= 0.0:

@@ -12,10 +12,9 @@ from ...generalized.solver import solve_generalized
 from ...oil.rheology import Rheology
 from ...options import SolverOptions
 from ...solution import ContactSolution
-from ...solver import solve_contact
 from ..film_quadrature import FilmQuadrature, film_quadrature, sliding_forces
 from ..heated.film import HeatedFilm, heated_film, heated_forces
-from ..response import NormalResponse, normal_response
+from ..response.normal import NormalResponse, normal_response
 from ..rolling_moment import rolling_moment
 from .table import TableContact, TableRange
 
@@ -109,19 +108,14 @@ def film_sample(
         film=film,
         scales=_scales(contact, limits, film, speed),
         moment=rolling_moment(solution).value,
-        response=_response(contact, solution, (load, speed), points),
+        response=_response(contact, (load, speed), points),
     )
 
 
-def _response(
-    contact: TableContact, solution: ContactSolution, place: tuple[float, float], points: int
-) -> NormalResponse:
+def _response(contact: TableContact, place: tuple[float, float], points: int) -> NormalResponse:
     """Of the isothermal film at a load [N] and speed [m/s], on few points where that converges."""
     for count in sorted({min(points, RESPONSE_POINTS), points}):
-        isothermal = solution
-        if contact.solids is not None or count != points:
-            isothermal = solve_contact(contact.conditions(*place), SolverOptions(points=count))
-        response = normal_response(isothermal)
+        response = normal_response(contact.conditions(*place), SolverOptions(points=count))
         if response.converged:
             break
     return response

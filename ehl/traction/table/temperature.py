@@ -13,7 +13,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from ...arrays import Array
+from ...arrays import Array, lagrange_weights
 from ...oil.lubricant import Lubricant
 from .build import Progress, TableOptions, build_table, check_table
 from .table import TableContact, TableError, TableRange, TractionTable
@@ -116,11 +116,6 @@ def build_temperature_table(
     middles = [0.5 * (a + b) for a, b in pairwise(built.temperatures)]
     errors = [check_table(built.at(middle), contact_at(middle), options) for middle in middles]
     return replace(built, errors=tuple(errors))
-
-
-def lagrange_weights(places: Array, place: float) -> Array:
-    """Lagrange's weights of values at places [same unit] at another place [-]."""
-    return np.array([np.prod([(place - b) / (a - b) for b in places if b != a]) for a in places])
 
 
 def _require_same(expected: Lubricant, given: Lubricant | None) -> None:

@@ -118,6 +118,15 @@ def test_signs_of_heat(b6208):
         assert budget.mounted == budget.initial
 
 
+@pytest.mark.parametrize(("part", "sign"), [("outer_ring", 1.0), ("housing", -1.0), ("shaft", 0.0)])
+def test_a_warm_housing_loosens_the_outer_seat(b6208, part, sign):
+    """Interference left: 20 um, and alpha D 10 K more by a warm ring, less by a warm housing."""
+    seat = fit(outer_interference=20.0 * UM, housing_outside_diameter=0.12)
+    budget = clearance_budget(b6208, STILL, seat, TemperatureRise(**{part: 10.0}))
+    growth = STEEL.thermal_expansion * 0.08 * 10.0
+    assert budget.outer_interference == pytest.approx(20.0 * UM + sign * growth, rel=1e-9)
+
+
 def test_uniform_warming_scales_the_clearance(b6208):
     warming = TemperatureRise(inner_ring=50.0, outer_ring=50.0, ball=50.0, shaft=50.0, housing=50.0)
     budget = clearance_budget(b6208, STILL, None, warming)

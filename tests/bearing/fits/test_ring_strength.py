@@ -64,6 +64,9 @@ def test_a_hot_steel_shaft_pulls_and_a_housing_presses(ceramic):
     tight = replace(SEAT, outer_interference=10e-6, housing_outside_diameter=0.12)
     outer = ring_strengths(ceramic, still(), clearance_budget(ceramic, still(), tight, None))[1]
     assert outer.race is Race.OUTER
+    _, top = groove_diameters(ceramic)
+    by_lame = -2.0 * outer.seat_pressure * 0.08**2 / (0.08**2 - top**2)  # pressed from outside, at the free surface
+    assert outer.hoop_tension == outer.groove_tension == pytest.approx(by_lame)
     assert outer.hoop_tension < 0.0
     assert (outer.failure_probability, outer.strength_share) == (0.0, 0.0)
 

@@ -8,7 +8,16 @@ from numpy.testing import assert_allclose
 
 from bearing import BallKinematics
 from bearing.operation import HYPOTHESES
-from bearing.quasistatic.kinematics import Direction, attitude, blend, rolling_motion
+from bearing.quasistatic.kinematics import (
+    Direction,
+    Motion,
+    attitude,
+    ball_mass,
+    blend,
+    centrifugal_force,
+    gyroscopic_moment,
+    rolling_motion,
+)
 
 GAMMA = 0.2
 INNER, OUTER = 1100.0, -300.0  # [rad/s]
@@ -74,3 +83,11 @@ def test_blend_reaches_both_ends():
     one, two = Direction(np.array([0.6]), np.array([0.8])), Direction(np.array([0.0]), np.array([1.0]))
     assert_allclose(blend(one, two, np.array([0.0])), one, atol=1e-16)
     assert_allclose(blend(one, two, np.array([1.0])), two, atol=1e-16)
+
+
+def test_body_forces_by_hand():
+    """7800 kg/m^3 x pi/6 x (12 mm)^3 = 7.0573 g; m r w^2 and 2/5 m r^2 w_m w_R sin(30 deg) of 7 g, r 30 and 6 mm."""
+    assert ball_mass(0.012, 7800.0) == pytest.approx(7.0573e-3, rel=1e-5)
+    assert centrifugal_force(0.007, 0.06, np.array(500.0)) == pytest.approx(52.5, rel=1e-12)
+    motion = Motion(np.array(500.0), np.array(2000.0), Direction(np.array(0.5), np.array(0.75**0.5)))
+    assert gyroscopic_moment(0.007, 0.012, motion) == pytest.approx(0.0504, rel=1e-12)

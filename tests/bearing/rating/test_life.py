@@ -22,6 +22,7 @@ from bearing.rating.life import (
     equivalent_ball_load,
     life_factor,
     reference_life,
+    time_of,
     viscosity_ratio,
 )
 from bearing.rating.load_rating import (
@@ -29,6 +30,7 @@ from bearing.rating.load_rating import (
     dynamic_rating,
     factor_f_c,
     fatigue_load_limit,
+    load_at_pressure,
     static_equivalent_load,
     static_rating,
 )
@@ -139,6 +141,38 @@ def test_static_safety_factor(b6208):
 def test_dynamic_rating_by_hand(b6208):
     """6208, gamma 0.2: 1.3 x 59.93 x 9^(2/3) x 12^1.8 N, 9^(2/3) = 4.32675, 12^1.8 = 87.604."""
     assert dynamic_rating(b6208, 0.0) == pytest.approx(1.3 * 59.93 * 4.32675 * 87.604, rel=1e-4)
+
+
+def test_dynamic_rating_of_large_balls_and_steep_angles(b6208):
+    """3.647 D^1.4 takes over from D^1.8 at 25.4 mm: 25.4^0.4 = 3.647. Across it, at one f_c, the ratio is by hand."""
+
+    def scaled(factor):
+        lengths = ("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius")
+        return replace(b6208, **{name: factor * getattr(b6208, name) for name in lengths})
+
+    end = 25.4 / 12.0
+    below, above = (dynamic_rating(scaled(end * (1.0 + e)), 0.0) for e in (-1e-9, 1e-9))
+    assert above == pytest.approx(below, rel=1e-4)
+    assert dynamic_rating(scaled(2.0 * end), 0.0) / above == pytest.approx(2.0**1.4, rel=1e-6)
+    assert above / dynamic_rating(scaled(0.5 * end), 0.0) == pytest.approx(2.0**1.8, rel=1e-4)
+    gamma = 0.2 * np.cos(0.6)
+    expected = 1.3 * factor_f_c(gamma) * np.cos(0.6) ** 0.7 * 4.32675 * 87.604
+    assert dynamic_rating(b6208, 0.6) == pytest.approx(expected, rel=1e-4)
+
+
+def test_static_rating_at_a_contact_angle(b6208):
+    """Z cos(alpha) Q/5, with Q at the angle on the same grooves."""
+    b6208 = replace(b6208, inner_groove_radius=0.53 * 12e-3, outer_groove_radius=0.54 * 12e-3)
+    share = static_rating(b6208, 0.6) / static_rating(b6208, 0.0)
+    load = min(load_at_pressure(b6208, 0.6, 4.2e9)) / min(load_at_pressure(b6208, 0.0, 4.2e9))
+    assert share == pytest.approx(np.cos(0.6) * load, rel=1e-3)
+    assert static_equivalent_load(0.0, 1000.0, np.radians(40.0)) == pytest.approx(260.0)
+
+
+def test_lives_in_hours():
+    """10^6 revolutions at 100 rad/s take 2 pi 10^4 s; none at rest."""
+    assert time_of(1e6, 100.0) == pytest.approx(2e4 * pi, rel=1e-15)
+    assert time_of(1e6, 0.0) is time_of(None, 100.0) is None
 
 
 @pytest.mark.parametrize("angle", [0.0, 0.6])

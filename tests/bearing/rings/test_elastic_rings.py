@@ -22,7 +22,7 @@ from bearing import (
     preload_offset,
     solve_quasistatic,
 )
-from bearing.quasistatic.ring_displacement import ball_forces, ring_displacements
+from bearing.quasistatic.ring_displacement import ball_forces, ring_displacements, seat_reactions
 from bearing.rings.compliance import response_of, ring_compliance
 from bearing.rings.elastic_ring import ElasticRings, elastic_ring
 from bearing.shoulder_diameter import shoulder_diameter
@@ -59,13 +59,23 @@ B61808 = Bearing(
 )
 RIGID = QuasistaticModel()
 COARSE = RingCells(groove=4, largest_angle=np.pi / 9)
+SUPPORTS = (0.3, 2.4, 4.4)
 
 
 def rings(bearing, inner=None, outer=None):
     """Seats by name; None for a rigid ring."""
     given = {Race.INNER: inner, Race.OUTER: outer}
     made = {
-        race.value: replace(elastic_ring(bearing, race, Seat(seat), shoulder_diameter(bearing, race)), cells=COARSE)
+        race.value: replace(
+            elastic_ring(
+                bearing,
+                race,
+                Seat(seat),
+                shoulder_diameter(bearing, race),
+                supports=SUPPORTS if seat == "split" else (),
+            ),
+            cells=COARSE,
+        )
         for race, seat in given.items()
         if seat is not None
     }
@@ -80,6 +90,8 @@ CASES = [
     (B6208, rings(B6208, "rigid", "rigid"), operation(0.0, 3000.0)),
     (B6208, rings(B6208, "free", "free"), operation(800.0, 2000.0)),
     (B61808, rings(B61808, "free"), operation(0.0, 300.0, 300.0)),
+    (B61808, rings(B61808, "free", "split"), operation(200.0, 150.0, 300.0)),
+    (B6208, rings(B6208, "split"), operation(1500.0, 1000.0)),
     (B61808, rings(B61808, "free"), operation(200.0, 150.0, moment=(0.5, -0.3), tilt=(None, None))),
 ]
 
@@ -255,3 +267,41 @@ def test_rows_do_not_feel_each_other():
 def test_a_section_that_is_not_known_is_named(change, field):
     with pytest.raises(ValueError, match=field):
         rings(replace(B6208, **change), "rigid")
+
+
+@pytest.mark.parametrize("race", [Race.INNER, Race.OUTER])
+def test_supports_of_a_split_seat_balance_the_balls_and_never_pull(race):
+    """Two of three press; the third lets go. The spring across takes a thousandth."""
+    model = rings(B6208, **{race.value: "split"})
+    found = solve_quasistatic(B6208, operation(0.0, 2000.0, 10.0), model)
+    assert found.converged
+    (forces,), _ = seat_reactions(found, race)
+    balls = ball_forces(found, race)[1]
+    resultant = np.array([(balls * np.cos(found.azimuth)).sum(), (balls * np.sin(found.azimuth)).sum()])
+    outward = 1.0 if race is Race.INNER else -1.0
+    pushed = outward * np.array([forces @ np.cos(SUPPORTS), forces @ np.sin(SUPPORTS)])
+    assert_allclose(pushed, -resultant, atol=3e-3 * np.hypot(*resultant))
+    assert (forces >= 0.0).all() and (forces > 0.0).sum() == 2
+
+
+def test_a_split_seat_bends_a_thin_ring_more_than_a_loose_one():
+    """The field of the ring stands still where its supports press it."""
+    model = rings(B61808, None, "split")
+    found = solve_quasistatic(B61808, operation(0.0, 300.0), model)
+    loose = solve_quasistatic(B61808, operation(0.0, 300.0), rings(B61808, None, "free"))
+    assert found.converged and np.ptp(found.outer_ring_radial) > 2.0 * np.ptp(loose.outer_ring_radial)
+    (field,) = ring_displacements(found, Race.OUTER)
+    (forces,), _ = seat_reactions(found, Race.OUTER)
+    seat, moved = field.points[:, :, -1], field.displacement[:, :, -1]
+    around = np.arctan2(seat[:, 0, 2], seat[:, 0, 1])
+    radial = (moved[..., 1:] * seat[..., 1:]).sum(axis=-1).mean(axis=1) / np.hypot(*seat[0, 0, 1:])
+    at_supports = np.array([radial[np.abs(np.angle(np.exp(1j * (around - turn)))).argmin()] for turn in SUPPORTS])
+    assert np.abs(at_supports[forces > 0.0]).max() < 0.05 * np.ptp(radial)
+    assert (at_supports[forces == 0.0] < 0.05 * np.ptp(radial)).all()  # off it, or touching
+
+
+@pytest.mark.parametrize("supports", [(0.0, np.pi), (0.0, 1.0, 2.0), (0.0, 0.01, 2.0, 4.0)])
+def test_supports_that_do_not_hold_a_ring_are_refused(supports):
+    shoulder = shoulder_diameter(B6208, Race.OUTER)
+    with pytest.raises(ValueError, match="supports must be"):
+        elastic_ring(B6208, Race.OUTER, Seat.SPLIT, shoulder, supports=supports)

@@ -158,6 +158,14 @@ def test_heat_balance_of_a_law_with_a_closed_form():
     assert found.power == pytest.approx(h * (found.temperature - t_0), rel=1e-4)
 
 
+@pytest.mark.parametrize("speed", [500.0, -500.0])
+def test_heat_balance_with_warm_oil_by_hand(speed):
+    """50 W, 1 W/K to 300 K and 1.5 W/K of oil supplied at 320 K: (50 + 300 + 480)/2.5 = 332 K, either way round."""
+    cooling = Cooling(conductance=1.0, ambient=300.0, oil_flow=1.5, oil_supply=320.0)
+    assert heat_balance(lambda t: 0.1, speed, cooling).temperature == pytest.approx(332.0, abs=1e-3)
+    assert cooling.frictionless_temperature == pytest.approx(312.0, rel=1e-12)
+
+
 def test_oil_cools_and_a_hot_bearing_is_told():
     def torque(temperature):
         return 0.1 * exp(-0.02 * (temperature - 300.0))
@@ -170,5 +178,6 @@ def test_oil_cools_and_a_hot_bearing_is_told():
     burning = heat_balance(lambda t: 10.0, 500.0, Cooling(conductance=1.0, ambient=300.0))
     assert not burning.converged
     assert burning.temperature == HIGHEST_TEMPERATURE
+    assert burning.residual == pytest.approx(1.0 - (HIGHEST_TEMPERATURE - 300.0) / 5000.0)  # of 5000 W
     with pytest.raises(ValueError, match="conductance and oil_flow"):
         Cooling(conductance=0.0, ambient=300.0)

@@ -15,7 +15,16 @@ import pytest
 from bearing import Operation, solve_quasistatic
 from bearing.torque.models import ring_loads
 from bearing.torque.palmgren import directed_load, load_factor, palmgren_torque, viscous_factor
-from bearing.torque.skf import Lubrication, Series, SkfBearing, SkfOperation, skf_constants, skf_series, skf_torque
+from bearing.torque.skf import (
+    Lubrication,
+    Series,
+    SkfBearing,
+    SkfOperation,
+    skf_constants,
+    skf_series,
+    skf_torque,
+    sliding_friction,
+)
 from ehl.units import MILLIMETRE as MM
 from ehl.units import NEWTON_MILLIMETRE as N_MM
 from ehl.units import RPM, to_si
@@ -103,6 +112,24 @@ def test_the_two_parts_of_the_drag():
     churned = 0.4 * 1e-3 * 3.1 * 120.0 / 40.0 * 1e-12 * 60.0**5 * 3000.0**2  # 26 N mm
     both = skf_torque(B6208, replace(bath, drag_factor=1e-3)).drag / N_MM
     assert both - around == pytest.approx(churned, rel=1e-12)
+
+
+def test_replenishment_by_the_lubrication():
+    """ln phi_rs = -K_rs nu n (d + D) sqrt(K_Z/(2 (D - d))), 6208 at 20 mm^2/s and 3000 r/min, K_Z = 3.1."""
+    unit = 20.0 * 3000.0 * 120.0 * (3.1 / 80.0) ** 0.5
+    expected = {"oil bath": 0.0, "low oil bath": 3e-8, "oil jet": 3e-8, "grease": 6e-8, "oil air": 6e-8}
+    for way in Lubrication:
+        torque = skf_torque(B6208, operation(3000.0, 2000.0, 0.0, lubrication=way))
+        assert -np.log(torque.replenishment_factor) / unit == pytest.approx(expected[way.value], abs=1e-20)
+
+
+def test_sliding_friction_between_its_ends():
+    """Boundary at rest, full film at speed; between them phi_bl = exp(-2.6e-8 (n nu)^1.4 d_m) at 100 r/min."""
+    assert sliding_friction(0.0, 20 * MM2_S, 60 * MM, 0.05) == 0.12
+    assert sliding_friction(3000 * RPM, 20 * MM2_S, 60 * MM, 0.05) == pytest.approx(0.05, abs=1e-3)
+    share = np.exp(-2.6e-8 * 2000.0**1.4 * 60.0)
+    slow = sliding_friction(100 * RPM, 20 * MM2_S, 60 * MM, 0.05)
+    assert slow == pytest.approx(share * 0.12 + (1.0 - share) * 0.05, rel=1e-12)
 
 
 def test_every_series_gives_a_moment():

@@ -20,7 +20,7 @@ from cases.batch.keys import WITHOUT_CONTACTS, content_key
 from cases.batch.points import Receipt, Task
 from cases.batch.pools import LocalPool, scheduler_address
 from cases.batch.results import gathered, write_batch
-from cases.batch.store import finished_keys, read_point
+from cases.batch.store import finished_keys, open_folder, read_point
 from cases.batch.sweep import read_sweep, sweep_from_text
 from cases.batch.worker import compute_point
 from cases.cli.main import app
@@ -371,6 +371,14 @@ def test_a_folder_of_something_else_is_left_alone(tmp_path):
     with pytest.raises(CaseError, match="holds other files"):
         run_batch(sweep_from_text(QUICK, "sweep.toml"), tmp_path / "out", HerePool)
     assert [path.name for path in (tmp_path / "out").iterdir()] == ["notes.txt"]
+
+
+@pytest.mark.parametrize("name", ["summary.json", "points/1a.json", "points/1a.nc"])
+def test_a_folder_in_the_place_of_a_file_is_refused_before_anything_is_computed(name, tmp_path):
+    (tmp_path / "sweep.toml").write_text("")
+    (tmp_path / name).mkdir(parents=True)
+    with pytest.raises(CaseError, match="is a folder in the place of a file"):
+        open_folder(tmp_path, resume=True)
 
 
 def test_contacts_equal_in_several_points_are_solved_once(tmp_path, monkeypatch):

@@ -248,8 +248,9 @@ def test_init_writes_a_valid_case_once(tmp_path):
 @pytest.mark.parametrize("kind", ["cases", "bearings", "materials", "lubricants", "greases", "typical"])
 def test_list(kind):
     names = json.loads(oilfilm("list", kind, "--json").stdout)[kind]
+    listed = oilfilm("list", kind).stdout
     assert names
-    assert all(name in oilfilm("list", kind).stdout for name in names)
+    assert all(name in listed for name in names)
 
 
 def test_schema_describes_every_shipped_case():
@@ -376,6 +377,7 @@ def test_only_what_did_not_converge_is_listed_as_such(capsys):
     [
         ("--bearing", "7014C"),
         ("--bearing", "6205-2RS C3"),
+        ("--bearing", "6205-2RS", "C3", "/P5"),
         ("--bearing", "7208 BDBA/P5"),
         ("--bearing", "61808 hybrid"),
         ("--bore", "28", "--outside", "58", "--width", "16"),
@@ -438,6 +440,13 @@ def test_a_new_case_has_normal_clearance_where_a_study_has_none(tmp_path):
     assert written(tmp_path, "--bearing", "7000C")["bearing"]["width_mm"] == 8.0
 
 
+def test_suffixes_need_no_quotes_and_the_source_names_one_clearance(tmp_path):
+    case = written(tmp_path, "--bearing", "6205-2RS", "C3")
+    assert case == written(tmp_path, "--bearing", "6205-2RS C3")
+    assert case["bearing"]["clearance_class"] == "C3"
+    assert case["source"].count("clearance: ") == 1
+
+
 def test_a_set_of_two_gives_off_heat_by_two_widths(tmp_path):
     oilfilm("init", "one", "--bearing", "7014C")
     oilfilm("init", "two", "--bearing", "7014CDB")
@@ -458,6 +467,8 @@ def test_a_set_of_two_gives_off_heat_by_two_widths(tmp_path):
         (("--bearing", "209"), "'209': its source gives no width; a bearing by its size"),
         (("--bearing", "6205", "--speed", "-3"), "--speed: found -3; allowed: above 0"),
         (("--bearing", "6205", "--axial", "nan"), "--axial: found nan; allowed: a finite number"),
+        (("C3",), "C3 after NAME without --bearing"),
+        (("--bearing", "6205", "C3", "xyz"), "'6205 C3 xyz' is unknown"),
         (("--speed", "3000"), "--speed without --bearing or --bore"),
         (("--bore", "28"), "--bore without --outside, --width"),
         (("--bearing", "6205", "--from", "moes_20_10"), "--from and --bearing together"),

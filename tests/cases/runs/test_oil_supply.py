@@ -431,3 +431,22 @@ def test_a_flow_gives_a_band_and_the_films_after_it_stops():
 def test_a_band_needs_a_flow(name):
     with pytest.raises(CaseError, match=name):
         case_from_text(TEXT + f"[friction]\n{name} = 0.2\n", "case")
+
+
+@pytest.mark.parametrize("starvation", ["solved", None])
+def test_no_film_solved_behind_a_layer_is_said(starvation):
+    """`film_maps = "none"` leaves nothing to be solved: the films are those of formulas, and a message says so."""
+    document = load_case("6208_oil_supply").document
+    changed = {**document["ehl"]} | ({"starvation": starvation} if starvation else {})
+    found = summary(run_case(case_of_document({**document, "ehl": changed})))
+    told = [message for message in found["messages"] if "solves no film here" in message]
+    assert len(told) == (1 if starvation else 0)
+
+
+@pytest.mark.parametrize("flow", [0.6, 500.0])
+def test_a_cavity_full_of_oil_is_said(flow):
+    document = load_case("6208_oil_supply").document
+    changed = {**document["friction"], "supply_mL_min": flow}
+    found = summary(run_case(case_of_document({**document, "friction": changed})))
+    assert any("counts as full" in message for message in found["messages"]) == (found["supply"]["oil_fraction"] >= 1.0)
+    assert (found["supply"]["oil_fraction"] >= 1.0) == (flow > 100.0)

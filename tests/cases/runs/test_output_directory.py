@@ -9,7 +9,7 @@ import pytest
 from cases import CaseError
 from cases.runs import output_lock
 from cases.runs.integrity import DIGESTS, damaged_files
-from cases.runs.output_directory import MANIFEST, check_file, check_output, save
+from cases.runs.output_directory import MANIFEST, check_file, check_output, check_replaceable, save
 from cases.runs.output_lock import one_writer
 
 
@@ -175,3 +175,29 @@ def test_a_damaged_manifest_makes_all_files_those_of_others(tmp_path):
         with pytest.raises(CaseError, match="not written by oilfilm"):
             save(writer(a="2"), target)
     assert contents(target) == {"a": "1"}
+
+
+@pytest.mark.parametrize("name", ["summary.json", MANIFEST, "vtk/b"])
+def test_a_folder_in_the_place_of_a_file_is_refused_before_anything_is_computed(name, tmp_path):
+    target = tmp_path / "results"
+    save(writer(a="1", vtk__b="2"), target)
+    check_replaceable(target)
+    (target / name).unlink(missing_ok=True)
+    (target / name).mkdir()
+    for refused in (lambda: check_replaceable(target), lambda: save(writer(a="3", vtk__b="4"), target)):
+        with pytest.raises(CaseError, match="will not be replaced"):
+            refused()
+    assert (target / "a").read_text() == "1"
+
+
+def test_a_file_in_the_place_of_a_folder_is_refused_and_an_old_folder_stays(tmp_path):
+    target = tmp_path / "results"
+    save(writer(a="1", b="2"), target)
+    (target / "b").unlink()
+    (target / "b").mkdir()
+    (target / "vtk").write_text("mine")
+    with pytest.raises(CaseError, match="will not be replaced"):
+        save(writer(a="3", vtk__b="4"), target)
+    save(writer(a="5"), target)
+    assert contents(target) == {"a": "5", "vtk": "mine"}
+    assert (target / "b").is_dir()

@@ -38,11 +38,12 @@ class Solver:
 
 @pytest.fixture(autouse=True)
 def unsheared(monkeypatch):
-    """The stand-in's films have no fields to shear."""
+    """The stand-in's films have no fields to shear or to conduct heat."""
     monkeypatch.setattr(
         "cases.runs.bearing._tractions", lambda _case, _state, contacts, _films, _balanced: (None,) * len(contacts)
     )
     monkeypatch.setattr("cases.runs.bearing._torque", lambda *_: None)
+    monkeypatch.setattr("cases.runs.bearing._conductances", lambda *_: None)
     monkeypatch.setattr("cases.runs.contact._contact_traction", lambda *_: None)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from math import pi
 
 import pytest
 
@@ -114,8 +115,12 @@ def test_a_case_can_be_computed_at_the_temperature_of_its_balance():
     warm = result["self_heating"]
     assert warm["torque_model"] == result["torque_N_mm"]["model"] == "integrated"
     assert result["torque_N_mm"]["total"] == warm["torque_N_mm"]
+    flows, parts = result["heat_flows_W"], result["temperatures_C"]
+    assert warm["power_W"] == pytest.approx(flows["shaft-ambient"] + flows["housing-ambient"], rel=1e-9)
     # within a tenth of a kelvin
-    assert warm["power_W"] == pytest.approx(1.2 * (balanced - 25.0), abs=0.1 * 1.2)
+    outer = 0.25 * parts["outer_ring_unloaded"], 0.25 * parts["outer_ring_loaded"]
+    films = 0.5 * parts["balls"] + 0.25 * parts["inner_ring"]
+    assert films + outer[0] - 0.1 < balanced < films + outer[1] + 0.1
 
 
 def test_films_are_solved_at_the_temperature_that_their_own_torque_asks_for():
@@ -128,7 +133,10 @@ def test_films_are_solved_at_the_temperature_that_their_own_torque_asks_for():
     assert result["converged"] and warm["converged"]
     assert result["torque_N_mm"]["total"] == warm["torque_N_mm"]
     assert result["case"]["operation"]["temperature_C"] == pytest.approx(warm["temperature_C"], abs=1e-6)
-    assert warm["power_W"] == pytest.approx(1.2 * (warm["temperature_C"] - 25.0), abs=0.15 * 1.2)
+    flows = result["heat_flows_W"]
+    assert warm["power_W"] == pytest.approx(flows["shaft-ambient"] + flows["housing-ambient"], rel=1e-9)
+    speed = result["case"]["operation"]["inner_speed_rpm"] * pi / 30.0
+    assert warm["power_W"] == pytest.approx(1e-3 * result["torque_N_mm"]["total"] * speed, rel=1e-9)
     assert any(message.startswith("operation.temperature: computed at") for message in result["messages"])
 
 

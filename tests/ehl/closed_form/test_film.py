@@ -7,6 +7,7 @@ Lubrication in Rolling Bearings (2013), examples of chapters 9 and 10.
 from __future__ import annotations
 
 from dataclasses import replace
+from math import log
 
 import pytest
 from numpy.testing import assert_allclose
@@ -17,9 +18,12 @@ from ehl.closed_form.film import (
     film_hamrock_dowson_central,
     film_hamrock_dowson_minimum,
     film_nijenbanning_central,
+    film_reduction_gupta,
     moes_film_nijenbanning,
+    thermal_loading,
 )
 from ehl.conditions import moes_groups
+from ehl.oil.lubricant import ThermalProperties
 
 OIL = Lubricant(viscosity=0.04, pressure_viscosity=20e-9)
 CONTACT = ContactConditions(
@@ -96,3 +100,46 @@ def test_wide_contacts_lose_the_side_flow():
     wider = replace(CONTACT, radius_y=1000.0)
     for film in (film_hamrock_dowson_minimum, film_hamrock_dowson_central, film_chittenden_central):
         assert film(wider) == pytest.approx(film(wide), rel=1e-9)
+
+
+def test_wide_films_by_hand():
+    """Without side flow: U = 0.04/(226e9 0.01), W = 100/(226e9 0.01^2), G = 20e-9 226e9; constants and powers of G."""
+    wide = replace(CONTACT, radius_y=1000.0)
+    u, w, g = 0.04 / 226e7, 100.0 / 226e5, 4520.0
+    assert film_hamrock_dowson_minimum(wide) == pytest.approx(0.0363 * u**0.68 * g**0.49 * w**-0.073, rel=1e-12)
+    assert film_hamrock_dowson_central(wide) == pytest.approx(0.0269 * u**0.67 * g**0.53 * w**-0.067, rel=1e-12)
+    assert film_chittenden_central(wide) == pytest.approx(0.043 * u**0.68 * g**0.49 * w**-0.073, rel=1e-12)
+
+
+def test_side_flow_of_a_circle_by_hand():
+    """k = 1.03: 1 - exp(-0.7004) = 0.50361, 1 - 0.61 exp(-0.7519) = 0.71240; Chittenden 1 - exp(-1.23) = 0.70771."""
+    wide = replace(CONTACT, radius_y=1000.0)
+    for film, factor in (
+        (film_hamrock_dowson_minimum, 0.50361),
+        (film_hamrock_dowson_central, 0.71240),
+        (film_chittenden_central, 0.70771),
+    ):
+        assert film(CONTACT) / film(wide) == pytest.approx(factor, abs=1e-5)
+
+
+def test_nijenbanning_of_an_ellipse():
+    """Rx/Ry = 0.1, M = 30, L = 0, where 1.8/d = 18 is far above the elastic film and drops out."""
+    q = 1.0 + 0.006 * log(0.1) + 0.63 * 0.1 ** (4 / 7)
+    rigid = 145.0 * (1.0 + 0.796 * 0.1 ** (14 / 15)) ** (-15 / 7) / 0.1 / 900.0
+    elastic = 3.18 * q ** (-14 / 25) * 0.1 ** (-1 / 15) * 30.0 ** (-2 / 15)
+    expected = (rigid**1.5 + (elastic**-4 + 18.0**-4) ** (-3 / 8)) ** (2 / 3)
+    assert moes_film_nijenbanning(30.0, 0.0, 0.1) == pytest.approx(expected, rel=1e-4)
+    ellipse = replace(CONTACT, radius_y=0.1)
+    speed = 2.0 * 0.04 * 1.0 / (226e9 * 0.01)
+    film = 0.01 * speed**0.5 * moes_film_nijenbanning(*moes_groups(ellipse), 0.1)
+    assert film_nijenbanning_central(ellipse) == pytest.approx(film, rel=1e-13)
+
+
+def test_reduction_by_heat_by_hand():
+    """L_T = 0.04 0.05 4/0.14 = 0.0571429; p_h/E' 0.005, L_T 0.1, S 0.1: (1 - 0.066 0.38019)/(1 + 0.06489)."""
+    thermal = ThermalProperties(conductivity=0.14, specific_heat=2000.0, viscosity_temperature=0.05)
+    heated = replace(CONTACT, entrainment_speed=2.0, lubricant=replace(OIL, thermal=thermal))
+    assert thermal_loading(heated) == pytest.approx(0.0571429, rel=1e-6)
+    with pytest.raises(ValueError, match="thermal properties"):
+        thermal_loading(CONTACT)
+    assert film_reduction_gupta(0.005, 0.1, -0.1) == pytest.approx(0.974907 / 1.064890, rel=1e-5)

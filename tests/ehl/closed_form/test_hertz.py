@@ -11,7 +11,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.special import elliprd
 
-from ehl.closed_form.hertz import contact_stiffness, ellipse_ratio, hertz_coefficients, hertz_contact
+from ehl.closed_form.hertz import contact_stiffness, ellipse_ratio, hertz_coefficients, hertz_contact, hertz_deflection
 
 # F(rho): a*, b*, delta*
 HARRIS = {
@@ -112,3 +112,21 @@ def test_bad_input_names_the_field(bad):
         values = {"load": 1.0, "radius_x": 1e-2, "radius_y": 1e-2, "reduced_modulus": 2e11, field: bad}
         with pytest.raises(ValueError, match=field):
             hertz_contact(**values)
+
+
+@pytest.mark.parametrize("r", [0.0, 0.6, 1.0, 1.3, 4.0])
+def test_deflection_of_a_circle(r):
+    """3 pi/8 (2 - r^2) inside, 3/4 [(2 - r^2) asin(1/r) + sqrt(r^2 - 1)] outside (Johnson, 1985, section 3.4)."""
+    outside = 0.75 * ((2.0 - r * r) * np.arcsin(1.0 / max(r, 1.0)) + np.sqrt(max(r * r - 1.0, 0.0)))
+    assert hertz_deflection(0.6 * r, 0.8 * r, 1.0) == pytest.approx(outside, rel=1e-12)
+
+
+@pytest.mark.parametrize("place", [(1.4, 0.5), (0.6, 3.2), (-2.0, 5.0)])
+def test_deflection_outside_an_ellipse(place):
+    """Sum of p/r over the ellipse of semi-axes 1 and 3 under unit load, p = 3/(2 pi 3) cos(t) at s = sin(t)."""
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    t, around = np.meshgrid(0.25 * np.pi * (nodes + 1.0), 2.0 * np.pi / 400 * np.arange(400))
+    distance = np.hypot(place[0] - np.sin(t) * np.cos(around), place[1] - 3.0 * np.sin(t) * np.sin(around))
+    sums = (np.cos(t) ** 2 * np.sin(t) / distance).sum(axis=0) * 2.0 * np.pi / 400
+    expected = 1.5 / np.pi * float((0.25 * np.pi * weights * sums).sum())
+    assert hertz_deflection(*place, 3.0) == pytest.approx(expected, rel=1e-6)

@@ -12,7 +12,7 @@ from ehl import ContactConditions, DensityLaw, Lubricant, MoesConditions, Solver
 from ehl.closed_form.hertz import hertz_contact
 from ehl.conditions import moes_groups
 from ehl.grid import Grid
-from ehl.multigrid.far_field import edge_pressure, exterior_load, far_field
+from ehl.multigrid.far_field import edge_pressure, exterior_load, far_field, squeeze_load
 from ehl.oil.lubricant import density, viscosity
 from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
 
@@ -135,6 +135,22 @@ def test_exterior_load_is_the_integral_of_the_far_field():
     brute = 2.0 * np.sum(P[outside]) * 0.05**2
     ours = exterior_load(field, box, gap(box.X[None, :], box.Y[:, None]))
     assert 0.97 * ours < brute < 1.0 * ours
+
+
+def test_squeeze_load_is_the_integral_of_one_over_the_gap_squared():
+    """Against brute-force summation over the half plane of the inlet, 60 times the box; little lies beyond."""
+    oil = Lubricant(viscosity=0.05, pressure_viscosity=1e-9)
+    c = scale_contact(MoesConditions(load_parameter=5.0, lubricant_parameter=1.0, radius_ratio=0.5, lubricant=oil))
+    box = Grid(x_in=-5.0, hx=0.25, hy=0.25, nx=29, ny=13, symmetric=True)
+
+    def gap(X, Y):
+        return 0.8 + 0.5 * c.curvature_x * X**2 + 0.5 * c.curvature_y * Y**2
+
+    X, Y = np.arange(-300.0, 0.0, 0.1)[None, :] + 0.05, np.arange(0.0, 300.0, 0.1)[:, None] + 0.05
+    outside = (X < box.X[0]) | (Y > box.Y[-1])
+    brute = 2.0 * np.sum(1.0 / gap(X, Y)[outside] ** 2) * 0.1**2
+    ours = squeeze_load(far_field(c), box, gap(box.X[None, :], box.Y[:, None]))
+    assert_allclose(ours, brute, rtol=5e-3)
 
 
 def test_edge_pressure_is_positive_upstream_only():

@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 
 from ehl.grid import Grid, grid_hierarchy
 from ehl.multigrid.extrapolation import extrapolate, second_order
-from ehl.multigrid.history import LevelHistory, central_film, film_values
+from ehl.multigrid.history import STALLED_CYCLES, LevelHistory, central_film, film_values
 from ehl.multigrid.transfer import full_weighting, inject, interpolate_cubic, interpolate_linear
 
 HIERARCHY = grid_hierarchy(65, (-4.0, 2.0, 3.0), 1.5, 3, True)
@@ -150,3 +150,35 @@ def test_second_order_of_two_meshes():
     assert_allclose(film.value, 1.0)
     assert_allclose(film.uncertainty, 0.075 + 0.00975)
     assert second_order([1.0], 0.0).uncertainty == 1.0
+
+
+@pytest.mark.parametrize(
+    ("residual", "stalled"),
+    [
+        ([0.04, 0.02, *[0.03] * STALLED_CYCLES], True),
+        ([0.04, 0.02, *[0.03] * (STALLED_CYCLES - 1)], False),
+        ([0.04, 0.02, *[0.03] * (STALLED_CYCLES - 1), 0.01], False),  # nearer again
+        ([0.04, 0.004, *[0.03] * STALLED_CYCLES], False),  # the equations held once
+        ([0.04], False),
+    ],
+)
+def test_cycles_that_come_no_nearer_have_stalled(residual, stalled):
+    assert LevelHistory(film=[(1.0, 1.0)], mesh=0.01, residual=residual).stalled is stalled
+
+
+@pytest.mark.parametrize(
+    ("residual", "film", "nearing"),
+    [
+        ([4e-3] * 6, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0], True),  # the equations hold, the films move
+        ([4e-3] * 5, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0], False),  # too few to tell
+        ([1e-4] * 6, [1.0] * 7, False),  # solved
+        ([0.9, 0.8, 0.6, 0.5, 0.4, 0.3], [1.0] * 7, True),
+        ([0.9, 0.8, 0.7, 0.6, 0.6, 0.5], [1.0] * 7, False),  # by less than half
+        ([], [1.0], False),
+    ],
+)
+def test_cycles_that_near_the_solution_go_on(residual, film, nearing):
+    history = LevelHistory(
+        film=[(value, value) for value in film], mesh=0.01, residual=residual, load=[0.0] * len(residual)
+    )
+    assert history.nearing is nearing

@@ -146,6 +146,7 @@ def test_the_table_fits_the_terminal(folder, changed):
     lines = console.export_text().splitlines()
     assert max(map(len, lines)) <= 80
     assert any("radial_load_N" in line for line in lines)
+    assert any("film_central_um" in line and line.split()[-1] == "+33.3" for line in lines)  # 1.5 times as thick [%]
     console.file.close()
 
 

@@ -215,6 +215,8 @@ def test_stress_below_the_contacts_on_request(bearing_results, tmp_path):
     centre = (contact.origin - 0.006 * contact.normal) * 1e3
     surface = block["depth [mm]"] == 0.0
     assert_allclose(np.linalg.norm(block.points[surface] - centre, axis=1), 6.0, rtol=1e-5)
+    assert_allclose(np.linalg.norm(block.points - centre, axis=1), 6.0 + block["depth [mm]"], rtol=1e-4)
+    assert block["depth [mm]"].max() > 0.1  # some semi-axes
     shear = block["largest shear [GPa]"]
     assert shear.max() == pytest.approx(0.3e-9 * hertz.pressure, rel=0.15)  # the fixture's pressure is made up
     components = block["stress xx yy zz xy yz xz [GPa]"]

@@ -6,11 +6,11 @@ from bearing.rows import SINGLE
 from bearing.studies.stiffness import stiffness_over_speed
 from postprocess.stiffness.results import StiffnessResults
 
-from ..format.case import Case
-from ..format.problems import CaseError
-from ..version import version
-from .equilibrium import equilibrium_solver
-from .films import Progress
+from ...format.case import Case
+from ...format.problems import CaseError
+from ...version import version
+from ..equilibrium import equilibrium_solver
+from ..films import Progress
 
 
 def run_stiffness(

@@ -1,0 +1,88 @@
+"""Heat of films of formulas with the balls in balance: what the search for temperatures takes."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ehl.oil.lubricant import Lubricant
+from ehl.oil.rheology import Rheology
+
+from ..contacts.contact import BearingContact
+from ..friction.balance import BalancedFriction
+from ..friction.films import film_balance
+from ..friction.formula_films import FORMULA_ERROR, formula_film
+from ..friction.running_films import RunningFilm
+from ..geometry import Array
+from ..quasistatic.solution import QuasistaticSolution
+from ..torque.films_torque import films_as_they_run
+from ..torque.inlet import InletFactors
+from ..torque.inputs import FrictionInput
+from ..torque.shear_torque import no_balance_message
+from .friction_heat import FrictionHeat, contact_conductances, loaded_half
+
+
+@dataclass(slots=True, kw_only=True)
+class FilmsHeat:
+    """Heat of one bearing in states that follow each other, each balance begun at the last."""
+
+    friction: FrictionInput
+    last: BalancedFriction | None = field(default=None)
+
+    def heat(
+        self,
+        solution: QuasistaticSolution,
+        contacts: Sequence[BearingContact],
+        oil: Lubricant,
+        rheology: Rheology,
+        inlet: InletFactors,
+    ) -> FrictionHeat:
+        """Of films of formulas as they run, without seals [N m], [W].
+
+        Raises
+        ------
+        ValueError
+            If the balls find no balance.
+        """
+        none = (None,) * len(contacts)
+        running = films_as_they_run(solution, contacts, none, self.friction, inlet)
+        resistance = self.friction.resistance(solution.bearing, oil)
+        balance = film_balance(solution, contacts, running, rheology, resistance, self.last)
+        if not balance.converged:
+            raise ValueError(f"the torque of films: {no_balance_message(balance)}")
+        self.last = balance
+        pumped = np.array([0.0 if film is None else film.rolling_moment for film in running])
+        pumped = pumped.reshape(-1, 2) * np.abs(balance.kinematics[..., 3])
+        resisted = balance.resisted
+        speed = solution.operation.shaft_speed
+        return FrictionHeat(
+            torque=(float(balance.power.sum()) + resisted.heat) / speed,
+            speed=speed,
+            contact=balance.power - pumped,
+            pumped=pumped,
+            drag=resisted.drag,
+            cage=resisted.pocket + resisted.land,
+            conductance=running_conductances(solution, contacts, running),
+            loaded=loaded_half(solution),
+        )
+
+
+def formula_conductances(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact]
+) -> Array:
+    """Of all contacts by films of formulas, (3, balls, 2) [W/K]."""
+    found = [formula_film(contact) for contact in contacts]
+    films = [None if film is None else (film.film, FORMULA_ERROR) for film in found]
+    temperature = solution.operation.temperature
+    return contact_conductances(solution.bearing, contacts, films, temperature)
+
+
+def running_conductances(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    films: Sequence[RunningFilm | None],
+) -> Array:
+    """Of all contacts by their films as they run, (3, balls, 2) [W/K]."""
+    pairs = [None if film is None else (film.film, film.error) for film in films]
+    temperature = solution.operation.temperature
+    return contact_conductances(solution.bearing, contacts, pairs, temperature)

@@ -1,0 +1,219 @@
+"""Heat of friction by where it arises, and how its contacts conduct."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ehl.closed_form.hertz import HertzContact
+from ehl.oil.lubricant import Lubricant, heat_properties
+from ehl.solid.film_conductance import marched_conductance, moving_speed
+from ehl.solid.heat import SolidThermal
+from ehl.solution import ContactSolution
+from ehl.traction.shear import dimensional_grid
+
+from ..contacts.contact import BearingContact
+from ..geometry import Array, Bearing, Race
+from ..material import Material
+from ..quasistatic.solution import QuasistaticSolution
+from .conductances import Conductance
+from .network import node_values
+
+POINTS = 129  # of a solved film along rolling, at most, that a contact is marched on [-]
+# of Hertz' pressure, above which a node belongs to the contact [-]
+CONTACT_PRESSURE = 0.01
+# conductivity of oil at 1 GPa over that at ambient pressure where the oil has no law of its own:
+# up to twice, as mineral oils and polyalphaolefins (Larsson and Andersson, 2000) [-]
+PRESSED = 2.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FrictionHeat:
+    """Heat of one state of a bearing, and conductances of its contacts."""
+
+    torque: float  # total [N m]
+    speed: float  # of the rings against each other [rad/s]
+    contact: Array  # (balls, 2) shear at inner and outer contacts, asperities included [W]
+    pumped: Array  # (balls, 2) of the oil that pressure pumps at their inlets [W]
+    drag: float = 0.0  # of the balls in the cavity's oil [W]
+    cage: float = 0.0  # of its land and pockets [W]
+    seal: float = 0.0  # of contact seals [W]
+    # (3, balls, 2) value, low and high end of each contact [W/K]
+    conductance: Array
+    loaded: Array  # (balls,) share of each outer contact in the loaded half of the ring [-]
+
+    @property
+    def power(self) -> float:
+        """All that turns into heat [W]."""
+        return self.torque * self.speed
+
+    def scaled(self, factor: float, seal: float, conductance: Array) -> "FrictionHeat":
+        """A multiple of torque and heat [-] with the torque of seals [N m], and multiples of the
+        conductances at both races, shape (2,) [-].
+        """
+        return replace(
+            self,
+            torque=factor * self.torque + seal,
+            contact=factor * self.contact,
+            pumped=factor * self.pumped,
+            drag=factor * self.drag,
+            cage=factor * self.cage,
+            seal=factor * self.seal + seal * self.speed,
+            conductance=self.conductance * conductance,
+        )
+
+    def sources(self, ball_share: tuple[float, float], pumped_to_oil: float) -> Array:
+        """Heat into the nodes [W].
+
+        ball_share: part of the shear's heat that goes into the ball at inner and outer contacts
+        [-]; pumped_to_oil: part of the inlets' heat that the oil takes, the rest goes as the
+        shear's [-].
+        """
+        solid = self.contact + (1.0 - pumped_to_oil) * self.pumped
+        shares = np.array(ball_share)
+        ring = solid * (1.0 - shares)
+        values = {
+            "balls": float((solid * shares).sum()),
+            "inner_ring": float(ring[:, 0].sum()) + self.seal,
+            "outer_ring_loaded": float(ring[:, 1] @ self.loaded),
+            "outer_ring_unloaded": float(ring[:, 1] @ (1.0 - self.loaded)),
+            "oil": float(pumped_to_oil * self.pumped.sum()) + self.drag,
+            "cage": self.cage,
+        }
+        return node_values(values)
+
+    def race(self, race: str) -> Conductance:
+        """Of all balls with the inner ring, or with a half of the outer ring [W/K]."""
+        if race == "inner_ring":
+            return Conductance(*self.conductance[:, :, 0].sum(axis=1))
+        share = self.loaded if race == "outer_ring_loaded" else 1.0 - self.loaded
+        return Conductance(*(self.conductance[:, :, 1] @ share))
+
+
+def loaded_half(solution: QuasistaticSolution) -> Array:
+    """Share of each ball in the half of the outer ring about the direction of its load [-]; a
+    half where the load has none.
+    """
+    psi = solution.azimuth
+    load = solution.outer_load
+    y, z = float(load @ np.cos(psi)), float(load @ np.sin(psi))
+    if np.hypot(y, z) <= 1e-6 * float(load.sum()):
+        return np.full_like(psi, 0.5)
+    toward = np.cos(psi - np.arctan2(z, y))
+    return np.where(np.abs(toward) < 1e-9, 0.5, np.where(toward > 0.0, 1.0, 0.0))
+
+
+def heat_of_torque(
+    parts: Mapping[str, float], solution: QuasistaticSolution, conductance: Array
+) -> FrictionHeat:
+    """Heat of a torque that has no parts by contact: drag, cage and seal where they are told, the
+    rest on the contacts by their loads; parts in [N m], conductances (3, balls, 2) [W/K].
+    """
+    speed = solution.operation.shaft_speed
+    apart = {name: parts.get(name, 0.0) * speed for name in ("drag", "cage", "seal")}
+    torque = sum(parts.values())
+    loads = np.stack([solution.inner_load, solution.outer_load], axis=1)
+    rest = torque * speed - sum(apart.values())
+    return FrictionHeat(
+        torque=torque,
+        speed=speed,
+        contact=rest * loads / max(float(loads.sum()), 1e-300),
+        pumped=np.zeros_like(loads),
+        conductance=conductance,
+        loaded=loaded_half(solution),
+        **apart,
+    )
+
+
+def contact_conductances(
+    bearing: Bearing,
+    contacts: Sequence[BearingContact],
+    films: Sequence[tuple[ContactSolution, float] | None],
+    temperature: float,
+) -> Array:
+    """Of all contacts, value, low and high end, shape (3, balls, 2) [W/K]; zero where there is no
+    film.
+
+    films: of the contacts with the relative error of their thickness [-]; temperature: of the oil
+    [K].
+    """
+    ball = solid_thermal(bearing.ball_material)
+    rings = {
+        Race.INNER: solid_thermal(bearing.inner_ring_material),
+        Race.OUTER: solid_thermal(bearing.outer_ring_material),
+    }
+    found: dict[tuple[int, str], tuple[float, float, float]] = {}
+    rows = []
+    for contact, film in zip(contacts, films, strict=True):
+        key = (id(None if film is None else film[0]), contact.race.value)
+        if film is None or contact.hertz is None:
+            rows.append((0.0, 0.0, 0.0))
+            continue
+        if key not in found:
+            pair = (ball, rings[contact.race])
+            found[key] = _contact_conductance(contact.hertz, film, pair, temperature)
+        rows.append(found[key])
+    return np.array(rows).T.reshape(3, -1, 2)
+
+
+def _contact_conductance(
+    hertz: HertzContact,
+    film: tuple[ContactSolution, float],
+    pair: tuple[SolidThermal, SolidThermal],
+    temperature: float,
+) -> tuple[float, float, float]:
+    """Value, low and high end of one contact [W/K]: the film of its solution, its error, and oil
+    that conducts as at ambient pressure or as pressed.
+    """
+    solution, error = film
+    solution = solution.thinned(POINTS)
+    x, y, gap = dimensional_grid(solution)
+    conditions = solution.conditions
+    axes = (hertz.semi_axis_x, hertz.semi_axis_y)
+    speed = moving_speed(conditions.entrainment_speed, axes, *pair)  # type: ignore[union-attr]
+    inside = solution.P > CONTACT_PRESSURE
+    oil: Lubricant = conditions.lubricant
+    pressed = heat_properties(solution.pressure, oil, temperature)[0]
+    still = oil.thermal.conductivity if oil.thermal else 0.0
+    law = oil.thermal is not None and oil.thermal.under_pressure is not None
+    most = pressed if law else PRESSED * pressed
+    values = (
+        (pressed, 1.0),
+        (np.full_like(pressed, still), 1.0 + error),
+        (most, 1.0 / (1.0 + error)),
+    )
+    value, low, high = (
+        marched_conductance(
+            speed, x, y, np.where(inside, k / (np.maximum(gap, 1e-12) * scale), 0.0), *pair
+        )
+        for k, scale in values
+    )
+    return value, low, high
+
+
+def solid_thermal(
+    material: Material, needed: str = "for temperatures of the parts"
+) -> SolidThermal:
+    """Heat properties of a material [W/(m K)], [J/(kg K)]; ValueError, with what they are needed
+    for, where they are not known.
+    """
+    if material.thermal_conductivity is None or material.specific_heat is None:
+        raise ValueError(
+            f"materials.{material.name}: thermal_conductivity_W_m_K and specific_heat_J_kg_K are "
+            f"needed {needed}"
+        )
+    return SolidThermal(
+        conductivity=material.thermal_conductivity,
+        density=material.density,
+        specific_heat=material.specific_heat,
+    )
+
+
+def effusivity_shares(bearing: Bearing) -> tuple[float, float]:
+    """Part of a contact's heat that goes into the ball, e_1/(e_1 + e_2) of bodies at one speed, at
+    the inner and the outer race [-].
+    """
+    ball = solid_thermal(bearing.ball_material).effusivity
+    rings = (bearing.inner_ring_material, bearing.outer_ring_material)
+    shares = [ball / (ball + solid_thermal(ring).effusivity) for ring in rings]
+    return shares[0], shares[1]

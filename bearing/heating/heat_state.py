@@ -1,0 +1,137 @@
+"""One state of a bearing that warms itself: heat at a film temperature and a clearance, and the
+temperatures of all parts that follow from it.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ehl.oil.lubricant import Lubricant
+
+from ..contacts.contact import BearingContact
+from ..contacts.contacts import contact_conditions
+from ..fits.clearance import Fit, TemperatureRise, clearance_budget
+from ..geometry import Array, Bearing
+from ..operation import Operation, QuasistaticModel
+from ..quasistatic.solution import QuasistaticSolution
+from ..quasistatic.solver import solve_quasistatic
+from ..rows import SINGLE, Row
+from .friction_heat import FrictionHeat, effusivity_shares
+from .network import AMBIENT, NODES, OIL_SUPPLY, HeatNetwork, HeatPath
+from .paths import Surroundings, solid_paths, state_paths
+
+FrictionModel = Callable[[QuasistaticSolution, Sequence[BearingContact], Lubricant], FrictionHeat]
+OUTER = ("outer_ring_loaded", "outer_ring_unloaded")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SelfHeatingProblem:
+    """A bearing whose temperatures follow from its friction."""
+
+    bearing: Bearing  # with its clearance at the reference temperature, before mounting
+    operation: Operation  # its temperature is where the search begins
+    model: QuasistaticModel
+    oil: Callable[[float], Lubricant]  # lubricant at a temperature [K]
+    friction: FrictionModel  # heat of an equilibrium, its contacts and its oil
+    around: Surroundings
+    fit: Fit | None = None
+    # temperature at which clearance and fits were measured; None: the clearance is the operating
+    # one, and stays
+    reference: float | None = 293.15  # [K]
+    rows: tuple[Row, ...] = SINGLE  # of balls on the one inner ring
+    oil_share: float | None = None  # of the cavity [-]
+
+    def clearance(self, temperatures: Array) -> float:
+        """Diametral clearance [m] at temperatures of the nodes [K]; that of the outer ring is the
+        mean of its halves.
+        """
+        if self.reference is None:
+            return self.bearing.diametral_clearance
+        rise = dict(zip(NODES, (temperatures - self.reference).tolist(), strict=True))
+        rises = TemperatureRise(
+            inner_ring=rise["inner_ring"],
+            shaft=rise["shaft"],
+            outer_ring=0.5 * (rise[OUTER[0]] + rise[OUTER[1]]),
+            housing=rise["housing"],
+            ball=rise["balls"],
+        )
+        return clearance_budget(self.bearing, self.operation, self.fit, rises).operating
+
+    def fixed_paths(self) -> tuple[HeatPath, ...]:
+        """Paths that friction leaves as they are."""
+        speed = self.operation.shaft_speed
+        return solid_paths(self.bearing, self.around, speed, len(self.rows))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeatState:
+    """Heat at one film temperature and clearance, and the temperatures that follow."""
+
+    film_temperature: float  # of oil and films [K]
+    clearance: float  # on the diameter [m]
+    viscosity: float  # of the oil there [Pa s]
+    friction: FrictionHeat
+    sources: Array  # heat into the nodes [W]
+    network: HeatNetwork
+    temperatures: Array  # of the nodes under these sources [K]
+
+    @property
+    def weights(self) -> Array:
+        """Of the nodes in the film temperature [-]: half the balls, a quarter each ring, the outer
+        one by the loads in its halves.
+        """
+        halves = self.friction.loaded @ self.friction.contact[:, 1]
+        total = float(self.friction.contact[:, 1].sum())
+        loaded = float(halves) / total if total > 0.0 else 0.5
+        values = {"balls": 0.5, "inner_ring": 0.25}
+        values |= {OUTER[0]: 0.25 * loaded, OUTER[1]: 0.25 * (1.0 - loaded)}
+        return np.array([values.get(name, 0.0) for name in NODES])
+
+    @property
+    def found_temperature(self) -> float:
+        """Film temperature that follows [K]."""
+        return float(self.weights @ self.temperatures)
+
+    def surplus(self, temperatures: Array) -> Array:
+        """Heat into each node less what leaves it at given temperatures [K], in [W]."""
+        leaving, given = self.network.matrix()
+        return np.asarray(self.sources + given - leaving @ temperatures)
+
+
+def heat_state(
+    problem: SelfHeatingProblem,
+    fixed: Sequence[HeatPath],
+    film_temperature: float,
+    clearance: float,
+) -> HeatState:
+    """Equilibrium, friction and temperatures at a film temperature [K] and a clearance [m].
+
+    Raises
+    ------
+    ValueError
+        If there is no equilibrium or no friction there, or heat cannot leave.
+    """
+    # 1. clearance, 2. equilibrium, 3. viscosity, 4. friction
+    operation = replace(problem.operation, temperature=film_temperature)
+    bearing = replace(problem.bearing, diametral_clearance=clearance)
+    solution = solve_quasistatic(bearing, operation, problem.model, rows=problem.rows)
+    if not solution.converged:
+        raise ValueError(f"no equilibrium at {film_temperature:.1f} K: {solution.message}")
+    oil = problem.oil(film_temperature)
+    friction = problem.friction(solution, contact_conditions(solution, oil), oil)
+    # 5. heat into the nodes, and their temperatures
+    around = problem.around
+    sources = friction.sources(effusivity_shares(bearing), around.pumped_to_oil)
+    paths = state_paths(bearing, around, oil, friction, solution.cage_speed, len(problem.rows))
+    boundaries = {AMBIENT: around.ambient, OIL_SUPPLY: around.oil_supply}
+    network = HeatNetwork(paths=(*fixed, *paths), boundaries=boundaries)
+    return HeatState(
+        film_temperature=film_temperature,
+        clearance=clearance,
+        viscosity=oil.viscosity,
+        friction=friction,
+        sources=sources,
+        network=network,
+        temperatures=network.temperatures(sources),
+    )

@@ -1,0 +1,126 @@
+"""Network of heat: temperatures of nodes between which conductances lie.
+
+    steady:     Q_n + sum_m G_nm (T_m - T_n) = 0
+    transient:  C_n dT_n/dt = the same left side
+
+Temperatures of boundaries are given. A fluid that comes at the temperature of a boundary and
+leaves at that of a node is a conductance rho c V between them.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..geometry import Array
+from .conductances import Conductance
+
+NODES = (
+    "shaft",
+    "inner_ring",
+    "balls",
+    "outer_ring_loaded",
+    "outer_ring_unloaded",
+    "cage",
+    "oil",
+    "housing",
+)
+AMBIENT = "ambient"
+OIL_SUPPLY = "oil_supply"
+BOUNDARIES = (AMBIENT, OIL_SUPPLY)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeatPath:
+    """What conducts heat between two nodes, or a node and a boundary."""
+
+    first: str
+    second: str
+    conductance: Conductance  # [W/K]
+    what: str  # in words, with the source
+
+    @property
+    def name(self) -> str:
+        """Both ends, as in results."""
+        return f"{self.first}-{self.second}"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeatNetwork:
+    """Paths between `NODES` and to boundaries of given temperatures."""
+
+    paths: tuple[HeatPath, ...]
+    boundaries: Mapping[str, float]  # [K]
+
+    def matrix(self, end: int = 0) -> tuple[Array, Array]:
+        """L (nodes, nodes) [W/K] and b (nodes,) [W] of the heat that leaves the nodes, L T - b;
+        `end` of the ranges: -1 low, 1 high, 0 the value.
+        """
+        leaving = np.zeros((len(NODES), len(NODES)))
+        given = np.zeros(len(NODES))
+        for path in self.paths:
+            g = path.conductance.end(end)
+            ends = (path.first, path.second), (path.second, path.first)
+            for here, there in ends:
+                if here not in NODES:
+                    continue
+                row = NODES.index(here)
+                leaving[row, row] += g
+                if there in NODES:
+                    leaving[row, NODES.index(there)] -= g
+                else:
+                    given[row] += g * self.boundaries[there]
+        return leaving, given
+
+    def temperatures(self, sources: Array, end: int = 0) -> Array:
+        """Of the nodes under sources (nodes,) [W], in [K].
+
+        Raises
+        ------
+        ValueError
+            If heat cannot leave a node.
+        """
+        leaving, given = self.matrix(end)
+        scale = np.sqrt(np.diag(leaving))
+        if not (scale > 0.0).all():
+            lost = [name for name, own in zip(NODES, scale, strict=True) if not own > 0.0]
+            raise ValueError(f"no heat leaves {', '.join(lost)}")
+        even = leaving / np.outer(scale, scale)
+        if np.linalg.eigvalsh(even)[0] < 1e-12:
+            raise ValueError("no heat leaves the bearing: all paths to the surroundings are zero")
+        return np.asarray(np.linalg.solve(even, (sources + given) / scale) / scale)
+
+    def flows(self, temperatures: Array) -> tuple[float, ...]:
+        """Heat along each path, from its first to its second end [W]."""
+        known = dict(zip(NODES, temperatures, strict=True)) | dict(self.boundaries)
+        return tuple(
+            float(path.conductance.value * (known[path.first] - known[path.second]))
+            for path in self.paths
+        )
+
+    def removed(self, temperatures: Array) -> float:
+        """Heat that leaves by all boundaries [W]."""
+        pairs = zip(self.paths, self.flows(temperatures), strict=True)
+        return sum(flow for path, flow in pairs if path.second in BOUNDARIES)
+
+    def imbalance(self, temperatures: Array, sources: Array) -> float:
+        """Heat of the sources less what leaves by the boundaries, and the largest sum left on a
+        node, over the heat [-].
+        """
+        heat = float(np.abs(sources).sum())
+        if heat == 0.0:
+            return 0.0
+        leaving, given = self.matrix()
+        nodes = np.abs(sources + given - leaving @ temperatures).max()
+        total = abs(float(sources.sum()) - self.removed(temperatures))
+        return max(float(nodes), total) / heat
+
+
+def node_values(values: Mapping[str, float]) -> Array:
+    """Values by the names of nodes in the order of `NODES`, zero where there is none [-]."""
+    return np.array([values.get(name, 0.0) for name in NODES])
+
+
+def total_path(paths: Sequence[HeatPath], boundary: str) -> float:
+    """Sum of the conductances to a boundary [W/K]."""
+    return sum(path.conductance.value for path in paths if path.second == boundary)

@@ -1,0 +1,302 @@
+"""Where the heat of a bearing goes: paths of its parts, seats, shaft, housing, oil and air.
+
+Assumed, and named so in the text of each path: coefficients of seats, of surfaces to the oil in
+the cavity and to air, dimensions of shaft and housing where a case gives none.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from functools import cache
+from math import pi
+
+from ehl.oil.lubricant import Lubricant
+from ehl.solid.bodies.conduction import ring_conductances
+from ehl.solid.bodies.ring_profile import RingProfile, Seat
+
+from ..geometry import Bearing, Race
+from ..material import Material
+from ..rings.elastic_ring import elastic_ring
+from ..shoulder_diameter import shoulder_diameter
+from ..torque.inlet import diameters
+from .conductances import (
+    AIR_CAPACITY,
+    AIR_CONDUCTIVITY,
+    AIR_PRANDTL,
+    AIR_VISCOSITY,
+    Conductance,
+    cylinder_conductance,
+    fin_conductance,
+    in_series,
+    plate_coefficients,
+    radiation_coefficient,
+    ring_halves_conductance,
+    rotating_coefficient,
+    side_by_side,
+)
+from .friction_heat import FrictionHeat, solid_thermal
+from .network import AMBIENT, OIL_SUPPLY, HeatPath
+
+SEAT = Conductance(3e3, 1e3, 1e4)  # of seats [W/(m^2 K)], from memory, unverified
+# housing to still air: free convection 3 to 8 and radiation [W/(m^2 K)], from memory, unverified
+FREE_AIR = Conductance(5.0, 3.0, 8.0)
+PUMPED_TO_OIL = 0.5  # of the inlets' heat, where oil passes the cavity, assumed [-]
+EMISSIVITY = 0.9  # of a painted housing, assumed [-]
+SHAFT_LENGTH = 2.5  # of the shaft on each side over its diameter, assumed [-]
+HOUSING_DIAMETER = 1.6  # of the housing over the bearing's, assumed [-]
+HOUSING_WIDTH = 2.0  # of the housing over the bearing's, assumed [-]
+WIDTH = 0.9  # of a bearing over the height of its section, where none is given, assumed [-]
+HARRIS_SPEED = 1.0 / 3.0  # of the cage, with which oil or air passes the walls (Harris) [-]
+# half-width of the track that the balls heat over the ball diameter [-]: the ellipses of loaded
+# contacts reach 0.05 to 0.15; the ring's conductance changes by 10 % from one to the other
+TRACK = 0.1
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Surroundings:
+    """Where the heat goes, SI; None leaves a number to the estimate that the path names."""
+
+    ambient: float  # [K]
+    # of shaft and housing together to the surroundings [W/K]: split by the areas of the seats
+    conductance: float | None = None
+    oil_flow: float = 0.0  # rho c V of the oil that passes through [W/K]
+    oil_supply: float = 293.15  # temperature of the oil supplied [K]
+    air_flow: float = 0.0  # volume of the air that passes through [m^3/s]
+    shaft_material: Material
+    housing_material: Material
+    shaft_bore: float = 0.0  # [m]
+    shaft_length: float | None = None  # on each side of the bearing [m]
+    housing_diameter: float | None = None  # [m]
+    housing_width: float | None = None  # [m]
+    seat: Conductance = SEAT  # [W/(m^2 K)]
+    cavity: Conductance | None = None  # of all walls to the oil [W/(m^2 K)]
+    filled: bool = True  # oil passes the walls of the cavity, else air
+    # of the inlets' heat that the oil takes, the rest goes into the surfaces [-]
+    pumped_to_oil: float = PUMPED_TO_OIL
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Dimensions:
+    """Of a bearing on its shaft and in its housing [m]."""
+
+    bore: float
+    outside: float
+    width: float
+    inner_track: float  # diameter at the bottom of the inner groove
+    outer_track: float  # and of the outer one
+    housing: float
+    housing_width: float
+    shaft_length: float
+
+
+def dimensions(bearing: Bearing, around: Surroundings, rows: int = 1) -> Dimensions:
+    """Those given, estimates for others [m]."""
+    bore, outside = diameters(bearing)
+    width = bearing.width or WIDTH * 0.5 * (outside - bore)
+    return Dimensions(
+        bore=bore,
+        outside=outside,
+        width=rows * width,
+        inner_track=bearing.pitch_diameter - bearing.ball_diameter,
+        outer_track=bearing.pitch_diameter + bearing.ball_diameter,
+        housing=around.housing_diameter or HOUSING_DIAMETER * outside,
+        housing_width=around.housing_width or HOUSING_WIDTH * rows * width,
+        shaft_length=around.shaft_length or SHAFT_LENGTH * bore,
+    )
+
+
+def solid_paths(
+    bearing: Bearing, around: Surroundings, speed: float, rows: int = 1
+) -> tuple[HeatPath, ...]:
+    """Paths that friction and oil leave as they are: rings, seats, shaft, housing, air; speed of
+    the shaft [rad/s].
+    """
+    size = dimensions(bearing, around, rows)
+    return (*_ring_paths(bearing, around, size, rows), *_outside_paths(around, size, speed))
+
+
+def _ring_paths(
+    bearing: Bearing, around: Surroundings, size: Dimensions, rows: int
+) -> Iterator[HeatPath]:
+    """From the tracks of the rings to shaft and housing, and around the outer ring."""
+    inner = Conductance.exactly(rows * ring_conductance(bearing, Race.INNER, size.width / rows))
+    seat = around.seat.times(pi * size.bore * size.width)
+    yield HeatPath(
+        first="inner_ring",
+        second="shaft",
+        conductance=in_series(inner, seat),
+        what="track to bore by finite elements, and the seat (assumed)",
+    )
+    outer = Conductance.exactly(rows * ring_conductance(bearing, Race.OUTER, size.width / rows))
+    seat = around.seat.times(pi * size.outside * size.width)
+    k = solid_thermal(around.housing_material).conductivity
+    wall = cylinder_conductance(k, size.housing_width, size.outside, size.housing)
+    half = in_series(outer, seat, Conductance.exactly(wall)).times(0.5)
+    for name in ("outer_ring_loaded", "outer_ring_unloaded"):
+        yield HeatPath(
+            first=name,
+            second="housing",
+            conductance=half,
+            what="track to seat by finite elements, seat (assumed), wall of the housing",
+        )
+    k = solid_thermal(bearing.outer_ring_material).conductivity
+    section = 0.5 * (size.outside - size.outer_track) * size.width
+    radius = 0.25 * (size.outside + size.outer_track)
+    around_ring = ring_halves_conductance(k, section, radius)
+    yield HeatPath(
+        first="outer_ring_loaded",
+        second="outer_ring_unloaded",
+        conductance=Conductance.exactly(around_ring),
+        what="around the ring, closed form",
+    )
+
+
+def _outside_paths(around: Surroundings, size: Dimensions, speed: float) -> Iterator[HeatPath]:
+    """Shaft and housing to the surroundings, oil and air that pass through."""
+    if around.conductance is not None:
+        sizes = {"shaft": size.bore, "housing": size.outside}
+        for name, diameter in sizes.items():
+            share = diameter / (size.bore + size.outside)
+            yield HeatPath(
+                first=name,
+                second=AMBIENT,
+                conductance=Conductance.exactly(share * around.conductance),
+                what="heat_transfer_W_K as given, split by the areas of the seats",
+            )
+    else:
+        yield _shaft_path(around, size, speed)
+        yield _housing_path(around, size)
+    if around.oil_flow > 0.0:
+        yield HeatPath(
+            first="oil",
+            second=OIL_SUPPLY,
+            conductance=Conductance.exactly(around.oil_flow),
+            what="oil that passes through, rho c V",
+        )
+    if around.air_flow > 0.0:
+        yield HeatPath(
+            first="oil",
+            second=AMBIENT,
+            conductance=Conductance.exactly(AIR_CAPACITY * around.air_flow),
+            what="air that passes through, rho c V",
+        )
+
+
+def _shaft_path(around: Surroundings, size: Dimensions, speed: float) -> HeatPath:
+    """Two rods that turn in air."""
+    k = solid_thermal(around.shaft_material).conductivity
+    area = 0.25 * pi * (size.bore**2 - around.shaft_bore**2)
+    turning = rotating_coefficient(speed, size.bore)
+    still = radiation_coefficient(EMISSIVITY, around.ambient)
+    ends = (turning + still, 0.5 * turning + still, 2.0 * turning + still)
+    rods = [
+        2.0 * fin_conductance(h, pi * size.bore, k, area, size.shaft_length) if h > 0.0 else 0.0
+        for h in ends
+    ]
+    return HeatPath(
+        first="shaft",
+        second=AMBIENT,
+        conductance=Conductance(*rods),
+        what="a fin on each side, its length and coefficient assumed",
+    )
+
+
+def _housing_path(around: Surroundings, size: Dimensions) -> HeatPath:
+    """Mantle and faces of a housing in still air."""
+    area = pi * size.housing * size.housing_width
+    area += 0.5 * pi * (size.housing**2 - size.bore**2)
+    radiated = Conductance.exactly(radiation_coefficient(EMISSIVITY, around.ambient))
+    return HeatPath(
+        first="housing",
+        second=AMBIENT,
+        conductance=side_by_side(FREE_AIR, radiated).times(area),
+        what="free convection and radiation of an assumed housing",
+    )
+
+
+def state_paths(
+    bearing: Bearing,
+    around: Surroundings,
+    oil: Lubricant,
+    friction: FrictionHeat,
+    cage_speed: float,
+    rows: int = 1,
+) -> tuple[HeatPath, ...]:
+    """Paths that depend on the state: contacts by their films, walls of the cavity by its oil and
+    the speed of the cage [rad/s].
+    """
+    size = dimensions(bearing, around, rows)
+    contacts = [
+        HeatPath(
+            first="balls",
+            second=name,
+            conductance=friction.race(name),
+            what="contacts, by the film of each",
+        )
+        for name in ("inner_ring", "outer_ring_loaded", "outer_ring_unloaded")
+    ]
+    h = around.cavity or _cavity(bearing, around, oil, cage_speed)
+    areas = {
+        "inner_ring": pi * size.inner_track * size.width,
+        "outer_ring_loaded": 0.5 * pi * size.outer_track * size.width,
+        "outer_ring_unloaded": 0.5 * pi * size.outer_track * size.width,
+        "balls": rows * bearing.balls * pi * bearing.ball_diameter**2,
+        # both sides of a band as wide as the balls, assumed
+        "cage": 2.0 * rows * pi * bearing.pitch_diameter * bearing.ball_diameter,
+    }
+    words = "given" if around.cavity else "a flat plate between Harris' coefficient and theory's"
+    walls = [
+        HeatPath(
+            first=name,
+            second="oil",
+            conductance=h.times(area),
+            what=f"wall to the {'oil' if around.filled else 'air'} in the cavity, {words}",
+        )
+        for name, area in areas.items()
+    ]
+    return (*contacts, *walls)
+
+
+def _cavity(
+    bearing: Bearing, around: Surroundings, oil: Lubricant, cage_speed: float
+) -> Conductance:
+    """Per area of walls to the oil or air that passes them [W/(m^2 K)]."""
+    length = bearing.pitch_diameter
+    speed = HARRIS_SPEED * 0.5 * abs(cage_speed) * length
+    if not around.filled:
+        return plate_coefficients(speed, length, AIR_CONDUCTIVITY, AIR_VISCOSITY, AIR_PRANDTL)
+    if oil.thermal is None:
+        raise ValueError("lubricant.conductivity_W_m_K and specific_heat_J_kg_K are needed")
+    k = oil.thermal.conductivity
+    viscosity = oil.viscosity / oil.density
+    prandtl = oil.viscosity * oil.thermal.specific_heat / k
+    return plate_coefficients(speed, length, k, viscosity, prandtl)
+
+
+def ring_conductance(bearing: Bearing, race: Race, width: float) -> float:
+    """From the track of one row's ring, the rest of it insulated, to its seat [W/K], by finite
+    elements; width of the row [m].
+    """
+    material = bearing.inner_ring_material if race is Race.INNER else bearing.outer_ring_material
+    k = solid_thermal(material).conductivity
+    bore, outside = diameters(bearing)
+    inner = race is Race.INNER
+    ball = bearing.ball_diameter
+    shoulder = shoulder_diameter(bearing, race)
+    groove = bearing.pitch_diameter + (-ball if inner else ball)
+    height = 0.2 * ball  # of shoulders of which no diameter is known, assumed
+    if shoulder is None:
+        shoulder = (groove + 2.0 * height if inner else groove - 2.0 * height, True)
+    known = with_dimensions(bearing, bore, outside, width)
+    profile = elastic_ring(known, race, Seat.RIGID, shoulder).profile
+    return _ring_conductance(profile, k, TRACK * ball)
+
+
+def with_dimensions(bearing: Bearing, bore: float, outside: float, width: float) -> Bearing:
+    """With the dimensions that are not given [m]."""
+    return replace(bearing, bore=bore, outside_diameter=outside, width=width)
+
+
+@cache
+def _ring_conductance(profile: RingProfile, conductivity: float, half_width: float) -> float:
+    resistance = ring_conductances(profile, conductivity, half_width).resistance
+    return float(1.0 / resistance[0, 0])

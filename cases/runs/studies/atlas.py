@@ -1,0 +1,105 @@
+"""Films of a case by the film atlas, without a film solve."""
+
+from dataclasses import replace
+from time import perf_counter
+
+from bearing.contacts.contact import BearingContact
+from bearing.contacts.contacts import contact_conditions
+from bearing.contacts.finite_bodies import finite_bodies, with_finite_bodies
+from bearing.friction.resolvable import too_thick
+from bearing.quasistatic.solver import solve_quasistatic
+from bearing.rows import SINGLE
+from ehl import ContactConditions, atlas_films
+from ehl.traction.atlas.films import NotInAtlasError
+from postprocess.bearing.atlas import AtlasBearingResults, BearingAtlasRecord
+from postprocess.contact.atlas import AtlasContactResults, AtlasRecord
+
+from ...format.case import Case, ContactCase
+from ...format.contact import FilmModel
+from ...format.problems import CaseError
+from ...version import version
+from ..equilibrium import without_traction_equilibrium
+from ..films import heat_message, wanted_contacts
+
+HALF_AND_HALF = (
+    "loads of half and half in place of traction equilibrium, which takes its friction from films"
+)
+TOO_LIGHT = "too light a contact for its speed: by formula the film is beyond 2 % of R_x"
+NO_EQUILIBRIUM = "there is no equilibrium"
+
+
+def run_atlas_contact(case: ContactCase, name: str) -> AtlasContactResults:
+    """Films of a single contact; `CaseError` where the atlas does not cover it."""
+    solver = f"use 'oilfilm contact {name}'"
+    _require_newtonian(case, name, solver)
+    start = perf_counter()
+    try:
+        films = atlas_films(case.conditions)
+    except NotInAtlasError as refusal:
+        raise CaseError(f"{name}: {refusal.reason}; {solver}") from None
+    return AtlasContactResults(
+        version=version(),
+        case=case.document,
+        record=AtlasRecord(conditions=case.conditions, films=films),
+        messages=case.warnings,
+        timing={"total": perf_counter() - start},
+    )
+
+
+def run_atlas_bearing(case: Case, name: str) -> AtlasBearingResults:
+    """Films of all contacts of a bearing at its quasi-static loads, whatever `film_maps` asks for;
+    without films are those that the atlas does not cover.
+    """
+    solver = f"use 'oilfilm run {name}'"
+    _require_newtonian(case, name, solver)
+    start = perf_counter()
+    case = replace(case, film_maps="all")
+    model = without_traction_equilibrium(case.model)
+    state = solve_quasistatic(case.bearing, case.operation, model, rows=case.rows or SINGLE)
+    contacts = contact_conditions(state, case.lubricant)
+    if case.file.ehl.finite_bodies and state.converged:
+        contacts = with_finite_bodies(contacts, finite_bodies(case.bearing, contacts))
+    wanted, messages = wanted_contacts(case, state, contacts)
+    if state.converged:
+        messages += heat_message(case, state, contacts)
+    if model is not case.model:
+        messages += (HALF_AND_HALF,)
+    pairs = zip(contacts, wanted, strict=True)
+    return AtlasBearingResults(
+        version=version(),
+        case=case.document,
+        records=tuple(_record(contact, own, solver) for contact, own in pairs),
+        converged=state.converged,
+        messages=(*case.warnings, *messages),
+        timing={"total": perf_counter() - start},
+    )
+
+
+def _record(
+    contact: BearingContact, wanted: ContactConditions | None, advice: str
+) -> BearingAtlasRecord:
+    """A contact with its films, or the reason why it has none, with `advice` where the atlas does
+    not cover it.
+    """
+    films = None
+    reason = contact.note
+    if wanted is None and contact.conditions is not None:
+        reason = NO_EQUILIBRIUM  # all balls were asked for
+    elif wanted is not None and wanted.inlet_layer is None and too_thick(wanted):
+        reason = TOO_LIGHT
+    elif wanted is not None:
+        try:
+            films = atlas_films(wanted)
+        except NotInAtlasError as refusal:
+            reason = f"{refusal.reason}; {advice}"
+    return BearingAtlasRecord(contact=contact, conditions=wanted, films=films, reason=reason)
+
+
+def _require_newtonian(case: Case | ContactCase, name: str, solver: str) -> None:
+    """`CaseError` where the case asks for films with heat or shear thinning."""
+    model = case.films.model
+    if model is not FilmModel.NEWTONIAN:
+        raise CaseError(
+            f'{name}: [ehl] film_model = "{model.value}": the film atlas has isothermal films of '
+            f"a Newtonian oil; {solver}"
+        )

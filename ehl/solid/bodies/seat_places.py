@@ -1,0 +1,94 @@
+r"""What a ring yields where its seat touches it at places only.
+
+A place presses radially on the seat, evenly across the ring and as a parabola over the angle
+:math:`\pm w` around it, :math:`p \propto 1 - (\theta/w)^2`; it measures the radial displacement of
+the seat with the same weights, which make its resultant one. The rigid part of all displacements
+is that of a loose ring under a cosine pressure, which cancels where the places balance the balls.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ...arrays import Array
+from .hexahedra import quadratic_line
+from .ring_mesh import RingMesh
+
+GAUSS_POINTS = 32  # of the parabola
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SeatResponse:
+    """Radial displacement of the seat as a place measures it, under unit forces at theta = 0."""
+
+    theta: Array  # nodes around half the ring, shape (n,) [rad]
+    # under a load at the bottom of the groove, at the contact angle, and a radial force on the
+    # seat, shape (3, n) [m/N]
+    moved: Array
+    angle: float  # contact angle of the second [rad]
+    half_width: float  # w [rad]
+
+    def at(self, theta: Array) -> Array:
+        """Seat's displacement an angle apart [rad], shape (3, ...) [m/N]: per radial force on the
+        groove, per part of it that opens the groove, and per force on the seat.
+        """
+        offsets, weights = _parabola(self.half_width)
+        distance = np.asarray(theta)[..., None] + offsets
+        distance = np.abs((distance + np.pi) % (2.0 * np.pi) - np.pi)
+        numbers, parts = quadratic_line(self.theta, distance)
+        bottom, across, seat = (
+            (row[numbers] * parts).sum(axis=-1) @ weights for row in self.moved
+        )
+        return np.stack([bottom, across - np.cos(self.angle) * bottom, seat])
+
+
+def place_forces(mesh: RingMesh, half_width: float) -> Array:
+    """Nodal forces of half a unit place at theta = 0, outwards, whose other half stands beyond the
+    plane of symmetry, shape (nodes, 3) [-].
+    """
+    lines = _lines(mesh)
+    places, weights = _parabola(half_width)
+    numbers, parts = quadratic_line(lines, np.abs(places))
+    around = np.zeros(lines.size)
+    np.add.at(around, numbers, 0.5 * weights[:, None] * parts)
+    theta = mesh.body.parameters[0]
+    weight = around[np.abs(theta[:, None] - lines).argmin(axis=1)] * _across(mesh)
+    return np.asarray(
+        weight[:, None] * np.stack([0 * theta, np.cos(theta), np.sin(theta)], axis=1)
+    )
+
+
+def seat_response(mesh: RingMesh, field: Array, angle: float, half_width: float) -> SeatResponse:
+    """From the displacement of all nodes under the three loads, shape (nodes, 3, 3) [m/N]."""
+    theta = mesh.body.parameters[0]
+    lines = _lines(mesh)
+    line = np.abs(theta[:, None] - lines).argmin(axis=1)
+    radial = field[:, 1] * np.cos(theta)[:, None] + field[:, 2] * np.sin(theta)[:, None]
+    moved = np.zeros((lines.size, 3))
+    np.add.at(moved, line, _across(mesh)[:, None] * radial)
+    return SeatResponse(theta=lines, moved=moved.T, angle=angle, half_width=half_width)
+
+
+def _parabola(half_width: float) -> tuple[Array, Array]:
+    """Angles [rad] and weights of a place, whose resultant is one [-], shape (points,)."""
+    nodes, parts = np.polynomial.legendre.leggauss(GAUSS_POINTS)
+    weights = parts * (1.0 - nodes**2)
+    return half_width * nodes, weights / (weights @ np.cos(half_width * nodes))
+
+
+def _lines(mesh: RingMesh) -> Array:
+    return np.unique(mesh.body.parameters[0].round(12))
+
+
+def _across(mesh: RingMesh) -> Array:
+    """Weights of the nodes for the mean across the seat, sum 1 on every line around, zero off the
+    seat, shape (nodes,) [-].
+    """
+    s = mesh.body.parameters[1]
+    nodes = np.unique(s.round(12))
+    weights = np.zeros(nodes.size)
+    sizes = nodes[2::2] - nodes[:-2:2]
+    for corner, part in enumerate((1.0, 4.0, 1.0)):  # Simpson's rule, that of quadratic cells
+        weights[corner : nodes.size - 2 + corner : 2] += part / 6.0 * sizes
+    own = weights[np.abs(s[:, None] - nodes).argmin(axis=1)] / (nodes[-1] - nodes[0])
+    return np.where(mesh.seat, own, 0.0)

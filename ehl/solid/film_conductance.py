@@ -1,0 +1,133 @@
+r"""Heat that a rolling lubricated contact conducts from one body to the other.
+
+Each strip of the surfaces meets the other body for the time t = w(y)/u, w its length along rolling
+and u the rolling speed, through a film of the conductance H = k_f/h per area. Two half-spaces of
+effusivities e_1, e_2 that are brought together at t = 0 through H exchange, per area and kelvin,
+
+.. math:: E(t) = \frac{H}{\beta^2} \left[ e^{\beta^2 t} \mathrm{erfc}(\beta \sqrt t) - 1
+          + 2 \beta \sqrt{t/\pi} \right], \qquad \beta = H (1/e_1 + 1/e_2)
+
+(one-dimensional conduction, Carslaw and Jaeger, 1959, section 2.9 for one body), so that a contact
+of semi-axes b along rolling and a across it conducts
+
+.. math:: G = u \int_{-a}^{a} E(w(y)/u)\, dy, \qquad w = 2 b \sqrt{1 - y^2/a^2}
+
+It holds where the heat does not get far during the passage, u b/(2 kappa) >> 1. At slower motion u
+has the share of a body at rest added that makes G of a contact at rest without a film the
+conductance of an isothermal spot, 1/G = (1/k_1 + 1/k_2) K(m)/(2 pi a), m = 1 - b^2/a^2.
+
+Over a film whose H varies, each line is marched along rolling,
+
+.. math:: q(x) = H(x) \left[ 1 - \frac{1/e_1 + 1/e_2}{\sqrt{\pi u}}
+          \int_{-\infty}^{x} \frac{q(x')\, dx'}{\sqrt{x - x'}} \right]
+"""
+
+from math import gamma, pi
+
+import numpy as np
+import scipy
+from numpy.typing import ArrayLike
+
+from ..arrays import Array
+from .heat import SolidThermal, history_weights
+
+SERIES_BELOW = 1.0e-2  # of beta sqrt(t), where the closed form cancels [-]
+LINES = 32  # of Gauss and Legendre across the ellipse [-]; 64 change G by 1e-9
+# B(1/2, 5/4), from the integral of sqrt(w) across an ellipse [-]
+BETA = gamma(0.5) * gamma(1.25) / gamma(1.75)
+
+
+def exchanged_heat(time: ArrayLike, film: float, first: float, second: float) -> Array:
+    """E of two half-spaces after a time [s] through a film of conductance H [W/(m^2 K)], by their
+    effusivities [W s^0.5/(m^2 K)]; in [J/(m^2 K)].
+    """
+    joint = first * second / (first + second)
+    root = np.sqrt(np.asarray(time, dtype=np.float64))
+    z = film / joint * root
+    small = np.minimum(z, SERIES_BELOW)
+    # z^2 - 4 z^3/(3 sqrt(pi)) + z^4/2 - 8 z^5/(15 sqrt(pi)) of the bracket
+    cubic = 4.0 / (3.0 * np.sqrt(pi)) - 0.5 * small + 8.0 / (15.0 * np.sqrt(pi)) * small**2
+    series = small**2 * (1.0 - small * cubic)
+    closed = scipy.special.erfcx(z) - 1.0 + 2.0 * z / np.sqrt(pi)
+    return np.asarray(joint**2 / film * np.where(z < SERIES_BELOW, series, closed))
+
+
+def spot_conductance(
+    along: float, across: float, first: SolidThermal, second: SolidThermal
+) -> float:
+    """Of an isothermal elliptic spot between two half-spaces at rest, by its semi-axes [m], in
+    [W/K].
+    """
+    short, long = sorted((along, across))
+    resistance = 1.0 / first.conductivity + 1.0 / second.conductivity
+    integral = float(scipy.special.ellipk(1.0 - (short / long) ** 2))
+    return 2.0 * pi * long / (resistance * integral)
+
+
+def film_conductance(
+    speed: float,
+    semi_axes: tuple[float, float],
+    film: float,
+    first: SolidThermal,
+    second: SolidThermal,
+) -> float:
+    """G of a contact with an even film [W/K].
+
+    speed: of rolling [m/s]; semi_axes: along rolling and across it [m]; film: H = k_f/h
+    [W/(m^2 K)].
+    """
+    along, across = semi_axes
+    u = moving_speed(speed, semi_axes, first, second)
+    nodes, weights = np.polynomial.legendre.leggauss(LINES)
+    angle = 0.5 * pi * nodes  # y = a sin(angle)
+    length = 2.0 * along * np.cos(angle)
+    exchanged = exchanged_heat(length / u, film, first.effusivity, second.effusivity)
+    dy = across * np.cos(angle) * 0.5 * pi * weights
+    return float(u * (exchanged @ dy))
+
+
+def bare_conductance(
+    speed: float, semi_axes: tuple[float, float], first: SolidThermal, second: SolidThermal
+) -> float:
+    """G without a film, 2 e sqrt(2 b u/pi) a B(1/2, 5/4) with e = e_1 e_2/(e_1 + e_2) [W/K]; speed
+    [m/s], semi-axes along rolling and across it [m].
+    """
+    along, across = semi_axes
+    joint = _joint(first, second)
+    return float(2.0 * joint * np.sqrt(2.0 * along * abs(speed) / pi) * across * BETA)
+
+
+def moving_speed(
+    speed: float, semi_axes: tuple[float, float], first: SolidThermal, second: SolidThermal
+) -> float:
+    """The speed with the share of bodies at rest, with which a contact at rest has the conductance
+    of a spot [m/s]; semi-axes along rolling and across it [m].
+    """
+    along, across = semi_axes
+    spot = spot_conductance(along, across, first, second)
+    per_root = spot / (2.0 * _joint(first, second) * across * BETA)
+    return abs(speed) + 0.5 * pi / along * per_root**2
+
+
+def marched_conductance(
+    speed: float, x: Array, y: Array, film: Array, first: SolidThermal, second: SolidThermal
+) -> float:
+    """G of a contact whose film varies [W/K].
+
+    speed: with the share of bodies at rest, `moving_speed` [m/s]; x, y: evenly spaced nodes along
+    rolling, shape (nx,), and across, shape (ny,) [m]; film: H, shape (nx, ny), zero outside the
+    contact [W/(m^2 K)].
+    """
+    step = float(x[1] - x[0])
+    weights = history_weights(x.size, step) / (np.sqrt(pi * speed) * _joint(first, second))
+    flux = np.zeros_like(film)
+    for i in np.flatnonzero(film.any(axis=1)):
+        before = weights[i:0:-1] @ flux[:i]
+        flux[i] = film[i] * (1.0 - before) / (1.0 + film[i] * weights[0])
+    return float(flux.sum() * step * (y[1] - y[0]))
+
+
+def _joint(first: SolidThermal, second: SolidThermal) -> float:
+    """e_1 e_2/(e_1 + e_2) [W s^0.5/(m^2 K)]."""
+    e = first.effusivity, second.effusivity
+    return e[0] * e[1] / (e[0] + e[1])

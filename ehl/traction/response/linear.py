@@ -1,0 +1,167 @@
+r"""Response of a solved contact to a small movement of its bodies: derivative of its equations.
+
+With the solution's pressure P and approach constant H0, an oscillation of the load with the
+amplitude one moves H0 by h and P by p. Where the oil carries pressure, on the edge of an open box,
+and for the load,
+
+.. math::
+    L' (p, K p + h) - i \omega\, [\rho (K p + h) + \rho' H p] &= 0, \\
+    p - \frac{\partial P_e}{\partial H} (K p + h) + i \omega\, h \frac{\kappa}{H^2} &= 0,
+        \qquad \kappa = \frac{\lambda}{2 (S + T)}, \\
+    \iint p + W_e' (K p + h) - i \omega\, h\, \kappa \int \frac{d\theta}{q (h_e + q R^2/2)} &= 1,
+
+L' as in `multigrid/jacobian.py`, the squeeze beyond the edge that of a paraboloid, -kappa dH0/dT
+/H^2. The nodes without pressure stay so: their movement is of second order. Stiffness and damping
+are k + i omega c = -1/h; the limit of slow movement is the derivative at omega = 0. All quantities
+[-], the time in a/u_m.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...arrays import Array
+from ...multigrid.bordered import Border, solve_bordered
+from ...multigrid.far_field import squeeze_load
+from ...multigrid.jacobian import Linearisation, deflected, product
+from ...multigrid.levels import Multigrid
+from ...multigrid.newton import Factored, dry_nodes, polished
+
+Numbers = NDArray[Any]  # real or complex
+
+TOLERANCE = 1e-5  # of the linear systems: 0.03 % of the damping at most, 4 contacts at 257 points
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SlowResponse:
+    """Response to slow movement [-]."""
+
+    stiffness: float  # -dW/dH0
+    damping: float  # -dW/d(dH0/dT), the squeeze beyond the edge of an open box included
+    damping_outside: float  # what that squeeze adds
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LinearContact:
+    """Linearised equations of the finest level of a contact, arrays of shape (ny, nx); all [-]."""
+
+    state: Multigrid
+    index: int
+    lin: Linearisation
+    factored: Factored
+    squeeze: Array  # pressure on the edge by -dH0/dT
+    squeeze_load: float  # load outside by the same
+
+    def slow(self) -> SlowResponse:
+        """Stiffness, and damping in the limit of slow movement.
+
+        From A x0 = e and A x1 = -B x0, A + i omega B the equations: h = h0 + i omega h1.
+
+        Raises
+        ------
+        LinearSolverError
+            If the linear systems are not solved.
+        """
+        none = np.zeros_like(self.lin.P)
+        p, h = self._solved(none, 1.0)
+        by_content = self._solved(self._content(p, h), 0.0)[1]
+        by_edge = 0.0
+        if self.state.far_field is not None:
+            by_edge = self._solved(-h * self.squeeze, h * self.squeeze_load)[1]
+        return SlowResponse(
+            stiffness=-1.0 / h,
+            damping=(by_content + by_edge) / h**2,
+            damping_outside=by_edge / h**2,
+        )
+
+    def at(self, frequency: float) -> tuple[float, float]:
+        """Stiffness and damping at an angular frequency times a/u_m above zero.
+
+        Raises
+        ------
+        LinearSolverError
+            If the linear system is not solved.
+        """
+        h = self._solved(np.zeros_like(self.lin.P), 1.0, frequency)[1]
+        reaction = -1.0 / h
+        return reaction.real, reaction.imag / frequency
+
+    def _solved(self, right: Array, load: float, frequency: float = 0.0) -> tuple[Numbers, Any]:
+        """Change of pressure, shape (ny, nx), and of H0 for a right side of the equations, shape
+        (ny, nx), and of the load.
+        """
+        lin = self.lin
+        diagonal = self.factored.diagonal
+        dry = dry_nodes(lin, diagonal)
+        turn: Any = 1j * frequency if frequency else 0.0
+
+        def derivative(p: Numbers, h: float) -> Numbers:
+            film = self._film(p, h)
+            rows = _by_parts(lambda a, b: product(lin, a, b), p, film)
+            if frequency:
+                moved = np.where(lin.edge, h * self.squeeze, -self._carried(p, film))
+                rows = rows + turn * moved
+            return np.asarray(rows / diagonal)
+
+        def operator(p: Numbers) -> Numbers:
+            change = p.reshape(lin.P.shape)
+            return np.where(dry, change, derivative(change, 0.0)).ravel()
+
+        kept = self.factored.preconditioner
+        border = Border(
+            column=np.where(dry, 0.0, derivative(np.zeros_like(lin.P), 1.0)).ravel(),
+            row=kept.border.row,
+            corner=lin.load_by_film - turn * self.squeeze_load,
+        )
+        sources = np.where(dry, 0.0, right / diagonal).ravel()
+        p, h = solve_bordered(operator, border, kept, (sources, load), TOLERANCE)
+        return p.reshape(lin.P.shape), h
+
+    def _film(self, p: Numbers, h: complex) -> Numbers:
+        """Change of the film, K p + h."""
+        if not p.any():
+            return np.full_like(p, h)
+        return _by_parts(lambda a: deflected(self.state, self.index, a), p) + h
+
+    def _carried(self, p: Numbers, film: Numbers) -> Numbers:
+        """Change of rho H."""
+        lin = self.lin
+        return np.asarray(lin.density * (film + lin.content_by_pressure * p))
+
+    def _content(self, p: Array, h: float) -> Array:
+        """Change of rho H inside the box, zero on its edge."""
+        return np.where(self.lin.edge, 0.0, self._carried(p, self._film(p, h)))
+
+
+def linear_contact(state: Multigrid) -> LinearContact:
+    """Linearise a solved contact on its finest level, which Newton steps polish first.
+
+    Raises
+    ------
+    LinearSolverError
+        If the steps do not lead to a solution.
+    """
+    index = len(state.levels) - 1
+    lin, factored = polished(state, index)
+    squeeze = np.zeros_like(lin.P)
+    load = 0.0
+    if state.far_field is not None:
+        curvature = state.contact.curvature_x + state.contact.curvature_y
+        kappa = state.contact.speed / (2.0 * curvature)
+        wet = lin.edge & (lin.P > 0.0)
+        squeeze[wet] = kappa / lin.H[wet] ** 2
+        load = kappa * squeeze_load(state.far_field, lin.grid, lin.H)
+    return LinearContact(
+        state=state, index=index, lin=lin, factored=factored, squeeze=squeeze, squeeze_load=load
+    )
+
+
+def _by_parts(action: Any, *fields: Numbers) -> Numbers:
+    """A real linear action on fields that may be complex."""
+    if not any(np.iscomplexobj(field) for field in fields):
+        return np.asarray(action(*fields))
+    real = action(*(np.ascontiguousarray(np.real(field)) for field in fields))
+    imaginary = action(*(np.ascontiguousarray(np.imag(field)) for field in fields))
+    return np.asarray(real + 1j * imaginary)

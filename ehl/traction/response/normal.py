@@ -1,0 +1,181 @@
+"""Stiffness and damping of a lubricated contact along its normal, with error bars."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import hypot, inf, nan, pi
+
+from ...conditions import ContactConditions, MoesConditions
+from ...multigrid.bordered import LinearSolverError
+from ...multigrid.newton import MOST_NODES
+from ...options import SolverOptions
+from ...scaling import scale_contact
+from ...solver import solve_attempts
+from .linear import LinearContact, SlowResponse, linear_contact
+
+POINTS = (257, 513)  # the first that resolves the film, and half of them
+COARSEST = 65
+# error of the extrapolated value over the step between the meshes; a third is what order 2 adds
+MESH_SHARE = 0.5
+# angular frequency times a/u_m, below which movement is slow: damping differs by 0.02 % at most
+# there, and is too small a part of the reaction to be told from it
+SLOWEST = 0.02
+FASTEST = 10.0  # likewise; beyond it a mesh no longer carries the film's wave
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ResponseValue:
+    """A stiffness [N/m] or damping [N s/m], and its error bar in the same unit."""
+
+    value: float
+    uncertainty: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NormalResponse:
+    """Stiffness and damping of a contact in the direction of its normal; not numbers where they
+    are not converged.
+    """
+
+    stiffness: ResponseValue  # -dF/dh_0 [N/m], slow movement
+    damping: ResponseValue  # -dF/d(dh_0/dt) [N s/m], slow movement
+    converged: bool
+    resolved: bool  # the film, by the finer mesh
+    message: str
+    frequencies: tuple[float, ...] = ()  # [Hz]
+    stiffnesses: tuple[ResponseValue, ...] = ()  # at these [N/m]
+    dampings: tuple[ResponseValue, ...] = ()  # [N s/m]
+
+
+def normal_response(
+    conditions: ContactConditions | MoesConditions,
+    options: SolverOptions | None = None,
+    frequencies: Sequence[float] = (),
+) -> NormalResponse:
+    """Stiffness [N/m] and damping [N s/m] of a flooded, Newtonian, isothermal contact, slow and at
+    frequencies [Hz].
+
+    The contact is solved on 257 points along x (513 if those do not resolve the film), or those of
+    the options, and on half as many; both values are extrapolated with order 2. The error bar
+    holds a part of that step and what is not known of the squeeze beyond an open box: half of what
+    it adds at most.
+
+    Raises
+    ------
+    ValueError
+        If the conditions have no lengths or a layer at the inlet, or a frequency is not above
+        zero or beyond 10 u_m/(2 pi a).
+    """
+    if isinstance(conditions, MoesConditions):
+        raise ValueError("conditions: stiffness and damping need lengths")
+    if conditions.inlet_layer is not None:
+        raise ValueError("inlet_layer: stiffness and damping are those of flooded contacts")
+    limit = highest_frequency(conditions)
+    if wrong := [frequency for frequency in frequencies if not 0.0 < frequency <= limit]:
+        raise ValueError(f"frequencies: above 0 and at most {limit:.4g} Hz, got {wrong[0]}")
+    given = options or SolverOptions()
+    fixed = given.points is not None
+    finest = (max(given.most_points, COARSEST),) if fixed else POINTS
+    counts = [max((finest[0] + 1) // 2, COARSEST), *finest]
+    meshes: list[_Mesh] = []
+    fault = ""
+    for points in dict.fromkeys(counts):
+        one = replace(given, points=points, tolerance=None, certify=False)
+        try:
+            meshes.append(_mesh(conditions, one, frequencies))
+        except LinearSolverError as error:
+            fault = f"{points} points: {error}"
+            continue
+        if points >= finest[0] and meshes[-1].resolved:
+            break
+    if not meshes or meshes[-1].points < finest[0]:
+        return _none(fault)
+    return _extrapolated(meshes[-2:], tuple(frequencies))
+
+
+def highest_frequency(conditions: ContactConditions) -> float:
+    """Up to which the response of a contact can be computed [Hz]: 10 u_m/(2 pi a)."""
+    a = scale_contact(conditions).semi_axis_x
+    assert a is not None
+    return FASTEST * conditions.entrainment_speed / (2.0 * pi * a)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Mesh:
+    """Response on one mesh, in SI."""
+
+    stiffness: float
+    damping: float
+    outside: float  # part of the damping, from beyond the box
+    points: int  # along x
+    resolved: bool
+    over_frequency: tuple[tuple[float, float], ...]  # stiffness and damping
+
+
+def _mesh(
+    conditions: ContactConditions, options: SolverOptions, frequencies: Sequence[float]
+) -> _Mesh:
+    """The response on the points of the options; `LinearSolverError` where there is none."""
+    solution, state = solve_attempts(conditions, options)
+    if not solution.converged:
+        raise LinearSolverError(solution.message)
+    if state.levels[-1].P.size > MOST_NODES:
+        raise LinearSolverError(f"more than the {MOST_NODES} nodes that are factored")
+    a, scale = solution.semi_axis_x, solution.film_scale
+    assert a is not None and scale is not None
+    time = a / conditions.entrainment_speed
+    contact: LinearContact = linear_contact(state)
+    slow: SlowResponse = contact.slow()
+    # of p_h a^2 over a^2/R_x, and the time a/u_m
+    unit = conditions.load / (state.contact.load * scale)
+    samples = []
+    for frequency in frequencies:
+        turns = 2.0 * pi * frequency * time
+        at_rest = (slow.stiffness, slow.damping)
+        stiffness, damping = contact.at(turns) if turns > SLOWEST else at_rest
+        samples.append((unit * stiffness, unit * time * damping))
+    if not (slow.stiffness > 0.0 and slow.damping > 0.0):
+        raise LinearSolverError("stiffness or damping is not positive")
+    return _Mesh(
+        stiffness=unit * slow.stiffness,
+        damping=unit * time * slow.damping,
+        outside=unit * time * slow.damping_outside,
+        points=options.most_points,
+        resolved=solution.resolved,
+        over_frequency=tuple(samples),
+    )
+
+
+def _extrapolated(meshes: list[_Mesh], frequencies: tuple[float, ...]) -> NormalResponse:
+    """Values without mesh; of a single mesh their bars are as wide as the values."""
+    coarse = meshes[0]
+    fine = meshes[-1]
+    single = coarse is fine
+    half = 0.5 * fine.outside
+
+    def value(before: float, after: float, shift: float) -> ResponseValue:
+        # the squeeze beyond the box adds more than it does in truth, as it does not end with the
+        # oil: half of it counts, and is the bar
+        if single:
+            return ResponseValue(value=after - shift, uncertainty=abs(after))
+        step = after - before
+        bar = hypot(MESH_SHARE * step, shift)
+        return ResponseValue(value=after + step / 3.0 - shift, uncertainty=bar)
+
+    samples = list(zip(coarse.over_frequency, fine.over_frequency, strict=True))
+    return NormalResponse(
+        stiffness=value(coarse.stiffness, fine.stiffness, 0.0),
+        damping=value(coarse.damping, fine.damping, half),
+        converged=True,
+        resolved=fine.resolved,
+        message="single mesh: error bars as wide as the values" if single else "converged",
+        frequencies=frequencies,
+        stiffnesses=tuple(value(c[0], f[0], 0.0) for c, f in samples),
+        dampings=tuple(value(c[1], f[1], half) for c, f in samples),
+    )
+
+
+def _none(message: str) -> NormalResponse:
+    nothing = ResponseValue(value=nan, uncertainty=inf)
+    return NormalResponse(
+        stiffness=nothing, damping=nothing, converged=False, resolved=False, message=message
+    )

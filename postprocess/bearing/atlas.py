@@ -1,0 +1,109 @@
+"""Films of the film atlas of all contacts of a bearing, as summary and in the terminal."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from rich.console import Group
+from rich.text import Text
+
+from bearing.contacts.contact import BearingContact
+
+from ..contact.atlas import MODEL, SOURCE, THIN_LAYER, AtlasRecord, atlas_values
+from ..files import plain_document
+from ..quantities import values_of
+from ..results import Results
+from ..table import number_table
+from ..text import NOTHING, number, value_with_error
+from .contacts import CONTACT_QUANTITY
+from .results import balls_text
+
+DRY = (
+    *("ball", "row", "azimuth_deg", "race", "loaded", "load_N", "contact_angle_deg"),
+    *("semi_axis_rolling_mm", "semi_axis_transverse_mm", "hertz_pressure_GPa"),
+    "entrainment_speed_m_s",
+)
+HEADERS = ("ball", "race", "load N", "p_h GPa", "h_c µm", "h_min µm", "k N/µm")
+
+
+@dataclass(frozen=True, kw_only=True)
+class BearingAtlasRecord(AtlasRecord):
+    """One contact of a bearing with its films of the atlas."""
+
+    contact: BearingContact
+
+    @property
+    def loaded(self) -> bool:
+        """Whether it carries a load."""
+        return self.contact.load > 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AtlasBearingResults(Results):
+    """Contacts of a bearing and their films by the atlas."""
+
+    records: tuple[BearingAtlasRecord, ...]
+    converged: bool  # the equilibrium
+
+    @property
+    def refusals(self) -> dict[tuple[str, str], list[str]]:
+        """Balls of loaded contacts without films, by race and reason."""
+        found: dict[tuple[str, str], list[str]] = {}
+        for record in self.records:
+            if record.loaded and record.films is None:
+                place = (record.contact.race.value, record.reason)
+                found.setdefault(place, []).append(str(record.contact.ball))
+        return found
+
+
+def atlas_bearing_summary(results: AtlasBearingResults) -> dict[str, Any]:
+    """The document of a bearing: films of each contact, null with the reason in its note."""
+    document = {
+        "source": SOURCE,
+        "contacts": [_values(record) for record in results.records],
+        "timing_s": dict(results.timing),
+    }
+    return plain_document(results.head(results.converged, _messages(results)) | document)
+
+
+def _values(record: BearingAtlasRecord) -> dict[str, Any]:
+    dry = values_of(record, [CONTACT_QUANTITY[key] for key in DRY])
+    return {**dry, **atlas_values(record), "note": record.reason}
+
+
+def _messages(results: AtlasBearingResults) -> Iterator[str]:
+    """What the films are, and why some are null."""
+    yield MODEL
+    if any(not record.loaded for record in results.records):
+        yield "contacts: all but the load null where loaded is false"
+    for (race, reason), balls in results.refusals.items():
+        yield f"{race} race, {balls_text(balls)}: film null, {reason}"
+    thin = [r for r in results.records if r.films is not None and r.films.rolling_moment is None]
+    if thin:
+        balls = list(dict.fromkeys(str(record.contact.ball) for record in thin))
+        yield f"{balls_text(balls)}: rolling_moment_... null, {THIN_LAYER}"
+
+
+def atlas_bearing_table(results: AtlasBearingResults) -> Group:
+    """A line for each loaded contact, units in the head; below it why films are missing."""
+    rows = []
+    for record in results.records:
+        if record.loaded:
+            values = _values(record)
+            films = [_film(values, name) for name in ("central", "minimum")]
+            dry = [number(values["load_N"], ".1f"), number(values["hertz_pressure_GPa"], ".3f")]
+            stiffness = number(values["stiffness_N_um"])
+            rows.append([str(values["ball"]), values["race"], *dry, *films, stiffness])
+    lacks = [
+        Text(f"{race} race, {balls_text(balls)}: no film, {reason}")
+        for (race, reason), balls in results.refusals.items()
+    ]
+    title = Text(results.title, style="bold")
+    return Group(title, number_table(HEADERS, rows, left=("race",)), *lacks)
+
+
+def _film(values: dict[str, Any], name: str) -> str:
+    """A film and its bar [um]."""
+    film = values[f"film_{name}_um"]
+    bar = values[f"film_{name}_uncertainty_um"]
+    return NOTHING if film is None else value_with_error(film, bar, most=4)

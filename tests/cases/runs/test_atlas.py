@@ -1,0 +1,96 @@
+"""`oilfilm film`: keys, refusals, exit codes; the films themselves are tested in tests/ehl/traction/atlas."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import pytest
+from typer.testing import CliRunner
+
+import ehl
+from cases.cli.main import app
+from cases.format.case import load_case
+from cases.runs.studies import atlas
+
+
+def call(*arguments):
+    return CliRunner().invoke(app, ["film", *arguments])
+
+
+def document(*arguments):
+    found = call(*arguments, "--json")
+    assert found.exit_code == 0, found.stderr
+    return json.loads(found.stdout)
+
+
+def test_a_contact_has_the_keys_of_a_solved_one():
+    told = document("ball_on_disc")
+    films = ehl.atlas_films(load_case("ball_on_disc").conditions)
+    assert told["source"] == "atlas"
+    assert told["film_central_um"] == pytest.approx(films.central.value * 1e6)
+    assert told["film_minimum_uncertainty_um"] == pytest.approx(films.minimum.uncertainty * 1e6)
+    assert told["stiffness_N_um"] == pytest.approx(films.stiffness.value * 1e-6)
+    assert told["rolling_moment_N_mm"] == pytest.approx(films.rolling_moment.value * 1e3)
+    ratio = told["film_central_um"] / told["film_central_dimensionless"]
+    assert films.approach.value * 1e6 == pytest.approx(told["approach_dimensionless"] * ratio)
+    assert "±" in call("ball_on_disc").stdout
+
+
+def test_groups_have_no_lengths():
+    told = document("moes_20_10")
+    assert 0.0 < told["film_minimum_dimensionless"] < told["film_central_dimensionless"]
+    assert told["film_central_um"] is told["stiffness_N_um"] is None
+    assert any("no lengths" in message for message in told["messages"])
+
+
+def test_a_bearing_lists_its_contacts_and_why_some_have_no_films():
+    told = document("6208_full_ceramic")
+    for one in told["contacts"]:
+        covered = one["film_central_um"] is not None
+        assert covered == bool(one["inside"]) == (not one["note"])
+    inner = [one for one in told["contacts"] if one["race"] == "inner"]
+    assert [one["ball"] for one in inner if one["inside"]] == [1, 2, 9]
+    assert not any(one["loaded"] for one in inner if not one["inside"])
+    light = [one for one in told["contacts"] if one["loaded"] and not one["inside"]]
+    assert all(one["note"].startswith("A = ") for one in light)
+    (message,) = [one for one in told["messages"] if "null, A = " in one]
+    assert "balls 3, 4, 5, 6, 7, 8" in message
+    assert "oilfilm run 6208_full_ceramic" in message
+    assert message.partition("null, ")[2][:20] in " ".join(call("6208_full_ceramic").stdout.split())
+
+
+def test_what_nobody_solves_is_not_sent_to_the_solver():
+    found = document("209_radial_8900N")
+    (notes,) = {one["note"] for one in found["contacts"] if one["loaded"]}
+    assert notes == "no entrainment: ball and race move as one"
+    assert all(one["film_central_um"] is None for one in found["contacts"])
+
+
+def test_without_an_equilibrium_there_are_no_films(monkeypatch):
+    solve = atlas.solve_quasistatic
+    monkeypatch.setattr(
+        atlas, "solve_quasistatic", lambda *a, **k: replace(solve(*a, **k), converged=False, message="made up")
+    )
+    found = call("6208_full_ceramic", "--json")
+    assert found.exit_code == 1
+    told = json.loads(found.stdout)
+    assert {one["note"] for one in told["contacts"] if one["loaded"]} == {"there is no equilibrium"}
+    assert any("no film was computed" in message for message in told["messages"])
+
+
+@pytest.mark.parametrize(
+    ("case", "fault", "solver"),
+    [
+        ("coated_steel", "coating", "oilfilm contact coated_steel"),
+        ("ball_on_disc_starved", "inlet_layer", "oilfilm contact ball_on_disc_starved"),
+        ("6208_with_heat", "film_model", "oilfilm run 6208_with_heat"),
+    ],
+)
+def test_what_is_not_covered_ends_with_one_line(case, fault, solver):
+    found = call(case)
+    assert found.exit_code == 2
+    assert found.stdout == ""
+    (line,) = found.stderr.strip().splitlines()
+    assert fault in line
+    assert solver in line

@@ -1,0 +1,86 @@
+"""Contacts that the film atlas is made of and judged by: places in (ln A, sqrt L, ln D), and oils."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import exp, log, sqrt
+from typing import NamedTuple
+
+import numpy as np
+from scipy.stats import qmc
+
+from ehl import Lubricant
+from ehl.closed_form.hertz import hertz_coefficients
+from verification.contacts import OIL, from_groups, moes
+
+# E' so large that contacts are small beside their radii, and circles parabolas
+MODULUS = 226e11
+BOX_L, BOX_Z, BOX_ALPHA = (0.0, 30.0), (0.4, 0.8), (10e-9, 30e-9)
+
+
+class Part(NamedTuple):
+    """A box of contacts, and how its members are drawn."""
+
+    load: tuple[float, float]  # A
+    lubricant: tuple[float, float]  # L
+    ratio: tuple[float, float]  # D
+    any_oil: bool
+    random: bool  # else of a low-discrepancy sequence
+    seed: int
+
+
+HELD_OUT = 20261123  # seed of the contacts that judge: the date on which they were drawn
+HEAVY, LIGHT, WIDE = (6.3, 175.0), (2.2, 8.2), (1.0, 5.2)
+SLIM, LUBRICANT = (0.0092, 1.1), (0.0, 31.4)
+PARTS = {
+    "heavy": Part(HEAVY, LUBRICANT, SLIM, any_oil=False, random=False, seed=1),
+    "start": Part((6.3, 13.0), (0.0, 8.0), SLIM, any_oil=False, random=False, seed=2),
+    "oil": Part(HEAVY, LUBRICANT, SLIM, any_oil=True, random=False, seed=3),
+    "held": Part((7.0, 160.0), (0.0, 30.0), (0.01, 1.0), any_oil=False, random=True, seed=HELD_OUT),
+    "held oil": Part((7.0, 160.0), (0.0, 30.0), (0.01, 1.0), any_oil=True, random=True, seed=HELD_OUT + 1),
+    "light": Part(LIGHT, LUBRICANT, SLIM, any_oil=False, random=False, seed=4),
+    "held light": Part((2.4, 7.0), (0.0, 30.0), (0.01, 1.0), any_oil=False, random=True, seed=HELD_OUT + 2),
+    "along": Part((6.3, 175.0), LUBRICANT, WIDE, any_oil=False, random=False, seed=5),
+    "held along": Part((7.0, 160.0), (0.0, 30.0), (1.0, 5.0), any_oil=False, random=True, seed=HELD_OUT + 3),
+}
+
+
+class Place(NamedTuple):
+    """A contact of a part."""
+
+    kind: str
+    number: int
+    A: float  # a^2/(Rx^2 sqrt(2U)), f(D)^2 M^(2/3)
+    L: float
+    D: float
+    oil: Lubricant
+
+    def conditions(self):
+        """In SI."""
+        f = hertz_coefficients(self.D)[0]
+        groups = moes((self.A / f**2) ** 1.5, max(self.L, 1e-3), self.D, oil=self.oil)
+        return from_groups(groups, modulus=MODULUS)
+
+
+def places(kind, count):
+    """The first `count` contacts of a part; more of them leave the first as they are."""
+    part = PARTS[kind]
+    if part.random:
+        unit = np.random.default_rng(part.seed).random((count, 5))
+    else:
+        unit = qmc.Halton(5, seed=part.seed).random(count)
+    found = []
+    for number, u in enumerate(unit):
+        A = exp(log(part.load[0]) + u[0] * log(part.load[1] / part.load[0]))
+        low, high = (sqrt(value) for value in part.lubricant)
+        D = exp(log(part.ratio[0]) + u[2] * log(part.ratio[1] / part.ratio[0]))
+        oil = _any_oil(u[3], u[4]) if part.any_oil else OIL
+        found.append(Place(kind, number, A, (low + u[1] * (high - low)) ** 2, D, oil))
+    return found
+
+
+def _any_oil(u, v):
+    """Roelands' law with z and alpha of the box."""
+    z = BOX_Z[0] + u * (BOX_Z[1] - BOX_Z[0])
+    alpha = BOX_ALPHA[0] + v * (BOX_ALPHA[1] - BOX_ALPHA[0])
+    return replace(OIL, roelands_z=z, pressure_viscosity=alpha)

@@ -1,0 +1,126 @@
+"""Film atlas from its solves: `python tools/atlas/fit.py`, from `build/atlas_solves.jsonl` into ehl/traction/atlas.
+
+Without that file the stored labels, `labels.csv.gz`, are taken; with it they are written anew.
+"""
+
+from __future__ import annotations
+
+import gzip
+import json
+from pathlib import Path
+
+import numpy as np
+from solves import SOLVES
+
+from ehl.closed_form.hertz import hertz_coefficients
+from ehl.traction.atlas.table import FILE, oil_terms, radial, trend_terms
+
+LABELS = Path(__file__).with_name("labels.csv.gz")
+COLUMNS = "kind number A L D alpha z central minimum approach t8 t25 t400 scale8 scale25 scale400".split()
+FITTED = ("heavy", "start", "along", "light")
+LEAST_LOAD = 5.0  # A of the lightest contacts that are fitted
+SCALES = (2.5, 4.0, 6.0)  # of ln A, sqrt L, ln D: by the errors of contacts left out
+DEVIATION, TREND, NOISE = 0.3, 5.0, 1e-3  # prior deviations of the functions and of the labels
+MOMENT_ORDER = 1.45  # as in ehl.traction.rolling_moment
+STEEP = 0.1  # step from mesh to mesh beyond which none is extrapolated
+RIDGE = 1e-3
+
+
+def limit(coarse, fine, order):
+    """Of two meshes of which one is twice as fine."""
+    if abs(fine / coarse - 1.0) > STEEP:
+        return fine
+    return fine + (fine - coarse) / (2.0**order - 1.0)
+
+
+def label(entry):
+    """One line of the labels: place, oil, ln(Hc A), ln(Hm A), H0, T/C - ln s, T/C; None where not resolved."""
+    a, b = entry["meshes"][-2:]
+    if not (b["converged"] and b["resolved"]) or b["films"][1][0] <= 0.0:
+        return None
+    A, D = entry["A"], entry["D"]
+    f, g, _ = hertz_coefficients(D)
+    scale = np.pi * 6.0 / (f**3 * g) * entry["M"] ** (-4.0 / 3.0) / ((3.0 + 2.0 * D) * np.sqrt(D))
+    films = [np.log(limit(a["films"][k][2], b["films"][k][2], 2.0) * A) for k in (0, 1)]
+    approach = b["approach"] + (b["approach"] - a["approach"]) / 3.0
+    whole = [(y + (y - x) / (2.0**MOMENT_ORDER - 1.0)) / scale for x, y in zip(a["moments"], b["moments"], strict=True)]
+    rest = [t - np.log(s) for t, s in zip(whole, entry["layers"], strict=True)]
+    oil = (entry["alpha"] * 1e9, entry["z"])
+    return [entry["kind"], entry["number"], A, entry["L"], D, *oil, *films, approach, *rest, *whole]
+
+
+def labels():
+    """Kinds, and the numbers of the other columns."""
+    if SOLVES.exists():
+        rows = [row for row in map(label, map(json.loads, SOLVES.read_text().splitlines())) if row]
+        lines = [",".join(COLUMNS)] + [",".join(c if isinstance(c, str) else f"{c:.7g}" for c in row) for row in rows]
+        LABELS.write_bytes(gzip.compress("\n".join(lines).encode(), mtime=0))
+    lines = gzip.decompress(LABELS.read_bytes()).decode().splitlines()[1:]
+    cells = [line.split(",") for line in lines]
+    return np.array([c[0] for c in cells]), np.array([[float(v) for v in c[2:]] for c in cells])
+
+
+def places(rows):
+    """ln A, sqrt L, ln D."""
+    return np.column_stack([np.log(rows[:, 0]), np.sqrt(rows[:, 1]), np.log(rows[:, 2])])
+
+
+def fitted(x, y):
+    """Weights of trend and radial functions, outliers weighed down by what the other contacts say of them."""
+    basis = trend_terms(x)
+    prior = DEVIATION**2 * radial(x, x, np.array(SCALES)) + TREND**2 * basis @ basis.T
+    doubt = np.ones(len(y))
+    for _ in range(3):
+        inverse = np.linalg.inv(prior + np.diag(NOISE**2 * doubt))
+        weights = inverse @ y
+        left = weights / np.diag(inverse)
+        doubt = (4.0 + (left / (1.5 * np.median(np.abs(left)))) ** 2) / 5.0
+    return TREND**2 * basis.T @ weights, DEVIATION**2 * weights
+
+
+def relative(error, rows):
+    """Errors over the values: logarithms of films and H0 as they are, of moments over T/C."""
+    found = error.copy()
+    found[:, 3:] /= rows[:, 11:14]
+    return found
+
+
+def table(text, error):
+    """Print largest, 95 % and root mean square error [%]."""
+    share = 100.0 * np.abs(error)
+    triples = zip(share.max(0), np.quantile(share, 0.95, axis=0), np.sqrt((share**2).mean(0)), strict=True)
+    print(f"{text:11s} {len(error):4d}", *(f"{a:.2f}/{b:.2f}/{c:.2f}" for a, b, c in triples))
+
+
+def main():
+    """Fit, judge, write."""
+    kinds, rows = labels()
+    x, y = places(rows), rows[:, 5:11]
+    own = np.isin(kinds, FITTED) & (rows[:, 0] > LEAST_LOAD)
+    mean = y[own].mean(0)
+    pairs = [fitted(x[own], y[own, k] - mean[k]) for k in range(y.shape[1])]
+    trend, weights = np.array([p[0] for p in pairs]).T, np.array([p[1] for p in pairs]).T
+    base = mean + trend_terms(x) @ trend + radial(x, x[own], np.array(SCALES)) @ weights
+    oil = kinds == "oil"
+    terms = oil_terms(x, rows[:, 3] * 1e-9, rows[:, 4])
+    normal = terms[oil].T @ terms[oil] + RIDGE * np.eye(terms.shape[1])
+    oils = np.linalg.solve(normal, terms[oil].T @ (y[oil] - base[oil]))
+    error = relative(base + terms @ oils - y, rows)
+    print("max/95 %/rms [%]: central, minimum, approach (of a^2/Rx), moment within thin, thick, very thick layer")
+    for kind in sorted(set(kinds)):
+        table(kind, error[(kinds == kind) & (rows[:, 0] > LEAST_LOAD)])
+    bars = [np.quantile(np.abs(error[kinds == k]), 0.95, axis=0) for k in ("held", "held along", "held oil")]
+    np.savez_compressed(
+        FILE,
+        places=x[own].astype(np.float32).astype(float),
+        scales=np.array(SCALES),
+        mean=mean,
+        trend=trend,
+        weights=weights,
+        oils=oils,
+        bars=np.array(bars),
+    )
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,148 @@
+"""Solves of the film atlas: `python tools/atlas/solves.py heavy 300 oil 110 held 120 ...`, parts and counts.
+
+Every contact is solved on 257 and 513 points, and on 1025 where their extrapolated films differ. One line of
+JSON a contact in `build/atlas_solves.jsonl`; those that it has are left out, so that a run that was stopped goes on.
+The parts come in the order they are named.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+from contacts import places
+
+from ehl import SolverOptions
+from ehl.multigrid.oil_supply import pressure_moment
+from ehl.solver import solve_attempts
+from ehl.traction.rolling_moment import rolling_moment, scaled_as_solved
+
+SOLVES = Path(__file__).parents[2] / "build" / "atlas_solves.jsonl"
+POINTS = (257, 513, 1025)
+FURTHER = (0.002, 0.006)  # by which the extrapolated films of 257 and 513 points differ where 1025 are taken
+# layers of oil up to which the rolling moment is counted, over (a^2/Rx) (1 + H_c)
+LAYERS = (8.0, 25.0, 400.0)
+
+
+def dip(before, middle, after):
+    """Smallest value of the parabola through three equidistant values."""
+    curvature = before - 2.0 * middle + after
+    return middle - ((after - before) ** 2 / (8.0 * curvature) if curvature > 0.0 else 0.0)
+
+
+def minima(solution):
+    """Smallest film on the line y = 0, and on the sides, where it has a minimum of its own there."""
+    H = solution.H[:, solution.Y >= 0.0]
+    at = np.clip(H.argmin(axis=0), 1, H.shape[0] - 2)
+    columns = np.arange(H.shape[1])
+    lines = np.array([dip(H[i - 1, j], H[i, j], H[i + 1, j]) for i, j in zip(at, columns, strict=True)])
+    low = [j for j in range(1, len(lines) - 1) if lines[j] <= lines[j - 1] and lines[j] < lines[j + 1]]
+    if not low:
+        return float(lines[0]), None
+    j = min(low, key=lambda k: lines[k])
+    return float(lines[0]), float(dip(lines[j - 1], lines[j], lines[j + 1]))
+
+
+def record(solution, layers):
+    """What is kept of a solution, films in a^2/Rx, moments over p_h a^3."""
+    scale = solution.hertz_pressure * solution.semi_axis_x**3
+    centre, side = minima(solution)
+    _, change = pressure_moment(solution, scaled_as_solved(solution))
+    films = (solution.film_central_dimensionless, solution.film_minimum_dimensionless)
+    return {
+        "points": solution.X.size,
+        "films": [[f.value, f.uncertainty, f.finest] for f in films],
+        "line": centre,
+        "side": side,
+        "approach": solution.approach_dimensionless,
+        "moments": [rolling_moment(solution, layer * solution.film_scale).value / scale for layer in layers],
+        "change": change,
+        "pressure": float(solution.P.max()),
+        "converged": solution.converged,
+        "resolved": solution.resolved,
+        "residual": solution.record.residual[-1],
+        "attempt": solution.record.attempt,
+        "box": solution.domain,
+    }
+
+
+def solved(place, points=POINTS):
+    """Everything about one contact."""
+    start = time.process_time()
+    conditions = place.conditions()
+    solutions = []
+    for count in points:
+        solution, _ = solve_attempts(conditions, SolverOptions(points=count))
+        solutions.append(solution)
+        if count == POINTS[1] and not _further(*solutions):
+            break
+    layers = [k * (1.0 + solution.film_central_dimensionless.value) for k in LAYERS]
+    meshes = [record(solution, layers if i >= len(solutions) - 2 else ()) for i, solution in enumerate(solutions)]
+    oil = place.oil
+    return {
+        "kind": place.kind,
+        "number": place.number,
+        "A": place.A,
+        "L": place.L,
+        "D": place.D,
+        "M": solution.moes_load,
+        "alpha": oil.pressure_viscosity,
+        "z": oil.roelands_z,
+        "p_h": solution.hertz_pressure,
+        "layers": layers,
+        "meshes": meshes,
+        "seconds": time.process_time() - start,
+    }
+
+
+def _further(coarse, fine):
+    """Whether the finest mesh is wanted."""
+    if not (fine.converged and fine.resolved):
+        return True
+    names = ("film_central_dimensionless", "film_minimum_dimensionless")
+    pairs = [(getattr(fine, name).value, getattr(coarse, name).value) for name in names]
+    return any(abs(a / b - 1.0) > limit for (a, b), limit in zip(pairs, FURTHER, strict=True))
+
+
+def rounded(entry):
+    """The same with eight digits."""
+    if isinstance(entry, dict):
+        return {key: rounded(value) for key, value in entry.items()}
+    if isinstance(entry, list | tuple):
+        return [rounded(value) for value in entry]
+    return float(f"{entry:.8g}") if isinstance(entry, float) else entry
+
+
+def wanted_counts(words):
+    """Parts with their counts from the words of the command line."""
+    names, count = [], {}
+    for word in words:
+        if word.isdigit():
+            count[" ".join(names)] = int(word)
+            names = []
+        else:
+            names.append(word)
+    return count
+
+
+def main():
+    """Solve what the file lacks."""
+    SOLVES.parent.mkdir(exist_ok=True)
+    lines = SOLVES.read_text().splitlines() if SOLVES.exists() else []
+    done = {(entry["kind"], entry["number"]) for entry in map(json.loads, lines)}
+    for kind, count in wanted_counts(sys.argv[1:]).items():
+        for place in places(kind, count):
+            if (place.kind, place.number) in done:
+                continue
+            entry = solved(place)
+            with SOLVES.open("a") as file:
+                file.write(json.dumps(rounded(entry), separators=(",", ":")) + "\n")
+            text = f"{kind} {place.number} A {place.A:.3g} L {place.L:.3g} D {place.D:.3g} {entry['seconds']:.1f} s"
+            print(text, len(entry["meshes"]), flush=True)
+
+
+if __name__ == "__main__":
+    main()
