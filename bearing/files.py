@@ -22,13 +22,14 @@ def is_disk_failure(error: BaseException) -> bool:
 
 
 @contextmanager
-def atomic_path(path: Path) -> Iterator[Path]:
+def atomic_path(path: Path, *, with_suffix: bool = True) -> Iterator[Path]:
     """A temporary name beside `path`; on success it becomes `path`, on failure nothing is left.
 
-    Missing folders are created; the name has the suffix of `path`.
+    Missing folders are created; the name has the suffix of `path` for writers that go by it, and
+    then is found by whoever looks for files of that suffix.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
-    ending = f"{PARTIAL}{path.suffix}"
+    ending = f"{PARTIAL}{path.suffix}" if with_suffix else PARTIAL
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}-", suffix=ending)
     os.close(handle)
     temporary = Path(name)
@@ -42,7 +43,7 @@ def atomic_path(path: Path) -> Iterator[Path]:
 
 def write_bytes(path: Path, data: bytes, *, durable: bool = False) -> None:
     """Write a file, which appears when it is complete; if `durable` also after a power cut."""
-    with atomic_path(path) as temporary, temporary.open("wb") as file:
+    with atomic_path(path, with_suffix=False) as temporary, temporary.open("wb") as file:
         file.write(data)
         file.flush()
         if durable:

@@ -70,7 +70,7 @@ def sweep_left_over(target: Path) -> None:
     if target.is_dir():
         parts = target.rglob(f".*{PARTIAL}*")
     else:
-        parts = target.parent.glob(f".{target.stem}-*{PARTIAL}{target.suffix}")
+        parts = target.parent.glob(f".{target.stem}-*{PARTIAL}*")
     for file in parts:
         if UNFINISHED.fullmatch(file.name):
             file.unlink(missing_ok=True)

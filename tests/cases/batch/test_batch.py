@@ -20,7 +20,7 @@ from cases.batch.keys import WITHOUT_CONTACTS, content_key
 from cases.batch.points import Receipt, Task
 from cases.batch.pools import LocalPool, scheduler_address
 from cases.batch.results import gathered, write_batch
-from cases.batch.store import finished_keys, open_folder, read_point
+from cases.batch.store import finished_keys, open_folder, read_point, write_point
 from cases.batch.sweep import read_sweep, sweep_from_text
 from cases.batch.worker import compute_point
 from cases.cli.main import app
@@ -228,6 +228,14 @@ def test_equal_points_are_computed_once(tmp_path):
     batch = run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", lambda: pool)
     assert len(pool.handed_out) == 1
     assert len(gathered(batch).points) == 3
+
+
+def test_a_point_that_is_still_written_does_not_look_finished(tmp_path, monkeypatch):
+    seen = []
+    monkeypatch.setattr("bearing.files.os.fsync", lambda number: seen.append(list(tmp_path.rglob("*.json"))))
+    write_point(tmp_path, "0123456789abcdef", {".json": b"{}"})
+    assert seen == [[]]
+    assert (tmp_path / "points" / "0123456789abcdef.json").exists()
 
 
 def test_files_of_a_batch(tmp_path):
