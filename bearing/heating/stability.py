@@ -37,8 +37,8 @@ class Stability:
 
     rate: float  # largest eigenvalue [1/s], negative: dies out
     still_rate: float  # the same with friction that does not change [1/s]
-    # lower and higher temperature of each node with all paths at the low ends of their ranges and
-    # at the high ends [K]
+    # lowest and highest temperature of each node of three balances: this one, all paths at the
+    # low ends of their ranges, and all at the high ends [K]
     coldest: Array
     hottest: Array
     time_constants: Array  # of the modes, longest first, of a stable balance [s]
@@ -61,16 +61,16 @@ def stability(slopes: Slopes, problem: SelfHeatingProblem, capacities: Array) ->
     leaving, _ = state.network.matrix()
     rates = np.linalg.eigvals((response - leaving) / capacities[:, None]).real
     still = np.linalg.eigvals(-leaving / capacities[:, None]).real
-    ends = []
+    ends = [state.temperatures]
     for end in (1, -1):
         other, from_outside = state.network.matrix(end)
         fixed = state.sources - response @ state.temperatures + from_outside
-        ends.append(np.linalg.solve(other - response, fixed))
+        ends.append(np.asarray(np.linalg.solve(other - response, fixed), dtype=np.float64))
     return Stability(
         rate=float(rates.max()),
         still_rate=float(still.max()),
-        coldest=np.asarray(np.minimum(*ends), dtype=np.float64),
-        hottest=np.asarray(np.maximum(*ends), dtype=np.float64),
+        coldest=np.asarray(np.min(ends, axis=0), dtype=np.float64),
+        hottest=np.asarray(np.max(ends, axis=0), dtype=np.float64),
         time_constants=np.sort(-1.0 / rates[rates < 0.0])[::-1],
     )
 

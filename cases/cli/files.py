@@ -145,10 +145,12 @@ def init(  # noqa: PLR0913
     _check_options(template, bearing, given, more, asked)
     if suffixes and bearing is None:
         raise CaseError(f"oilfilm init: {' '.join(suffixes)} after NAME without --bearing")
+    if bearing is not None:
+        name, bearing = _name_and_designation(bearing, [name, *(suffixes or ())])
     operation = FirstOperation(speed=speed, radial_load=radial, axial_load=axial)
     try:
         if bearing is not None:
-            text = case_of_designation(" ".join((bearing, *(suffixes or ()))), operation)
+            text = case_of_designation(bearing, operation)
         elif bore is not None and outside is not None and width is not None:
             text = case_of_dimensions(
                 BoundaryDimensions(
@@ -166,6 +168,23 @@ def init(  # noqa: PLR0913
     except ValueError as error:
         raise CaseError(f"oilfilm init: {error}") from None
     _write_new(Path(name if name.endswith(".toml") else f"{name}.toml"), text)
+
+
+def _name_and_designation(bearing: str, words: list[str]) -> tuple[str, str]:
+    """NAME, the first word or else the last, and the designation with the other words;
+    `CaseError` where both are suffixes that make it another bearing.
+    """
+    from bearing.library.designation import read_designation
+
+    plain = read_designation(bearing)
+    for name, more in ((words[0], words[1:]), (words[-1], words[:-1])):
+        if plain is None or read_designation(f"{bearing} {name}") in (None, plain):
+            return name, " ".join((bearing, *more))
+    suffixes = " ".join(words)
+    raise CaseError(
+        f"oilfilm init: {suffixes} belongs to the designation, NAME is missing: "
+        f"oilfilm init NAME --bearing {bearing} {suffixes}"
+    )
 
 
 def _check_options(

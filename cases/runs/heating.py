@@ -70,12 +70,21 @@ def at_its_temperature(case: Case, heating: SelfHeatingSolution | None = None) -
         changed["temperatures"] = part_temperatures(file.temperatures, parts)
     found = case_of_file(file.model_copy(update=changed), case.title or "case")
     assert isinstance(found, Case)  # a bearing
-    found = replace(found, load_cases=case.load_cases)  # each warms itself
+    found = replace(
+        found, document=_warmed_document(found.document), load_cases=case.load_cases
+    )  # each load case warms itself
     note = (
         f"operation.temperature: computed at {balanced:.1f} C, where friction ({heating.model}) "
         "and cooling agree"
     )
     return replace(found, warnings=(note, *found.warnings))
+
+
+def _warmed_document(document: dict[str, Any]) -> dict[str, Any]:
+    """The document of a case at its balance: its temperature is computed, not given or assumed."""
+    operation = {**document["operation"], "temperature": SELF_HEATED}
+    assumed = [key for key in document.get("assumed", ()) if key != "operation.temperature_C"]
+    return {**document, "assumed": assumed, "operation": operation}
 
 
 def self_heated(case: Case, printed: Printed | None = None) -> SelfHeatingSolution | None:

@@ -13,7 +13,7 @@ from bearing.torque.models import ModelTorque
 from ..plot_style import CAGE_COLOUR, PAGE_WIDTH, REFERENCE
 from .quantities import BALL_QUANTITY, TORQUE, TORQUE_MODELS
 from .results import BearingResults
-from .torque import shown_torques
+from .torque import shown_titles, shown_torques
 
 OIL = "#4c78a8"
 SLIDING = "#d67b1f"
@@ -67,7 +67,8 @@ def draw_models(axes: Axes, models: dict[str, ModelTorque], chosen: str | None =
     names = [name for name in TORQUE_MODELS if name in models]
     for row, name in enumerate(names):
         _draw_bar(axes, row, models[name], visible)
-    axes.set_yticks(range(len(names)), [TORQUE_MODELS[name].title for name in names])
+    titles = shown_titles({name: models[name] for name in names})
+    axes.set_yticks(range(len(names)), titles)
     for label, name in zip(axes.get_yticklabels(), names, strict=True):
         if name == chosen:
             label.set_fontweight("bold")

@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from bearing.rating.film_life import ContactKappa, FilmLife, film_life
+from bearing.rating.life import LARGEST_A_ISO, LARGEST_KAPPA
 from bearing.rating.relubrication import relubrication_interval
 from ehl.units import from_si, to_si
 
@@ -13,6 +14,7 @@ from .duty_cycle import hours, hours_text
 from .quantities import CLEARANCE, FILM_LIFE, LIFE_RATING, LOAD_RATING
 from .results import BearingResults
 
+AT_ITS_LIMIT = 1.0 - 1e-9  # of a_ISO, within round-off [-]
 RELUBRICATION = "relubrication_interval_h"
 
 
@@ -142,7 +144,8 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
         rows["rating life"] = hours_text(basic, known["modified_reference_rating_h"])
         rows["rating life"] += f" ({revolutions:.4g} million revolutions"
         if known["a_iso"] is not None:
-            rows["rating life"] += f", a_ISO {known['a_iso']:.3g}"
+            limit = ", its limit" if known["a_iso"] >= AT_ITS_LIMIT * LARGEST_A_ISO else ""
+            rows["rating life"] += f", a_ISO {known['a_iso']:.3g}{limit}"
         rows["rating life"] += ")"
     if (interval := interval_of(results)) is not None:
         rows["relubrication"] = f"every {hours(from_si(RELUBRICATION, interval))}"
@@ -157,16 +160,27 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
             rows["viscosity ratio"] += (
                 f" from the viscosity, {films.smallest_kappa:.3g} from the thinnest film"
             )
-            rows |= _film_row(values_of(films, FILM_LIFE))
+            rows |= film_row(values_of(films, FILM_LIFE))
     return rows
 
 
-def _film_row(known: dict[str, Any]) -> dict[str, str]:
+def film_row(known: dict[str, Any]) -> dict[str, str]:
     """A line of the terminal's table: the life with the film of each contact, and its ends."""
     ends = [known[f"modified_reference_rating_contacts_{end}h"] for end in ("", "low_", "high_")]
     if ends[0] is None:
         return {}
     text = f"L10mh {hours(ends[0])}"
-    if ends[1] is not None and ends[2] is not None:
-        text += f" ({hours(ends[1])} to {hours(ends[2])})"
-    return {"life by the films": text}
+    if ends[1] is None or ends[2] is None:
+        return {"life by the films": text}
+    low, high = hours(ends[1]), hours(ends[2])
+    band = f"{low} to {high}" if low != high else _no_band(known)
+    return {"life by the films": f"{text} ({band})"}
+
+
+def _no_band(known: dict[str, Any]) -> str:
+    """Why the error bars of the films do not move the life by them."""
+    if known["a_iso_contacts"] >= AT_ITS_LIMIT * LARGEST_A_ISO:
+        return f"a_ISO at its limit of {LARGEST_A_ISO:g}"
+    if known["kappa_film"] >= LARGEST_KAPPA:
+        return f"every film counts as κ {LARGEST_KAPPA:g}, the limit of ISO 281"
+    return "the error bars of the films do not move it"

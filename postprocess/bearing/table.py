@@ -1,9 +1,10 @@
 """A bearing in the terminal."""
 
+from collections.abc import Iterator
 from math import degrees
 from typing import Any
 
-from rich.console import Group
+from rich.console import Console, Group
 from rich.table import Table
 from rich.text import Text
 
@@ -26,7 +27,8 @@ from .strength import strength_rows
 from .supply import supply_rows
 from .torque import torque_rows
 
-DECIMALS = 4  # of films [um]; more do not fit 80 columns, and beside a lambda ratio one less
+WIDTH = 80  # of a terminal [columns]
+DECIMALS = 4  # of films [um], fewer where the table is wider than that
 
 
 def bearing_table(results: BearingResults) -> Group:
@@ -48,7 +50,7 @@ def _bearing_table(results: BearingResults) -> Table:
             *(round(v, 1) + 0.0 for v in ring["force_N"])
         ),
         "stiffness": _stiffness_text(state),
-        "temperature": f"{from_si('oil_C', state.operation.temperature):.1f} °C of the oil",
+        "temperature": f"{from_si('oil_C', state.operation.temperature):.1f} °C of the films",
         "cage_speed_rpm": f"{ring['cage_speed_rpm']:.1f} r/min",
         "balls loaded": f"{int((state.inner_load > 0.0).sum())} of {len(state.azimuth)}",
         "equilibrium": f"residual {state.residual:.1e} after {state.iterations} iterations",
@@ -76,27 +78,34 @@ def _stiffness_text(state: QuasistaticSolution) -> str:
 def _contacts_table(results: BearingResults) -> Table:
     has_surface = bool(results.case.get("surface"))
     keys = [key for key in TERMINAL_COLUMNS if key != "lambda_ratio" or has_surface]
-    most = DECIMALS - 1 if has_surface else DECIMALS
     titles = {} if has_surface else {"contact_angle_deg": "angle"}
     headers = [
         f"{titles.get(key, CONTACT_QUANTITY[key].symbol)} {unit_symbol(key)}".strip()
         for key in ("ball", "azimuth_deg", "race", *keys)
     ]
+    style: dict[str, Any] = {"padding": (0, 1, 0, 0), "collapse_padding": True}
+    for decimals in range(DECIMALS, 0, -1):
+        rows = _contact_rows(results, keys, decimals)
+        table = number_table((*headers, ""), rows, ("race", ""), **style)
+        if Console(width=2 * WIDTH).measure(table).maximum <= WIDTH:
+            break
+    return table
+
+
+def _contact_rows(results: BearingResults, keys: list[str], most: int) -> Iterator[list[str]]:
+    """Cells of every contact, films with at most so many decimals, and a line for each row."""
     several = len({contact.row for contact in results.contacts}) > 1
     row = None if several else results.contacts[0].row
-    rows = []
     for record in contact_records(results):
         contact = record.contact
         if contact.row != row:
             row = contact.row
-            rows.append([f"row {row}"])
+            yield [f"row {row}"]
         is_inner = contact.race.value == "inner"
-        azimuth = f"{degrees(contact.azimuth) % 360.0:.1f}".removesuffix(".0")
+        azimuth = f"{degrees(contact.azimuth) % 360.0:.0f}"
         place = [str(contact.ball), azimuth] if is_inner else ["", ""]
         cells = [_contact_cell(record, key, most) for key in keys]
-        rows.append([*place, contact.race.value, *cells, _flags(record.film)])
-    style: dict[str, Any] = {"padding": (0, 1, 0, 0), "collapse_padding": True}
-    return number_table((*headers, ""), rows, ("race", ""), **style)
+        yield [*place, contact.race.value, *cells, _flags(record.film)]
 
 
 def _contact_cell(record: ContactRecord, key: str, most: int) -> str:

@@ -1,6 +1,6 @@
 """The block `torque_N_mm` of the summary: friction torque by every model."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from bearing.operation import BallKinematics
@@ -14,6 +14,7 @@ from ..quantities import values_of
 from .quantities import AS_PRINTED, POWER_BALANCE, ROLLING_EXTENT, TORQUE, TORQUE_MODELS
 from .results import BearingResults
 
+WITHOUT_SEALS = ", without seals"
 LARGE_SHARE = 0.05  # of the torque: from there on it is reported what the layer decides
 MAIN = ("integrated", "skf", "palmgren", "coulomb")  # those of papers by models = "all"
 
@@ -43,6 +44,15 @@ def shown_torques(results: BearingResults) -> dict[str, ModelTorque]:
         for name, model in ({} if torque is None else torque.models).items()
         if name in names and model.total is not None
     }
+
+
+def shown_titles(models: Mapping[str, ModelTorque]) -> list[str]:
+    """Titles of models side by side: where some count contact seals, those that do not say so."""
+    sealed = [bool(model.components.get("seal")) for model in models.values()]
+    return [
+        TORQUE_MODELS[name].title + (WITHOUT_SEALS if any(sealed) and not counts else "")
+        for name, counts in zip(models, sealed, strict=True)
+    ]
 
 
 def torque_block(results: BearingResults) -> dict[str, Any]:
@@ -193,9 +203,10 @@ def torque_rows(results: BearingResults) -> dict[str, str]:
     torque = results.torque
     if torque is None or torque.total is None or torque.chosen is None:
         return {}
+    models = shown_torques(results)
     others = [
-        f"{TORQUE_MODELS[name].title} {TORQUE.value(model):.4g}"
-        for name, model in shown_torques(results).items()
+        f"{title} {TORQUE.value(model):.4g}"
+        for (name, model), title in zip(models.items(), shown_titles(models), strict=True)
         if name != torque.chosen
     ]
     chosen = TORQUE_MODELS[torque.chosen].title

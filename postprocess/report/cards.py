@@ -50,9 +50,9 @@ def cards(summary: dict[str, Any]) -> str:
 
 
 def _operating_numbers(summary: dict[str, Any]) -> list[tuple[str, float | None, str]]:
-    """Temperature of the oil and stiffness of the ring, where the ring is free to move."""
+    """Temperature of the films and stiffness of the ring, where the ring is free to move."""
     operation = summary["case"].get("operation") or {}
-    numbers = [("temperature of the oil", operation.get("temperature_C"), "temperature_C")]
+    numbers = [("temperature of the films", operation.get("temperature_C"), "temperature_C")]
     stiffness = ((summary.get("ring") or {}).get("stiffness") or {}).get("matrix")
     if stiffness is None:
         return numbers

@@ -6,6 +6,7 @@ from typing import Any
 
 from ..bearing.plots_torque import KINDS
 from ..bearing.quantities import TORQUE_MODELS
+from ..bearing.torque import WITHOUT_SEALS
 from . import html
 from .svg import stacked_bars
 
@@ -15,10 +16,19 @@ KIND_OF_PART = {part: kind for kind, _, parts in KINDS for part in parts}
 
 def torque_section(torque: dict[str, Any], plots: Path) -> str:
     """The models side by side: bars of their parts, and the numbers; the picture unfolds."""
-    models = [
-        (_title(name), _parts(model), float(model["total"]))
+    known = {
+        name: model
         for name, model in (torque.get("models") or {}).items()
         if isinstance(model, dict) and isinstance(model.get("total"), int | float)
+    }
+    sealed = any(model.get("seal") for model in known.values())
+    models = [
+        (
+            _title(name) + (WITHOUT_SEALS if sealed and not model.get("seal") else ""),
+            _parts(model),
+            float(model["total"]),
+        )
+        for name, model in known.items()
     ]
     if not models:
         return ""

@@ -105,6 +105,8 @@ def test_the_margin_counts_how_friction_falls(bearing):
     assert found.stability.margin > 1.0
     assert found.stability.rate < found.stability.still_rate < 0.0
     assert (found.stability.coldest < found.stability.hottest).all()
+    assert (found.stability.coldest <= found.state.temperatures).all()
+    assert (found.state.temperatures <= found.stability.hottest).all()
 
 
 @pytest.mark.filterwarnings("ignore:lubricant")  # the search goes beyond the data of the oil

@@ -447,6 +447,17 @@ def test_suffixes_need_no_quotes_and_the_source_names_one_clearance(tmp_path):
     assert case["source"].count("clearance: ") == 1
 
 
+def test_the_name_may_stand_behind_the_designation(tmp_path):
+    assert oilfilm("init", "--bearing", "6205", "C3", "m3").exit_code == 0
+    behind = tomllib.loads((tmp_path / "m3.toml").read_text(encoding="utf-8"))
+    assert behind["bearing"]["clearance_class"] == "C3"
+    assert oilfilm("init", "--bearing", "6205", "pump").exit_code == 0  # P, U, M, P would be suffixes without effect
+    assert tomllib.loads((tmp_path / "pump.toml").read_text(encoding="utf-8"))["title"] == "6205"
+    missing = oilfilm("init", "--bearing", "6205", "C3")
+    assert (missing.exit_code, (tmp_path / "C3.toml").exists()) == (2, False)
+    assert "C3 belongs to the designation, NAME is missing" in " ".join(missing.stderr.split())
+
+
 def test_a_set_of_two_gives_off_heat_by_two_widths(tmp_path):
     oilfilm("init", "one", "--bearing", "7014C")
     oilfilm("init", "two", "--bearing", "7014CDB")

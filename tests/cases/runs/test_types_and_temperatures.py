@@ -138,6 +138,8 @@ def test_films_are_solved_at_the_temperature_that_their_own_torque_asks_for():
     speed = result["case"]["operation"]["inner_speed_rpm"] * pi / 30.0
     assert warm["power_W"] == pytest.approx(1e-3 * result["torque_N_mm"]["total"] * speed, rel=1e-9)
     assert any(message.startswith("operation.temperature: computed at") for message in result["messages"])
+    assert result["case"]["operation"]["temperature"] == "self-heated"
+    assert "operation.temperature_C" not in result["case"]["assumed"]  # but computed
 
 
 def test_no_balance_below_150_degrees_is_none():

@@ -7,7 +7,10 @@ from dataclasses import replace
 import numpy as np
 from rich.console import Console
 
+from bearing.torque.models import summed
+from postprocess.bearing.ratings import film_row
 from postprocess.bearing.table import bearing_table
+from postprocess.bearing.torque import shown_titles
 from postprocess.contact.table import contact_table
 
 
@@ -26,7 +29,7 @@ def test_bearing_fits_80_columns(bearing_results):
     assert "1596." in text
     stiffness = bearing_results.quasistatic.stiffness.diagonal() / 1e6
     assert f"axial {stiffness[0]:.4g} N/µm, radial {stiffness[1]:.4g} N/µm" in text
-    assert f"{bearing_results.quasistatic.operation.temperature - 273.15:.1f} °C of the oil" in text
+    assert f"{bearing_results.quasistatic.operation.temperature - 273.15:.1f} °C of the films" in text
     assert "2.73" in text
 
 
@@ -77,3 +80,44 @@ def test_flags_are_explained(bearing_results):
 def test_single_contact(contact_results, moes_results):
     assert "µm" in printed(contact_results, contact_table)
     assert "µm" not in printed(moes_results, contact_table)
+
+
+def test_wide_numbers_take_decimals_from_the_films(bearing_results):
+    """Seven balls at 51.4 degrees, contacts of 12 kN at 15 degrees: error bars stay whole within 80 columns."""
+    surface = {"inner_ring_roughness_um": 0.1, "outer_ring_roughness_um": 0.1, "ball_roughness_um": 0.02}
+    contacts = tuple(
+        replace(contact, azimuth=contact.azimuth + np.radians(102.86), load=12345.6, contact_angle=0.27)
+        for contact in bearing_results.contacts
+    )
+    known = {id(s): precise(s, 1.2e-10) for s in bearing_results.solutions if s is not None}
+    solutions = tuple(known.get(id(s)) for s in bearing_results.solutions)
+    case = {**bearing_results.case, "surface": surface}
+    text = printed(replace(bearing_results, case=case, contacts=contacts, solutions=solutions))
+    assert max(len(line.rstrip()) for line in text.splitlines()) <= 80
+    assert "12345.6" in text
+    assert "…" not in text
+    assert "± 0.01" in text
+
+
+def test_the_life_at_a_limit_says_so_in_place_of_a_band():
+    known = {f"modified_reference_rating_contacts_{end}h": 1.44e6 for end in ("", "low_", "high_")}
+    limit = rating_lines(known | {"a_iso_contacts": 50.0, "kappa_film": 21.8})
+    assert limit == "L10mh 1440000 h (a_ISO at its limit of 50)"
+    assert "counts as κ 4, the limit of ISO 281" in rating_lines(known | {"a_iso_contacts": 20.4, "kappa_film": 7.8})
+    assert "error bars of the films" in rating_lines(known | {"a_iso_contacts": 20.4, "kappa_film": 0.8})
+    known["modified_reference_rating_contacts_low_h"] = 1.2e6
+    assert "(1200000 h to 1440000 h)" in rating_lines(known | {"a_iso_contacts": 20.4, "kappa_film": 0.8})
+
+
+def rating_lines(known):
+    return film_row(known)["life by the films"]
+
+
+def test_models_without_seals_say_so_beside_those_with():
+    models = {
+        "integrated": summed({"rolling": 0.02, "seal": 0.07}),
+        "palmgren": summed({"viscous": 0.02, "load": 0.01}),
+    }
+    assert shown_titles(models) == ["integrated films", "Palmgren, without seals"]
+    models["integrated"] = summed({"rolling": 0.02, "seal": 0.0})
+    assert shown_titles(models) == ["integrated films", "Palmgren"]

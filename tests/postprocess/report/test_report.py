@@ -138,7 +138,7 @@ def test_headline_names_the_ball_and_stars_estimates(folder):
     assert "estimated" in page
     assert "bearing.ball_diameter_mm" in estimated_keys(document["case"])
     radial = document["ring"]["stiffness"]["matrix"][1][1] / 1e6
-    assert "<b>61.53 <small>°C</small></b><span>temperature of the oil" in page
+    assert "<b>61.53 <small>°C</small></b><span>temperature of the films" in page
     assert "axial stiffness" in page
     assert f"{radial:.4g}" in page
     document["case"]["bearing"]["ball_diameter_mm"] = 8.1
