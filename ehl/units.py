@@ -36,6 +36,7 @@ UNITS = {
     "kN": Unit("kN", KILONEWTON, "N"),
     "mm": Unit("mm", MILLIMETRE, "m"),
     "um": Unit("um", MICROMETRE, "m"),
+    "mm2": Unit("mm2", 1e-6, "m2"),
     "g": Unit("g", 1e-3, "kg"),
     "kg": Unit("kg"),
     "g_mm": Unit("g mm", 1e-6, "kg m"),
@@ -86,6 +87,7 @@ DIMENSIONLESS = frozenset(
 LONGEST = max(suffix.count("_") for suffix in UNITS) + 1  # words of a unit
 SYMBOLS = {  # for pictures, pages and terminals, by the text of files
     "um": "µm",
+    "mm2": "mm²",
     "us": "µs",
     "deg": "°",
     "degC": "°C",

@@ -17,6 +17,7 @@ from ..quasistatic.solution import QuasistaticSolution
 
 # C_D of a smooth sphere, 1e3 < Re < 2e5 (Hoerner, 1965); not verified for balls behind each other
 SPHERE_DRAG = 0.47
+STANDARD_GRAVITY = 9.80665  # CGPM, 1901 [m/s^2]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -28,6 +29,9 @@ class Cage:
     land_width: float | None = None  # both lands together [m]
     land_clearance: float | None = None  # radial [m]
     outer_guided: bool = True
+    land_oil_share: float = 1.0  # of the land that oil fills; the rest rubs dry [-]
+    land_friction: float = 0.0  # Coulomb's mu of the dry land [-]
+    mass: float = 0.0  # that the dry land carries [kg]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,6 +40,8 @@ class Resistance:
 
     ball: float = 0.0  # drag of the oil over the square of a ball's speed [N s^2/m^2]
     land: float = 0.0  # torque of the cage's guiding land over its slip, Petroff (1883) [N m s]
+    rub: float = 0.0  # mu (1 - s) r m of a land that oil fills to the share s [kg m]
+    play: float = 0.0  # radial, of the land [m]
     outer_guided: bool = True  # the land runs on the outer ring, else on the inner one
     pocket: float = 0.0  # Coulomb's mu of ball against pocket [-]
 
@@ -47,12 +53,19 @@ class Resistance:
         """Power [W] that the balls give to a cage that turns at a speed [rad/s] against the drag
         of its land.
         """
-        return self.land * (cage_speed - self.guiding_speed(solution)) * cage_speed
+        return self._land_torque(solution, cage_speed) * cage_speed
 
     def guiding_power(self, solution: QuasistaticSolution, cage_speed: float) -> float:
         """Power [W] that the guiding ring gives to the land of a cage at a speed [rad/s]."""
-        ring = self.guiding_speed(solution)
-        return self.land * (ring - cage_speed) * ring
+        return -self._land_torque(solution, cage_speed) * self.guiding_speed(solution)
+
+    def _land_torque(self, solution: QuasistaticSolution, cage_speed: float) -> float:
+        """On the cage, against its slip [N m]: oil by Petroff, and dry by Coulomb under the
+        weight of the cage and the centrifugal force of a cage that lies on its land.
+        """
+        slip = cage_speed - self.guiding_speed(solution)
+        load = STANDARD_GRAVITY + self.play * cage_speed**2
+        return float(self.land * slip + self.rub * load * np.sign(slip))
 
     def guiding_speed(self, solution: QuasistaticSolution) -> float:
         """Of the ring that the land runs on [rad/s]."""
@@ -99,9 +112,13 @@ def resistance_of(
     ball = ball_drag(bearing, density, oil_fraction or 0.0)
     if cage is None:
         return Resistance(ball=ball)
-    land = land_drag(cage, viscosity)
     return Resistance(
-        ball=ball, land=land, outer_guided=cage.outer_guided, pocket=cage.pocket_friction
+        ball=ball,
+        land=land_drag(cage, viscosity),
+        rub=land_rub(cage),
+        play=cage.land_clearance or 0.0,
+        outer_guided=cage.outer_guided,
+        pocket=cage.pocket_friction,
     )
 
 
@@ -115,12 +132,21 @@ def ball_drag(bearing: Bearing, density: float, oil_fraction: float) -> float:
 
 def land_drag(cage: Cage, viscosity: float) -> float:
     """Torque of the cage's guiding lands over its slip, Petroff (1883): 2 pi eta r^3 B/c [N m s],
-    at a viscosity [Pa s]; zero if guided by the balls.
+    at a viscosity [Pa s], of the share that oil fills; zero if guided by the balls.
     """
     if cage.land_diameter is None or cage.land_width is None or cage.land_clearance is None:
         return 0.0
     radius = 0.5 * cage.land_diameter
-    return viscosity * 2.0 * pi * radius**3 * cage.land_width / cage.land_clearance
+    wet = cage.land_oil_share * cage.land_width
+    return viscosity * 2.0 * pi * radius**3 * wet / cage.land_clearance
+
+
+def land_rub(cage: Cage) -> float:
+    """Of a land that oil fills to the share s, torque over the acceleration that presses the cage
+    on it, mu (1 - s) r m [kg m]; zero if guided by the balls.
+    """
+    radius = 0.5 * (cage.land_diameter or 0.0)
+    return cage.land_friction * (1.0 - cage.land_oil_share) * radius * cage.mass
 
 
 def rolling_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_x: float) -> float:
@@ -171,10 +197,12 @@ def hysteresis_torque(
 
 
 def land_power(cage: Cage, viscosity: float, ring_speed: float, cage_speed: float) -> float:
-    """Power sheared in the guiding lands [W] at a viscosity [Pa s] and speeds of the guiding ring
-    and the cage [rad/s].
+    """Power sheared and rubbed in the guiding lands [W] at a viscosity [Pa s] and speeds of the
+    guiding ring and the cage [rad/s].
     """
-    return land_drag(cage, viscosity) * (ring_speed - cage_speed) ** 2
+    slip = abs(ring_speed - cage_speed)
+    load = STANDARD_GRAVITY + (cage.land_clearance or 0.0) * cage_speed**2
+    return (land_drag(cage, viscosity) * slip + land_rub(cage) * load) * slip
 
 
 def pocket_power(

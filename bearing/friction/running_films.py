@@ -8,6 +8,7 @@ moment, starvation on that and on the gap that shears, asperities on the load th
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from ehl.closed_form.starvation import FLOODED
 from ehl.solution import ContactSolution
 from ehl.traction.rolling_moment import rolling_moment
 
@@ -57,6 +58,8 @@ class OilAtInlets:
 
     oil: Supply | InletFilm
     balls: int  # in one row [-]
+    # what films behind layers were solved with; None: with `oil`
+    solved: Supply | InletFilm | None = None
 
 
 RunningFilms = Sequence[RunningFilm | None]
@@ -72,7 +75,8 @@ def running_films(
     """Films of contacts as they run, those of formulas where none is solved, None without oil.
 
     rolling_factor: of the rolling moment, that of all contacts [-]; supply: oil that flooded films
-    get, None: flooded.
+    get, and those solved behind the layers of another supply, by the law of starvation; None:
+    films as they are.
     """
     solved = {
         id(film): rolling_moment(film).value
@@ -89,8 +93,8 @@ def running_films(
             running = _by_formula(formula_film(contact))
         if running is not None:
             running = replace(running, rolling_factor=rolling_factor)
-            if supply is not None and film_is_flooded(running.film):
-                running = _starved(running, contact, supply)
+            if supply is not None:
+                running = _supplied(running, contact, supply)
             running = _with_asperities(running, contact, asperities)
         found.append(running)
     return tuple(found)
@@ -129,16 +133,26 @@ def _by_formula(found: FormulaFilm | None) -> RunningFilm | None:
     )
 
 
-def _starved(film: RunningFilm, contact: BearingContact, supply: OilAtInlets) -> RunningFilm:
-    """What a supply leaves of a flooded film."""
-    left = supplied_shares(contact, film.central, supply.oil, supply.balls)
-    share = left.central.value
+def _supplied(film: RunningFilm, contact: BearingContact, supply: OilAtInlets) -> RunningFilm:
+    """What a supply leaves of a flooded film, or makes of one behind a layer of another supply."""
+    now = FLOODED
+    if not film_is_flooded(film.film):
+        if supply.solved is None:
+            return film
+        now = supplied_shares(contact, film.flooded_central, supply.solved, supply.balls)
+    left = supplied_shares(contact, film.flooded_central, supply.oil, supply.balls)
+    share = left.central.value / now.central.value
+    central = share * film.central
+    minimum = film.minimum
+    if minimum is not None:
+        minimum = min(left.minimum.value / now.minimum.value * minimum, central)
+    moment = left.rolling_moment.value / now.rolling_moment.value
     return replace(
         film,
         film=with_gap(film.film, share),
-        central=share * film.central,
-        minimum=None if film.minimum is None else left.minimum_film(film.central, film.minimum),
-        rolling_factor=film.rolling_factor * left.rolling_moment.value,
+        central=central,
+        minimum=minimum,
+        rolling_factor=moment * film.rolling_factor,
     )
 
 

@@ -21,6 +21,7 @@ from dataclasses import dataclass
 from math import acos, pi, sin
 
 from ..geometry import Bearing
+from .supply import Supply
 
 LAYERS = 6.0  # layer at the optimum over the roughness of both surfaces [-]; assumed
 SHOULDER_HEIGHT = 1.0 / 6.0  # of a groove without a shoulder's diameter, over the ball's [-]
@@ -48,6 +49,33 @@ class OilBalance:
         of race and ball together [m].
         """
         return LAYERS * roughness * self.area / (self.captured * self.residence)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GrooveOil:
+    """What the balance says of a flow through a bearing."""
+
+    area: float  # of both grooves, wetted [m^2]
+    layer: float  # that a contact finds [m]
+    best_flow: float | None  # of least friction [m^3/s]; None without roughness
+
+
+def groove_oil(
+    bearing: Bearing, supply: Supply, residence: float, roughness: tuple[float, float] | None
+) -> GrooveOil:
+    """Oil on the grooves by the balance: `residence`, the mean time that it stays there [s];
+    `roughness`: root mean square of inner race and balls, outer race and balls [m], of which the
+    larger counts.
+    """
+    balance = OilBalance(
+        area=groove_area(bearing), captured=supply.track_share, residence=residence
+    )
+    sigma = max(roughness or (0.0, 0.0))
+    return GrooveOil(
+        area=balance.area,
+        layer=balance.layer(supply.flow),
+        best_flow=balance.best_flow(sigma) if sigma > 0.0 else None,
+    )
 
 
 def retained_time(best_flow: float, roughness: float, area: float) -> float:

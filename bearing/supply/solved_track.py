@@ -26,6 +26,15 @@ DRY = 1.0e-4  # of the mean layer: a place with less counts as having so much [-
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class TrackPasses:
+    """Contacts behind one another on one track."""
+
+    number: int  # [-]
+    loss: float = 0.0  # share of a layer that is lost between two of them [-]
+    added: float = 0.0  # layer added there, in units of the conditions' [m], [a^2/Rx]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class SolvedPass:
     """One pass of a track."""
 
@@ -47,6 +56,11 @@ class SolvedPass:
         return self.solution.film_central_dimensionless.value / supply.flooded_central.value
 
     @property
+    def ridge_ratio(self) -> float:
+        """Thickest part of the layer that leaves over that on the centre line [-]."""
+        return float(self.outlet.max() / self.outlet[abs(self.solution.Y).argmin()])
+
+    @property
     def kept(self) -> float:
         """Oil that leaves over oil that enters, over the whole width of the box [-]."""
         return float(np.trapezoid(self.outlet) / np.trapezoid(self.inlet))
@@ -55,23 +69,20 @@ class SolvedPass:
 def solved_passes(
     conditions: ContactConditions | MoesConditions,
     options: SolverOptions,
-    number: int,
+    track: TrackPasses,
     solve: Solve,
-    *,
-    loss: float = 0.0,
-    added: float = 0.0,
+    first: ContactSolution | None = None,
 ) -> tuple[SolvedPass, ...]:
-    """So many passes of a track; fewer where one does not converge, which is the last one then.
+    """The passes of a track; fewer where one does not converge, which is the last one then.
 
-    `conditions`: their layer is that of the first pass; `loss`: share of a layer between two balls
-    [-]; `added`: layer added there, in units of the conditions' [m], [a^2/Rx]. ValueError without
-    a layer.
+    `conditions`: their layer is that of the first pass, [m] or [a^2/Rx]; `first`: its solution, if
+    it is known. ValueError without a layer.
     """
     if conditions.inlet_layer is None:
         raise ValueError("inlet_layer is needed for the first pass of a track")
     passes: list[SolvedPass] = []
-    for _ in range(number):
-        solution = solve(conditions, options)
+    solution = first or solve(conditions, options)
+    while True:
         if solution.supply is None or solution.supply.outlet_layer is None:
             break
         layer = conditions.inlet_layer
@@ -83,12 +94,13 @@ def solved_passes(
         passes.append(
             SolvedPass(solution=solution, inlet=layer.at(places) / height, outlet=outlet)
         )
-        if not solution.converged:
+        if not solution.converged or len(passes) == track.number:
             break
-        following = (1.0 - loss) * outlet * height + added
+        following = (1.0 - track.loss) * outlet * height + track.added
         floor = DRY * float(following.mean())
         profile = InletLayer(
             thickness=tuple(np.maximum(following, floor).tolist()), y=tuple(places.tolist())
         )
         conditions = replace(conditions, inlet_layer=profile)
+        solution = solve(conditions, options)
     return tuple(passes)

@@ -49,5 +49,7 @@ def films_as_they_run(
     """
     supply = None
     if friction.scarce is not None:
-        supply = OilAtInlets(oil=friction.scarce, balls=solution.bearing.balls)
+        supply = OilAtInlets(
+            oil=friction.scarce, balls=solution.bearing.balls, solved=friction.solved_supply
+        )
     return running_films(contacts, films, friction.asperities, inlet.rolling, supply)

@@ -1,6 +1,6 @@
 """What the models of the friction torque take beyond the loads."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ehl.oil.lubricant import Lubricant
 
@@ -44,6 +44,8 @@ class FrictionInput:
     # flow of oil and what is assumed of it, or the layer at the inlets
     supply: Supply | InletFilm | None = None
     flooded: bool = False  # the total stays that of flooded films although a supply is given
+    # what films that were solved behind layers stand behind; None: `supply`
+    solved_supply: Supply | InletFilm | None = None
     # SKF's sliding moment also with the slip of the sliding friction paper
     as_printed: bool = False
     # results show every model, not only integrated, SKF, Palmgren and Coulomb
@@ -80,6 +82,18 @@ class FrictionInput:
         """What holds balls and cage of a bearing back: drag, land and pockets."""
         share = self.oil_share(bearing)
         return resistance_of(self.cage, bearing, oil.viscosity, oil.density, share)
+
+    def at_supply(self, supply: Supply | InletFilm, bearing: Bearing) -> "FrictionInput":
+        """The same of a bearing at another supply [m^3/s], [m], with the oil that stands in its
+        cavity.
+        """
+        return replace(
+            self,
+            supply=supply,
+            flooded=False,
+            oil_fraction=self.oil_share(bearing),
+            solved_supply=self.supply,
+        )
 
     @property
     def scarce(self) -> Supply | InletFilm | None:

@@ -4,11 +4,10 @@ The share of the oil that lands on the tracks decides the film and is not known:
 jet by an estimate. A flow therefore gives a band, not a number.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 from ehl import ContactSolution
-from ehl.oil.lubricant import Lubricant
 
 from ..contacts.contact import BearingContact
 from ..quasistatic.solution import QuasistaticSolution
@@ -19,9 +18,9 @@ from ..supply.starved_films import (
     of_driven_balls,
     starved_films,
 )
-from ..supply.supply import Supply, supplied_shares
-from .inputs import FrictionInput
-from .starved import StarvedTorque, starved_torque
+from ..supply.supply import InletFilm, Supply, supplied_shares
+
+Total = Callable[[Supply | InletFilm], float | None]  # torque at a supply [N m]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -32,12 +31,7 @@ class SupplyEnd:
     film_share: float  # mean of the balls that both races load, of the flooded film [-]
     film_share_least: float  # smallest of them [-]
     lambda_least: float  # smallest lambda ratio of them [-]; infinite without roughness
-    torque: StarvedTorque | None  # None where the model lacks an input
-
-    @property
-    def total(self) -> float | None:
-        """Torque of the model starved [N m]; None where it lacks an input."""
-        return None if self.torque is None else self.torque.total
+    total: float | None  # torque of the films at this end [N m]; None where it has none
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -48,40 +42,43 @@ class SupplyBand:
     high: SupplyEnd
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SupplyTorque:
+    """The torque of a bearing at its supply and beside it, by the same films and model [N m]; None
+    where it has none.
+    """
+
+    scarce: float | None  # at the supply
+    flooded: float | None  # with ample oil at every inlet, and as much in the cavity
+
+
 def supply_band(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    lubricant: Lubricant,
-    friction: FrictionInput,
+    supply: Supply,
+    total: Total,
+    roughness: tuple[float, float] | None = None,
     solutions: Sequence[ContactSolution | None] | None = None,
 ) -> SupplyBand | None:
-    """Films and torque at both ends of the captured share [-]; None without a flow, or where no
-    ball that both races load has a film.
+    """Films and torque at both ends of the captured share [-]; None where no ball that both races
+    load has a film.
 
-    `solutions`: flooded films, or films with the flooded ones beside; formulas where one is
-    missing, and in the torque where one was solved behind a layer.
+    `roughness`: root mean square of inner race and balls, outer race and balls [m]; `solutions`:
+    flooded films, or films with the flooded ones beside; formulas where one is missing.
     """
-    supply = friction.supply
-    if not isinstance(supply, Supply):
-        return None
-    flooded = [None if one is None or one.supply else one for one in solutions or ()]
     ends = []
     for end in supply.band:
-        films = _films(contacts, end, solution.bearing.balls, friction, solutions)
+        films = _films(contacts, end, solution.bearing.balls, roughness, solutions)
         driven = of_driven_balls(solution, contacts, films)
         if not driven:
             return None
-        try:
-            torque = starved_torque(solution, contacts, lubricant, friction, end, flooded or None)
-        except ValueError:  # an input is missing: the model of the total says which
-            torque = None
         ends.append(
             SupplyEnd(
                 track_share=end.track_share,
                 film_share=mean_share(driven),
                 film_share_least=min(film.share for film in driven),
                 lambda_least=least_lambda(driven),
-                torque=torque,
+                total=total(end),
             )
         )
     return SupplyBand(low=ends[0], high=ends[1])
@@ -91,14 +88,14 @@ def _films(
     contacts: Sequence[BearingContact],
     end: Supply,
     balls: int,
-    friction: FrictionInput,
+    roughness: tuple[float, float] | None,
     solutions: Sequence[ContactSolution | None] | None,
 ) -> list[StarvedFilm | None]:
     """Films at one end by the law of starvation, also where they were solved behind the layer of
     another share.
     """
     films: list[StarvedFilm | None] = []
-    known = starved_films(contacts, end, balls, friction.roughness, solutions)
+    known = starved_films(contacts, end, balls, roughness, solutions)
     for contact, film, solution in zip(
         contacts, known, solutions or [None] * len(contacts), strict=True
     ):

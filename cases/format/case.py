@@ -16,6 +16,7 @@ from bearing.material import Material
 from bearing.operation import BallKinematics, Operation, QuasistaticModel, RatingInput
 from bearing.rating.load_rating import capacity
 from bearing.rows import Row
+from bearing.supply.solved_track import TrackPasses
 from bearing.supply.supply import Supply
 from bearing.torque.inlet import NO_LOSS, InletFactors, inlet_factors
 from bearing.torque.inputs import FrictionInput
@@ -94,6 +95,7 @@ class ContactCase(AnyCase):
     conditions: ContactConditions | MoesConditions
     temperature: float | None = None  # of the oil [K]
     frequencies: tuple[float, ...] = ()  # of the response [Hz]
+    passes: TrackPasses | None = None  # None: the contact stands alone
 
 
 def load_case(name_or_path: str | Path) -> Case | ContactCase:
@@ -326,6 +328,7 @@ def _contact_case(file: ContactFile) -> ContactCase:
         ),
         temperature=temperature,
         frequencies=tuple(file.ehl.response_frequencies_Hz),
+        passes=contacts.track_passes(file.ehl, conditions),
     )
 
 

@@ -2,11 +2,13 @@
 
 from collections.abc import Iterator, Mapping
 from enum import Enum
+from math import sin
 from typing import Annotated, Any
 
 from pydantic import Field, model_validator
 
 from bearing.material import Material, reduced_modulus
+from bearing.supply.solved_track import TrackPasses
 from ehl import ContactConditions, InletLayer, Lubricant, MoesConditions
 from ehl.conditions import surface_motion
 from ehl.options import GENERALIZED_POINTS, TOLERANCE
@@ -28,8 +30,8 @@ from .fields import (
     within,
 )
 from .lubricant import LubricantTable
-from .problems import CaseFault, shown
-from .rules import CaseValues, Excludes, Needs, Relation, Where
+from .problems import CaseFault, UnfitKey, shown
+from .rules import CaseValues, Excludes, Needs, OnlyWith, Relation, Where
 
 
 class FilmModel(Enum):
@@ -86,6 +88,8 @@ class GridTable(Table):
         return {**table, "tolerance": TOLERANCE}
 
 
+ALIGNED = 1e-9  # sine of the entrainment's angle to x that counts as none [-]
+MOST_PASSES = 100  # of a track; each is a solve
 Frequency = Annotated[float, Field(gt=0.0, le=1e9, allow_inf_nan=False)]
 
 
@@ -94,6 +98,17 @@ class ContactEhlTable(GridTable):
 
     response_frequencies_Hz: list[Frequency] = described(
         "at which stiffness and damping are computed beside those of slow movement", []
+    )
+    track_passes: int | None = described(
+        "contacts on one track, each behind the layer that the last one left; the first behind "
+        "the inlet film",
+        ge=2,
+        le=MOST_PASSES,
+    )
+    track_loss: float = between(0, 1, "share of a layer that is lost between two of them", 0.0)
+    track_added_um: float = between(0, 1e4, "layer added there, on both surfaces together", 0.0)
+    track_added_dimensionless: float = between(
+        0, 1e4, "the same with Moes' groups, in units of a^2/Rx", 0.0
     )
 
 
@@ -150,7 +165,17 @@ BODIES = ("material_1", "material_2")
 KINEMATICS = ("slide_roll_ratio", "lateral_slide_ratio", "spin_rad_s", "mean_spin_rad_s")
 COATING = ("coating_thickness_um", "substrate_material")
 GROUPS = ("contact.moes_M", "contact.moes_L", "contact.radius_ratio")
+LAYERS = ("lubricant.inlet_film_um", "lubricant.inlet_film_dimensionless")
 RELATIONS: tuple[Relation, ...] = (
+    OnlyWith("ehl.track_passes", tuple(map(Where, LAYERS))),
+    OnlyWith("ehl.track_loss", (Where("ehl.track_passes"),), default=0.0),
+    *(
+        OnlyWith(f"ehl.track_added_{unit}", (Where("ehl.track_passes", also=(where,)),), 0.0)
+        for unit, where in (
+            ("um", Where("lubricant.inlet_film_um")),
+            ("dimensionless", Where("contact.moes_M")),
+        )
+    ),
     *(
         Needs(
             f"bearing.{name}",
@@ -231,6 +256,22 @@ def inlet_layer(chosen: Starvation | None, lubricant: LubricantTable) -> InletLa
     return InletLayer(thickness=(thickness,))
 
 
+def track_passes(
+    table: ContactEhlTable, conditions: ContactConditions | MoesConditions
+) -> TrackPasses | None:
+    """Contacts behind one another on one track; None where there is one. `UnfitKey` where the oil
+    is not entrained along a principal direction: the profile would not meet the next contact.
+    """
+    if table.track_passes is None:
+        return None
+    if abs(sin(conditions.entrainment_angle)) > ALIGNED:
+        finding = f"found {table.track_passes} with entrainment at an angle to the ellipse"
+        raise UnfitKey(("ehl", "track_passes"), finding, "allowed: entrainment along x")
+    moes = isinstance(conditions, MoesConditions)
+    added = table.track_added_dimensionless if moes else table.si()["track_added"]
+    return TrackPasses(number=table.track_passes, loss=table.track_loss, added=added)
+
+
 def faults(values: CaseValues) -> Iterator[CaseFault]:
     """A film of a thinning oil or with heat has lengths, one with heat bodies by material; two
     velocities entrain oil.
@@ -241,6 +282,12 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
             surface_motion(*velocities)
         except ValueError as problem:
             yield CaseFault(("contact", VELOCITIES[0]), str(problem), "allowed: a mean above zero")
+    if values.given("ehl", "track_passes") and values.get("ehl", "starvation") not in (
+        None,
+        Starvation.SOLVED.value,
+    ):
+        finding = f"found {shown(values.get('ehl', 'starvation'))} with track_passes"
+        yield CaseFault(("ehl", "starvation"), finding, 'allowed: "solved"')
     film_model = values.get("ehl", "film_model")
     if film_model in ("thermal", "shear-thinning") and values.given("contact", "moes_M"):
         finding = f"found {shown(film_model)} with Moes' groups"

@@ -22,7 +22,7 @@ from .fields import (
     within,
 )
 from .friction import SIMULATED, FrictionTable
-from .problems import CaseFault
+from .problems import CaseFault, shown
 from .rules import Below, CaseValues, Excludes, Needs, Where, bounded
 
 
@@ -85,7 +85,10 @@ class CageTable(Table):
     land_width_mm: float | None = above(0, LENGTH_MAXIMUM, "of both lands together")
     land_clearance_um: float | None = above(0, 1e4, "radial, between cage and land")
     land_friction: float = between(
-        0, 1, "Coulomb's mu where the film is used up; for the dynamics", 0.0
+        0, 1, "Coulomb's mu where the film is used up; dynamics, and a dry land", 0.0
+    )
+    land_oil_share: float = between(
+        0, 1, "of the land that oil fills; the rest rubs dry under weight and play; assumed", 1.0
     )
     pocket_clearance_mm: float | None = above(
         0, 100, "diametral, pocket less ball; left out, estimated"
@@ -126,7 +129,16 @@ RELATIONS = (
 
 
 def faults(values: CaseValues) -> Iterator[CaseFault]:
-    """A history of bearable length; tables for a lubricated contact."""
+    """A history of bearable length; tables for a lubricated contact; what presses a dry land."""
+    share = values.get("cage", "land_oil_share")
+    if share is not None and share < 1.0:
+        for name in ("land_friction", "mass_g"):
+            if not values.get("cage", name):
+                finding = f"missing with land_oil_share = {shown(share)}"
+                yield CaseFault(("cage", name), finding, "needed: what rubs on a dry land")
+        if values.get("cage", "guided_by") not in RACES:
+            finding = f"found {shown(share)} for a cage that balls guide"
+            yield CaseFault(("cage", "land_oil_share"), finding, "allowed with a guiding ring")
     end = values.get("dynamics", "end_time_s")
     if end is not None:
         least = from_si("output_interval_us", end / LARGEST_HISTORY)
@@ -158,7 +170,15 @@ def cage_friction(table: CageTable | None) -> Cage | None:
         return None
     land = table.si(*LAND) if table.guided_by in RACES else {}
     outer_guided = table.guided_by == "outer ring"
-    return Cage(pocket_friction=table.pocket_friction, outer_guided=outer_guided, **land)
+    mass = table.si()["mass"]
+    return Cage(
+        pocket_friction=table.pocket_friction,
+        outer_guided=outer_guided,
+        land_oil_share=table.land_oil_share,
+        land_friction=table.land_friction,
+        mass=mass or 0.0,
+        **land,
+    )
 
 
 def guiding_land(table: CageTable | None) -> tuple[Race, float] | None:

@@ -95,6 +95,9 @@ class FrictionTable(LawTable):
     supply_track_share_most: float = above(0, 1, "most of it, likewise", CAPTURED[1])
     supply_loss: float = between(0, 1, "share lost between balls; likewise assumed", 0.05)
     supply_residence_s: float = between(0, 1e6, "mean time in the bearing; likewise assumed", 20.0)
+    supply_groove_s: float | None = above(
+        0, 1e6, "mean time that oil stays on the grooves; for the oil balance on paper; assumed"
+    )
     supply_decay_s: float | None = above(
         0, 1e9, "time that the film is followed after the supply stops; block decay"
     )
@@ -170,6 +173,7 @@ RELATIONS: tuple[Relation, ...] = (
     *_only_with(HEATED, "ambient_C", "cooling_oil_mL_min", "cooling_oil_C", "heating_torque"),
     *_only_with(SUPPLIED, "supply_track_share", "supply_loss", "supply_residence_s"),
     *_only_with(SUPPLIED, "supply_track_share_least", "supply_track_share_most"),
+    OnlyWith("friction.supply_groove_s", (SUPPLIED,)),
     Below("friction.supply_track_share_least", "friction.supply_track_share_most", *CAPTURED),
     Needs(
         "friction.supply_mL_min",

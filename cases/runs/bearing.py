@@ -19,14 +19,10 @@ from bearing.rating.frequencies import bearing_frequencies
 from bearing.rating.life import bearing_life
 from bearing.rating.load_rating import static_rating
 from bearing.rating.reference_speed import reference_speed
-from bearing.supply.decay import film_decay
-from bearing.supply.starved_films import starved_films
-from bearing.supply.supply import AMPLE
 from bearing.torque.breakdown import INTEGRATED, TorqueBreakdown, torque_breakdown
 from bearing.torque.films_torque import films_as_they_run, films_torque
 from bearing.torque.integrated import law_torque
 from bearing.torque.shear_torque import SolvedShear
-from bearing.torque.supply_band import supply_band
 from ehl import ContactSolution
 from postprocess.bearing.results import BearingResults
 
@@ -40,6 +36,7 @@ from .heating import Printed, at_its_balance, at_its_temperature, self_heated
 from .interrupt import interruptible
 from .load_cases import solve_load_cases
 from .strength import case_strength, contact_tensions
+from .studies.supply import beside_supply
 from .traction_films import traction_messages, with_workers
 
 WARM_ROUNDS = 5  # of films solved anew at the temperature that their torque asks for
@@ -272,7 +269,7 @@ def _friction(
         "heating": heating,
         "tensions": tensions,
         "conductances": _conductances(case, state, contacts, films.known),
-        **_supply(case, state, contacts, solutions),
+        **beside_supply(case, state, contacts, films.known, torque),
     }
 
 
@@ -309,27 +306,6 @@ def _printed(
         running = films_as_they_run(state, contacts, films, case.friction, case.inlet)
     seal = torque.models[INTEGRATED].components.get("seal", 0.0)
     return Printed(state, contacts, torque.total, seal, running)
-
-
-def _supply(
-    case: Case,
-    state: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    solutions: Sequence[ContactSolution | None],
-) -> dict[str, Any]:
-    """Band of the captured share of a flow, and the films after the supply has stopped."""
-    friction = case.friction
-    turning = state.operation.inner_speed != state.operation.outer_speed
-    if friction is None or not (state.converged and turning):
-        return {}
-    band = supply_band(state, contacts, case.lubricant, friction, solutions)
-    decay = None
-    duration = case.file.friction.si()["supply_decay"]
-    if duration is not None:
-        rough = friction.roughness
-        films = starved_films(contacts, AMPLE, state.bearing.balls, rough, solutions)
-        decay = film_decay(state, contacts, films, duration, friction.supply)
-    return {"supply_band": band, "decay": decay}
 
 
 def _tractions(

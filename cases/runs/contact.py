@@ -4,6 +4,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from time import perf_counter
 
+from bearing.supply.solved_track import SolvedPass, solved_passes
 from ehl import ContactConditions, ContactSolution, MoesConditions, SolverOptions, solve_contact
 from ehl.finite_element.solver import solve_contact_finite_element
 from ehl.kinematics import contact_kinematics
@@ -31,6 +32,7 @@ NO_CERTIFICATE = "ehl.certify: not used by finite elements, which are solved by 
 NO_ELEMENTS = "the film was solved by finite elements"
 MOST_RESPONSE_POINTS = 257  # more are left to `normal_response`
 NO_LAYER = "ehl.starvation: not used by finite elements, the film is flooded"
+NO_PASSES = "ehl.track_passes: not used by finite elements, the film is flooded"
 NO_TOLERANCE = "ehl.tolerance: not used by finite elements, the film is solved on ehl.points"
 
 
@@ -44,6 +46,7 @@ def run_contact(
     messages = (*case.warnings, *case.films.messages)
     start = perf_counter()
     options = shared_options(case.solver, workers)
+    solve: Callable[..., ContactSolution] = case.films.solve
     if finite_element:
         flooded = replace(case.conditions, inlet_layer=None)
         solution, notes = _by_elements(flooded, options)
@@ -53,8 +56,12 @@ def run_contact(
         unused = (*unused, NO_CERTIFICATE) if case.solver.certify else unused
         messages = (*messages, *notes, *unused)
     else:
-        solve: Callable[..., ContactSolution] = case.films.solve
         solution = solve(case.conditions, options)
+    passes: tuple[SolvedPass, ...] = ()
+    if case.passes is not None and finite_element:
+        messages = (*messages, NO_PASSES)
+    elif case.passes is not None and solution.converged:
+        passes = solved_passes(case.conditions, options, case.passes, solve, solution)
     traction = _contact_traction(case, solution)
     no_response = NO_ELEMENTS if finite_element else _no_response(case, solution)
     response = None if no_response else _response(case)
@@ -67,6 +74,7 @@ def run_contact(
         traction=traction,
         response=response,
         no_response=no_response,
+        passes=passes,
     )
 
 

@@ -164,17 +164,24 @@ SUPPLY = quantities(
 )
 SUPPLY_BAND = quantities(  # at the least and the most of a flow that lands on the tracks
     "",
-    "the supply is no flow, or a torque lacks an input",
+    "the supply is no flow, or there is no torque of films",
     ("track_share_low", "least share of the flow on the tracks", "low.track_share"),
     ("film_share_low", "film share with it", "low.film_share"),
     ("film_share_least_low", "least film share with it", "low.film_share_least"),
     ("lambda_least_low", "least lambda with it", "low.lambda_least"),
-    ("torque_low_N_mm", "torque of the model starved with it", "low.total"),
+    ("torque_low_N_mm", "torque with it", "low.total"),
     ("track_share_high", "most of the flow on the tracks", "high.track_share"),
     ("film_share_high", "film share with it", "high.film_share"),
     ("film_share_least_high", "least film share with it", "high.film_share_least"),
     ("lambda_least_high", "least lambda with it", "high.lambda_least"),
-    ("torque_high_N_mm", "torque of the model starved with it", "high.total"),
+    ("torque_high_N_mm", "torque with it", "high.total"),
+)
+GROOVE_OIL = quantities(  # the balance of oil on paper
+    "",
+    "the case gives no supply_groove_s, or no roughness",
+    ("groove_area_mm2", "area of both grooves", "area"),
+    ("groove_layer_um", "layer of oil on them", "layer"),
+    ("groove_best_flow_mL_min", "flow of least friction on paper", "best_flow"),
 )
 DECAY = quantities(
     "",

@@ -18,8 +18,9 @@ from bearing.rating.duty_cycle import DutyCycle
 from bearing.rating.frequencies import Frequencies
 from bearing.rating.life import LifeRating
 from bearing.supply.decay import FilmDecay
+from bearing.supply.oil_balance import GrooveOil
 from bearing.torque.breakdown import TorqueBreakdown
-from bearing.torque.supply_band import SupplyBand
+from bearing.torque.supply_band import SupplyBand, SupplyTorque
 from ehl import ContactSolution, Lubricant
 from ehl.units import from_si
 
@@ -50,7 +51,9 @@ class BearingResults(Results):
     # of the contacts with films and a brittle body; empty is None for all
     tensions: tuple[SurfaceTension | None, ...] = ()
     duty_cycle: DutyCycle | None = None  # None where the case has no load cases
+    supply_torque: SupplyTorque | None = None  # None where no supply is given
     supply_band: SupplyBand | None = None  # None without a flow of oil
+    groove_oil: GrooveOil | None = None  # None where it was not asked for
     decay: FilmDecay | None = None  # None where it was not asked for, or no ball has a film
     # heat conductances of the contacts, (3, balls, 2): value, low and high end [W/K]; None where
     # heat properties are not known

@@ -10,7 +10,7 @@ from bearing.supply.starved_films import StarvedFilm, of_driven_balls
 
 from ..netcdf.groups import Group, Variables
 from ..quantities import values_of
-from .quantities import DECAY, DECAY_COURSE, SUPPLY, SUPPLY_BAND
+from .quantities import DECAY, DECAY_COURSE, GROOVE_OIL, SUPPLY, SUPPLY_BAND
 from .results import BearingResults
 
 FLOOD_MARGIN = 1.0e-3  # of the flooded film: with less missing a contact is reported flooded [-]
@@ -24,14 +24,15 @@ def supply_block(results: BearingResults) -> dict[str, Any]:
     torque = results.torque
     films = _driven(results)
     starved = None if torque is None else torque.starved
+    beside = results.supply_torque
     ratios = [film.lambda_ratio for film in films if isfinite(film.lambda_ratio)]
     values = (
         sum(film.share for film in films) / len(films) if films else None,
         min((film.share for film in films), default=None),
         min(ratios, default=None),
         None if starved is None else starved.oil_fraction,
-        None if starved is None else starved.total,
-        None if starved is None else starved.flooded,
+        None if beside is None else beside.scarce,
+        None if beside is None else beside.flooded,
     )
     pairs = zip(SUPPLY, values, strict=True)
     block = {own.key: own.in_unit(value) for own, value in pairs}
@@ -39,7 +40,8 @@ def supply_block(results: BearingResults) -> dict[str, Any]:
     finite = {
         key: value if value is None or isfinite(value) else None for key, value in band.items()
     }
-    return {"kind": supply_kind(results)} | block | finite
+    on_paper = values_of(results.groove_oil, GROOVE_OIL)
+    return {"kind": supply_kind(results)} | block | finite | on_paper
 
 
 def supply_kind(results: BearingResults) -> str:
@@ -64,6 +66,7 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
         return
     films = [film for film in torque.films if film is not None]
     yield from _outside_message(torque.films, results)
+    yield from _groove_message(results)
     if torque.behind_layers:
         yield from _layer_messages(results)
         return
@@ -84,9 +87,26 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
         yield "contacts.starved_lambda_ratio: null, and supply.lambda_least, there is no roughness"
     yield from _band_messages(results)
     if torque.starved is None:
-        yield "supply: torque and oil_fraction null as the model starved"
+        yield "supply.oil_fraction: null as the model starved"
+    if results.supply_torque is None or results.supply_torque.scarce is None:
+        yield "supply.torque_N_mm, ..._low_, ..._high_, flooded_...: null without torque of films"
     if films and all(film.share > 1.0 - FLOOD_MARGIN for film in films):
         yield f"supply: ample, every contact keeps its flooded film to {FLOOD_MARGIN:.1%}"
+
+
+def _groove_message(results: BearingResults) -> Iterator[str]:
+    """What the balance on paper is worth, or why there is none."""
+    oil = results.groove_oil
+    if oil is None:
+        yield "supply.groove_...: null, no flow with supply_groove_s"
+    elif oil.best_flow is None:
+        yield "supply.groove_best_flow_mL_min: null, there is no roughness"
+    else:
+        yield (
+            "supply.groove_...: a balance of oil on paper, whose free number is "
+            "supply_track_share times supply_groove_s; that six roughnesses mark least friction "
+            "is assumed"
+        )
 
 
 def _unsolved_message(results: BearingResults) -> Iterator[str]:

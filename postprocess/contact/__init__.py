@@ -5,6 +5,7 @@ fields        - units in which fields of contacts are shown
 frame         - the frame of a contact: principal directions, parts of its grid, other nodes
 interferogram - a film map as an optical interferometer would see it, beside pictures
 line_cut      - film and pressure along a line through a contact, as a table
+passes        - a track pass after pass: summary, message, netCDF group and figure
 plots         - figure of one contact: film map, pressure map, and both along the two centre lines
 quantities    - quantities of the film of one contact, single or in a bearing
 response      - stiffness and damping of a single contact, in its summary and in the terminal

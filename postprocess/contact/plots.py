@@ -1,6 +1,6 @@
 """Figure of one contact: film map, pressure map, and both along the two centre lines."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -17,6 +17,7 @@ from ..plot_style import INNER_COLOUR as FILM_COLOUR
 from ..plot_style import OUTER_COLOUR as PRESSURE_COLOUR
 from ..text import value_with_error
 from .frame import refined
+from .passes import draw_passes
 from .results import ContactResults
 from .view import ContactView, contact_view
 
@@ -45,7 +46,10 @@ def write_contact_plots(results: ContactResults, directory: Path) -> tuple[str, 
     groups = f"$M$ = {solution.moes_load:.4g}, $L$ = {solution.moes_lubricant:.4g}"
     title = f"{results.title}\n{groups}, {film_text(view)}"
     draw = partial(draw_contact, view=view, title=title)
-    return write_figures(directory, [("plots/contact", draw)])
+    figures: list[tuple[str, Callable[[Figure], None]]] = [("plots/contact", draw)]
+    if results.passes:
+        figures.append(("plots/passes", partial(draw_passes, results=results)))
+    return write_figures(directory, figures)
 
 
 def draw_contact(figure: Figure, view: ContactView, title: str) -> None:

@@ -8,6 +8,7 @@ from ehl.traction.rolling_moment import rolling_moment
 from ehl.units import MILLIMETRE, from_si
 
 from ..files import plain_document
+from .passes import pass_messages, pass_values
 from .quantities import NO_CYCLE, NO_TRACTION, FilmRecord, film_values, formula_films
 from .response import response_messages, response_values
 from .results import ContactResults
@@ -55,6 +56,7 @@ def contact_summary(results: ContactResults) -> dict[str, Any]:
         "pressure_centre_dimensionless": _centre(solution),
         **contact_starved_values(results),
         **response_values(results.response),
+        "passes": pass_values(results),
         "resolved": solution.resolved,
         "domain": list(solution.domain),
         "points": list(solution.P.shape),
@@ -127,6 +129,7 @@ def _messages(results: ContactResults, record: FilmRecord) -> Iterator[str]:
     yield from solution_messages("contact", solution)
     yield from contact_supply_messages(results)
     yield from response_messages(results)
+    yield from pass_messages(results)
     if not isinstance(conditions, ContactConditions):
         yield "load_N, semi-axes, films in um: null, the case gives Moes' groups and no lengths"
     elif conditions.coating is not None:

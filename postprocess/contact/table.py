@@ -32,6 +32,9 @@ def contact_table(results: ContactResults) -> Group:
         rows["traction"] = f"coefficient {traction.coefficient:.4f}, {heat}"
     if response := response_row(results.response):
         rows["stiffness, damping"] = response
+    if results.passes:
+        films = ", ".join(f"{p.share:.3g}" for p in results.passes if p.solution.converged)
+        rows["film by pass"] = f"{films} of the flooded one"
     if not solution.converged:
         rows["NOT CONVERGED"] = solution.message
     if not solution.resolved:

@@ -10,13 +10,16 @@ from ehl.solution import OilSupply
 from ehl.units import from_si
 
 from ..netcdf.groups import Group, Variables, root_attributes, write_groups
+from .passes import pass_group
 from .results import ContactResults
 
 
 def write_contact_netcdf(results: ContactResults, path: Path, document: dict[str, Any]) -> None:
     """Write input and fields as netCDF-4, as `write_bearing_netcdf`; `document` is the summary."""
     root = Group(attributes=root_attributes(document, "contact"))
-    write_groups({"/": root, "/contacts/contact": field_group(results.solution)}, path)
+    groups = {"/": root, "/contacts/contact": field_group(results.solution)}
+    passes = pass_group(results)
+    write_groups(groups if passes is None else groups | {"/passes": passes}, path)
 
 
 def field_group(solution: ContactSolution) -> Group:

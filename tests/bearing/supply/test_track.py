@@ -13,7 +13,7 @@ import scipy
 
 from bearing import Operation, contact_conditions, solve_quasistatic
 from bearing.supply.side_flow import barus_integral, side_flow, side_flow_integral
-from bearing.supply.solved_track import solved_passes
+from bearing.supply.solved_track import TrackPasses, solved_passes
 from bearing.supply.track import Track, added_layer, after_passes, steady_layer, steady_share
 from ehl import InletLayer, Lubricant, SolverOptions, ViscosityLaw, solve_contact
 from ehl.closed_form.starvation import starved_share
@@ -149,7 +149,7 @@ def test_solved_passes_hand_their_layer_on():
     contact = MoesConditions(
         load_parameter=20.0, lubricant_parameter=10.0, lubricant=oil, inlet_layer=InletLayer(thickness=(0.3,))
     )
-    passes = solved_passes(contact, SolverOptions(points=65), 4, solve_contact)
+    passes = solved_passes(contact, SolverOptions(points=65), TrackPasses(number=4), solve_contact)
     assert len(passes) == 4
     assert all(one.solution.converged for one in passes)
     for before, after in pairwise(passes):
@@ -161,7 +161,8 @@ def test_solved_passes_hand_their_layer_on():
     assert all(b < a for a, b in pairwise(films))
     chain = after_passes(Track(**law(3.0)), passes[0].ratio, 4)
     assert films == pytest.approx(chain.tolist(), rel=0.25)
-    halved = solved_passes(contact, SolverOptions(points=65), 2, solve_contact, loss=0.5, added=0.01)
+    track = TrackPasses(number=2, loss=0.5, added=0.01)
+    halved = solved_passes(contact, SolverOptions(points=65), track, solve_contact, passes[0].solution)
     assert halved[1].inlet == pytest.approx(0.5 * halved[0].outlet + 0.01, rel=1e-12)
     with pytest.raises(ValueError, match="inlet_layer"):
-        solved_passes(replace(contact, inlet_layer=None), SolverOptions(points=65), 1, solve_contact)
+        solved_passes(replace(contact, inlet_layer=None), SolverOptions(points=65), track, solve_contact)

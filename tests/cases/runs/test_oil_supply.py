@@ -75,7 +75,7 @@ def test_a_thin_inlet_film_starves_films_and_torque(flooded):
     assert torque["parts"]["rolling"] < 0.2 * flooded["torque_N_mm"]["parts"]["rolling"]
     assert torque["parts"]["asperity"] > flooded["torque_N_mm"]["parts"]["asperity"]
     assert torque["flooded_isothermal"] == pytest.approx(flooded["torque_N_mm"]["flooded_isothermal"], rel=1e-6)
-    assert torque["models"]["starved"]["total"] == supply["torque_N_mm"]
+    assert torque["total"] == supply["torque_N_mm"] < supply["flooded_torque_N_mm"]
     assert supply["kind"] == "inlet film"
     assert document["case"]["lubricant"]["supply"] == "starved"
     assert 0.0 < supply["film_share_least"] < supply["film_share"] < 0.6
@@ -425,6 +425,29 @@ def test_a_flow_gives_a_band_and_the_films_after_it_stops():
     assert (decay["ball"], decay["race"], decay["loss"]) == (1, "inner", 0.07)
     assert 0.0 < decay["half_time_s"] < 1.0
     assert decay["final_share"] == 0.0
+
+
+@pytest.mark.parametrize("solved", [False, True])
+def test_a_band_of_no_width_is_the_torque(solved):
+    """Both ends are of the model and the films of the total, also where those were solved behind their layers."""
+    document = load_case("6208_oil_supply").document
+    ends = {f"supply_track_share_{end}": 0.3 for end in ("least", "most")}
+    changed = {**document, "friction": {**document["friction"], "supply_track_share": 0.3, **ends}}
+    if solved:
+        changed["ehl"] = {"film_maps": [0.0], "points": 129, "starvation": "solved"}
+    with pytest.raises(CaseError, match="supply_track_share_least"):
+        case_of_document(changed)
+    changed["friction"] |= {"supply_track_share_most": 0.3 + 1e-12}
+    found = summary(run_case(case_of_document(changed)))
+    total, supply = found["torque_N_mm"]["total"], found["supply"]
+    assert found["torque_N_mm"]["model"] == "integrated"
+    assert supply["torque_N_mm"] == total
+    assert supply["torque_low_N_mm"] == pytest.approx(total, rel=1e-8)
+    assert supply["torque_high_N_mm"] == pytest.approx(total, rel=1e-8)
+    assert supply["flooded_torque_N_mm"] > 1.2 * total
+    wide = {**changed, "friction": {**changed["friction"], **ends, "supply_track_share_most": 0.6}}
+    band = summary(run_case(case_of_document(wide)))["supply"]
+    assert abs(band["torque_high_N_mm"] / total - 1.0) > 0.05
 
 
 @pytest.mark.parametrize("name", ["supply_track_share_least", "supply_track_share_most"])

@@ -1,0 +1,92 @@
+"""What the oil of a bearing decides beside its torque: torque with other supplies, films after the
+supply stops.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+from bearing.contacts.contact import BearingContact
+from bearing.friction.formula_films import FormulaFilm
+from bearing.friction.sources import FilmTraction
+from bearing.quasistatic.solution import QuasistaticSolution
+from bearing.supply.decay import film_decay
+from bearing.supply.oil_balance import GrooveOil, groove_oil
+from bearing.supply.starved_films import starved_films
+from bearing.supply.supply import AMPLE, InletFilm, Supply
+from bearing.torque.breakdown import INTEGRATED, TorqueBreakdown
+from bearing.torque.films_torque import films_torque
+from bearing.torque.supply_band import SupplyTorque, Total, supply_band
+from ehl import ContactSolution
+
+from ...format.case import Case
+
+Films = Sequence[ContactSolution | FormulaFilm | None]
+
+
+def beside_supply(
+    case: Case,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    films: Films,
+    torque: TorqueBreakdown | None,
+) -> dict[str, Any]:
+    """Torque at the supply and flooded, band of the captured share of a flow, and the films after
+    the supply has stopped, by their names in the results.
+    """
+    friction = case.friction
+    if friction is None or torque is None or state.operation.shaft_speed == 0.0:
+        return {}
+    rough = friction.roughness
+    solved = [film if isinstance(film, ContactSolution) else None for film in films]
+    total = _total_at(case, state, contacts, films, torque)
+    found: dict[str, Any] = {}
+    if friction.supply is not None:
+        found["supply_torque"] = SupplyTorque(scarce=total(friction.supply), flooded=total(AMPLE))
+    if isinstance(friction.supply, Supply):
+        found["supply_band"] = supply_band(state, contacts, friction.supply, total, rough, solved)
+        found["groove_oil"] = _groove_oil(case, friction.supply)
+    duration = case.file.friction.si()["supply_decay"]
+    if duration is not None:
+        ample = starved_films(contacts, AMPLE, state.bearing.balls, rough, solved)
+        found["decay"] = film_decay(state, contacts, ample, duration, friction.supply)
+    return found
+
+
+def _groove_oil(case: Case, supply: Supply) -> GrooveOil | None:
+    """Oil on the grooves by the balance on paper; None where it was not asked for."""
+    time = case.file.friction.si()["supply_groove"]
+    rough = None if case.friction is None else case.friction.roughness
+    return None if time is None else groove_oil(case.bearing, supply, time, rough)
+
+
+def _integrated(case: Case, torque: TorqueBreakdown) -> float | None:
+    """The torque of the films as they run [N m]; None where a friction law stands for them."""
+    by_films = case.traction is None or isinstance(case.traction.source, FilmTraction)
+    return torque.models[INTEGRATED].total if by_films else None
+
+
+def _total_at(
+    case: Case,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    films: Films,
+    torque: TorqueBreakdown,
+) -> Total:
+    """The integrated torque of the same films at another supply [N m]; None where the case has
+    none of films.
+    """
+    friction = case.friction
+    rheology = case.rheology
+    known = _integrated(case, torque)
+    if friction is None or rheology is None or known is None:
+        return lambda supply: None
+    seal = torque.models[INTEGRATED].components.get("seal", 0.0)
+
+    def total(supply: Supply | InletFilm) -> float:
+        if supply == friction.scarce:
+            return known
+        at = friction.at_supply(supply, state.bearing)
+        arguments = (films, at, case.inlet, rheology, case.lubricant)
+        return films_torque(state, contacts, *arguments).torque.total + seal
+
+    return total

@@ -1,0 +1,114 @@
+"""A track pass after pass: summary, message, netCDF group and figure."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from ehl.units import MICROMETRE
+
+from ..netcdf.groups import Group, Variables
+from ..plot_style import INNER_COLOUR, PAGE_WIDTH, REFERENCE, colour_stops
+from ..quantities import quantities, values_of
+from .results import ContactResults
+
+NOT_CONVERGED = "the film of this pass did not converge"
+PASS_QUANTITIES = quantities(
+    "",
+    NOT_CONVERGED,
+    ("inlet_ratio", "layer over the oil of the flooded film", "ratio"),
+    ("film_share", "central film over the flooded one", "share"),
+    ("film_central_um", "central film", "solution.film_central"),
+    ("film_minimum_um", "minimum film", "solution.film_minimum"),
+    ("oil_kept", "oil that leaves over oil that enters", "kept"),
+    ("ridge_ratio", "thickest part of the layer that leaves over its middle", "ridge_ratio"),
+)
+
+
+def pass_values(results: ContactResults) -> list[dict[str, Any]] | None:
+    """The passes one after the other; None where the contact stands alone."""
+    if not results.passes:
+        return None
+    rows = []
+    for number, one in enumerate(results.passes, 1):
+        known = one if one.solution.converged else None
+        head = {"pass": number, "converged": one.solution.converged}
+        rows.append(head | values_of(known, PASS_QUANTITIES))
+    return rows
+
+
+def pass_messages(results: ContactResults) -> Iterator[str]:
+    """Why there are none, or fewer than asked for."""
+    asked = results.case.get("ehl", {}).get("track_passes")
+    if asked is None:
+        yield "passes: null, no ehl.track_passes"
+    elif not results.passes:
+        yield "passes: null, the first film did not converge"
+    elif not results.passes[-1].solution.converged:
+        last = results.passes[-1].solution.message
+        yield f"passes: ended after {len(results.passes)} of {asked}, not converged: {last}"
+    else:
+        yield (
+            "passes: each contact stands behind the profile that the last one left; what a mesh "
+            "does not see is the side flow inside the contact, where little oil is left"
+        )
+
+
+def pass_group(results: ContactResults) -> Group | None:
+    """Layers over y and shares of all passes, SI; in Moes' groups lengths in a, layers in a^2/Rx.
+    None without passes.
+    """
+    if not results.passes:
+        return None
+    first = results.solution
+    length, scale = first.semi_axis_x, first.film_scale
+    unit, layer_unit = ("m", "m") if length and scale else ("a", "a^2/Rx")
+
+    def over(name: str) -> Any:
+        rows = [np.interp(first.Y, p.solution.Y, getattr(p, name)) for p in results.passes]
+        return np.array(rows) * (scale or 1.0)
+
+    plane = ("pass", "y")
+    shares = np.array([p.share if p.solution.converged else np.nan for p in results.passes])
+    variables: Variables = {
+        "y": (("y",), first.Y * (length or 1.0), {"units": unit}),
+        "inlet_layer": (plane, over("inlet"), {"units": layer_unit}),
+        "outlet_layer": (plane, over("outlet"), {"units": layer_unit}),
+        "film_share": (("pass",), shares, {"units": "1"}),
+    }
+    return Group(variables=variables, attributes={})
+
+
+def draw_passes(figure: Figure, results: ContactResults) -> None:
+    """Film over the passes, and the layers that they leave over the track."""
+    figure.set_size_inches(PAGE_WIDTH, 3.0)
+    number = len(results.passes)
+    title = f"{results.title}\neach pass stands behind the layer that the last one left"
+    figure.suptitle(title, fontsize=8.5)
+    left, right = figure.subplots(1, 2)
+    films = [one for one in results.passes if one.solution.converged]
+    style: Any = {"color": INNER_COLOUR, "marker": "o", "markersize": 3, "linewidth": 1.0}
+    left.plot(range(1, len(films) + 1), [one.share for one in films], **style)
+    left.set_ylim(0.0, 1.05)
+    left.set_xlabel("pass [-]")
+    left.set_ylabel("central film over the flooded one [-]")
+    left.xaxis.get_major_locator().set_params(integer=True)
+    first = results.solution
+    scale = first.film_scale
+    unit = 1.0 if scale is None else scale / MICROMETRE
+    colours = colour_stops("film", number + 1)[:number]
+    for index, one in enumerate(results.passes, 1):
+        label = f"pass {index}" if index in (1, number) else None
+        y = one.solution.Y / first.semi_axis_ratio
+        style = {"color": colours[index - 1], "linewidth": 0.9, "label": label}
+        right.plot(y, one.outlet * unit, **style)
+    for side in (-1.0, 1.0):
+        right.axvline(side, color=REFERENCE, linestyle="--", linewidth=0.6)
+    right.set_xlabel("$y/b$ [-]; the contact ends at ±1")
+    right.set_ylabel(f"layer that leaves [{'a²/Rx' if scale is None else 'µm'}]")
+    right.set_yscale("log")
+    right.legend(loc="upper center")
+    for axes in (left, right):
+        axes.grid(linewidth=0.3, alpha=0.5)
+        axes.spines[["top", "right"]].set_visible(False)
