@@ -8,7 +8,6 @@ moment, starvation on that and on the gap that shears, asperities on the load th
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from ehl.closed_form.starvation import FLOODED
 from ehl.solution import ContactSolution
 from ehl.traction.rolling_moment import rolling_moment
 
@@ -58,7 +57,7 @@ class OilAtInlets:
 
     oil: Supply | InletFilm
     balls: int  # in one row [-]
-    # what films behind layers were solved with; None: with `oil`
+    # what films behind layers were solved with; None, or the same: they are as they were solved
     solved: Supply | InletFilm | None = None
 
 
@@ -134,25 +133,29 @@ def _by_formula(found: FormulaFilm | None) -> RunningFilm | None:
 
 
 def _supplied(film: RunningFilm, contact: BearingContact, supply: OilAtInlets) -> RunningFilm:
-    """What a supply leaves of a flooded film, or makes of one behind a layer of another supply."""
-    now = FLOODED
-    if not film_is_flooded(film.film):
-        if supply.solved is None:
+    """What a supply leaves of a flooded film, or makes of one behind a layer of another supply, by
+    what the flooded film of that was.
+    """
+    central = minimum = moment = 1.0
+    layer = film.film.supply
+    if layer is not None:
+        if supply.solved in (None, supply.oil) or not layer.rolling_moment_ratio > 0.0:
             return film
-        now = supplied_shares(contact, film.flooded_central, supply.solved, supply.balls)
+        central = film.film.film_central_dimensionless.value / layer.flooded_central.value
+        minimum = film.film.film_minimum_dimensionless.value / layer.flooded_minimum.value
+        moment = layer.rolling_moment_ratio
     left = supplied_shares(contact, film.flooded_central, supply.oil, supply.balls)
-    share = left.central.value / now.central.value
-    central = share * film.central
-    minimum = film.minimum
-    if minimum is not None:
-        minimum = min(left.minimum.value / now.minimum.value * minimum, central)
-    moment = left.rolling_moment.value / now.rolling_moment.value
+    share = left.central.value / central
+    thick = share * film.central
+    least = film.minimum
+    if least is not None:
+        least = min(left.minimum.value / minimum * least, thick)
     return replace(
         film,
         film=with_gap(film.film, share),
-        central=central,
-        minimum=minimum,
-        rolling_factor=moment * film.rolling_factor,
+        central=thick,
+        minimum=least,
+        rolling_factor=left.rolling_moment.value / moment * film.rolling_factor,
     )
 
 

@@ -54,9 +54,12 @@ def solved_shear(
     films: RunningFilms,
     rheology: Rheology,
     resistance: Resistance = NO_RESISTANCE,
+    *,
+    bound: bool = True,
 ) -> SolvedShear:
     """Torque [N m] of films under the hypothesis and in traction equilibrium, there flooded and
-    isothermal, too; arguments as in `film_balance`, films of all lubricated contacts.
+    isothermal, too, unless that `bound` is not wanted; arguments as in `film_balance`, films of
+    all lubricated contacts.
     """
     pairs = [(c, film) for c, film in zip(contacts, films, strict=True) if film is not None]
     loads = sum(c.load for c, _ in pairs)
@@ -76,7 +79,9 @@ def solved_shear(
     torque = integrated_torque(solution, tractions, [film for _, film in pairs])
     shear = _balanced_shear(solution, hypothesis, torque, balance)
     flooded = shear.balanced
-    if any(film.rolling_factor != 1.0 for _, film in pairs):
+    if not bound:
+        flooded = None
+    elif any(film.rolling_factor != 1.0 for _, film in pairs):
         flooded = _flooded_torque(solution, contacts, films, rheology, resistance, balance)
     return replace(shear, asperity_share=mean, tractions=tractions, flooded=flooded)
 

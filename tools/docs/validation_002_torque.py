@@ -9,6 +9,7 @@ from dataclasses import replace
 from functools import cache
 from math import pi
 from pathlib import Path
+from typing import NamedTuple
 
 import matplotlib as mpl
 import numpy as np
@@ -16,13 +17,19 @@ from matplotlib.figure import Figure
 from printed import printed
 
 from bearing import contact_conditions, load_material, solve_quasistatic
+from bearing.friction.formula_films import formula_film
 from bearing.heating.self_heating import SelfHeatingSolution
+from bearing.quasistatic.solution import QuasistaticSolution
+from bearing.supply.starved_films import least_lambda, mean_share, of_driven_balls, starved_films
 from bearing.supply.supply import InletFilm, Supply
 from bearing.torque.breakdown import torque_breakdown
-from bearing.torque.starved import StarvedTorque, starved_torque
+from bearing.torque.films_torque import films_as_they_run
+from bearing.torque.integrated import solved_shear
 from cases import load_case
 from cases.batch.sweep import read_sweep
 from cases.batch.tables import case_of_document
+from cases.format.case import Case
+from cases.runs.equilibrium import case_equilibrium
 from cases.runs.heating import self_heated
 from postprocess.plot_style import PAGE_WIDTH, RC, save
 
@@ -55,9 +62,37 @@ def terms(speed: float, load: float) -> dict[str, float]:
     return {name: 1e3 * value for name, value in yao.components.items()}
 
 
-def supplied(speed: float, load: float, supply: Supply | InletFilm, **changes: object) -> StarvedTorque:
-    """Torque at a supply, with changes of the case's friction."""
-    return starved_torque(*solved(speed, load), SUPPLIED.lubricant, replace(FRICTION, **changes), supply)
+class SupplyPoint(NamedTuple):
+    """The torque of a bearing at a supply [N m], what is left of its films and of lambda [-]."""
+
+    total: float
+    parts: dict[str, float]
+    film_share: float
+    lambda_least: float
+
+
+@cache
+def supplied_case(speed: float, load: float) -> tuple[Case, QuasistaticSolution, tuple, list]:
+    """The case with a supply at a speed [r/min] and a load [N], its equilibrium, contacts and films of formulas."""
+    operation = {"inner_speed_rpm": speed, "radial_load_N": load}
+    document = SUPPLIED.document
+    case = case_of_document({**document, "operation": {**document["operation"], **operation}})
+    state = case_equilibrium(case)
+    contacts = contact_conditions(state, case.lubricant)
+    return case, state, contacts, [formula_film(contact) for contact in contacts]
+
+
+def supplied(speed: float, load: float, supply: Supply | InletFilm, **changes: object) -> SupplyPoint:
+    """The recommended torque at a supply, with changes of the case's friction."""
+    case, state, contacts, films = supplied_case(speed, load)
+    friction = replace(case.friction, supply=supply, **changes)
+    running = films_as_they_run(state, contacts, films, friction, case.inlet)
+    resistance = friction.resistance(case.bearing, case.lubricant)
+    torque = solved_shear(state, contacts, running, case.rheology, resistance, bound=False).torque
+    left = of_driven_balls(state, contacts, starved_films(contacts, supply, case.bearing.balls, friction.roughness))
+    parts = {name: torque.parts[name] for name in ("cage", "rolling", "asperity", "drag")}
+    parts["film"] = torque.total - sum(parts.values())
+    return SupplyPoint(torque.total, parts, mean_share(left), least_lambda(left))
 
 
 @cache

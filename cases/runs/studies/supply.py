@@ -14,7 +14,8 @@ from bearing.supply.oil_balance import GrooveOil, groove_oil
 from bearing.supply.starved_films import starved_films
 from bearing.supply.supply import AMPLE, InletFilm, Supply
 from bearing.torque.breakdown import INTEGRATED, TorqueBreakdown
-from bearing.torque.films_torque import films_torque
+from bearing.torque.films_torque import films_as_they_run
+from bearing.torque.integrated import solved_shear
 from bearing.torque.supply_band import SupplyTorque, Total, supply_band
 from ehl import ContactSolution
 
@@ -86,7 +87,9 @@ def _total_at(
         if supply == friction.scarce:
             return known
         at = friction.at_supply(supply, state.bearing)
-        arguments = (films, at, case.inlet, rheology, case.lubricant)
-        return films_torque(state, contacts, *arguments).torque.total + seal
+        running = films_as_they_run(state, contacts, films, at, case.inlet)
+        resistance = at.resistance(state.bearing, case.lubricant)
+        shear = solved_shear(state, contacts, running, rheology, resistance, bound=False)
+        return shear.torque.total + seal
 
     return total

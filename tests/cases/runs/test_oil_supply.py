@@ -422,7 +422,7 @@ def test_a_flow_gives_a_band_and_the_films_after_it_stops():
     assert supply["film_share_low"] < supply["film_share"] < supply["film_share_high"]
     assert supply["lambda_least_low"] < supply["lambda_least"] < supply["lambda_least_high"]
     assert any("a band" in message for message in found["messages"])
-    assert (decay["ball"], decay["race"], decay["loss"]) == (1, "inner", 0.07)
+    assert (decay["ball"], decay["race"], decay["loss"]) == (1, "inner", 0.1)
     assert 0.0 < decay["half_time_s"] < 1.0
     assert decay["final_share"] == 0.0
 
@@ -442,12 +442,56 @@ def test_a_band_of_no_width_is_the_torque(solved):
     total, supply = found["torque_N_mm"]["total"], found["supply"]
     assert found["torque_N_mm"]["model"] == "integrated"
     assert supply["torque_N_mm"] == total
-    assert supply["torque_low_N_mm"] == pytest.approx(total, rel=1e-8)
-    assert supply["torque_high_N_mm"] == pytest.approx(total, rel=1e-8)
+    assert supply["torque_low_N_mm"] == total
+    assert supply["torque_high_N_mm"] == pytest.approx(total, rel=0.02 if solved else 1e-8)  # law beside solution
     assert supply["flooded_torque_N_mm"] > 1.2 * total
     wide = {**changed, "friction": {**changed["friction"], **ends, "supply_track_share_most": 0.6}}
     band = summary(run_case(case_of_document(wide)))["supply"]
     assert abs(band["torque_high_N_mm"] / total - 1.0) > 0.05
+
+
+def test_the_oil_balance_on_paper():
+    """V = 6 sigma A/(phi tau) and h = phi V tau/A, by hand."""
+    document = load_case("6208_oil_supply").document
+    changed = {**document, "friction": {**document["friction"], "supply_groove_s": 0.4}}
+    found = summary(run_case(case_of_document(changed)))
+    area, layer, best = (
+        found["supply"][key] for key in ("groove_area_mm2", "groove_layer_um", "groove_best_flow_mL_min")
+    )
+    assert layer == pytest.approx(0.5 * 0.6 * 1e3 / 60.0 * 0.4 / area * 1e3)  # [um]: mm3/s over mm2
+    sigma = (0.2**2 + 0.02**2) ** 0.5
+    assert best == pytest.approx(6.0 * sigma * 1e-3 * area / (0.5 * 0.4) * 60.0 / 1e3)
+    assert any("a balance of oil on paper" in message for message in found["messages"])
+
+
+@pytest.mark.parametrize("oil", [1.0, 0.25, 0.0])
+def test_a_land_that_runs_dry(oil):
+    """Oil shears by Petroff on its share, the rest rubs under weight and play; the power balances."""
+    document = load_case("6208_oil_supply").document
+    land = {"land_oil_share": oil, "land_friction": 0.2, "mass_g": 12.0, "pocket_friction": 0.0}
+    found = summary(run_case(case_of_document({**document, "cage": {**document["cage"], **land}})))
+    assert found["power_balance"]["relative_error"] < 1e-6
+    speed = 2.0 * pi / 60.0
+    inner, cage = 5000.0 * speed, found["cage_speed_rpm"] * speed
+    viscous = 0.0261 * 2.0 * pi * 0.034**3 * 0.006 / 200e-6 * cage * oil
+    rub = 0.2 * (1.0 - oil) * 0.034 * 0.012 * (9.80665 + 200e-6 * cage**2)
+    wanted = 1e3 * (viscous + rub) * cage / inner
+    assert found["torque_N_mm"]["parts"]["cage"] == pytest.approx(wanted, rel=0.02)  # the balls slip
+
+
+@pytest.mark.parametrize(
+    ("land", "key"),
+    [
+        ({"land_oil_share": 0.5}, "cage.land_friction"),
+        ({"land_oil_share": 0.5, "land_friction": 0.1}, "cage.mass_g"),
+        ({"land_oil_share": 0.5, "land_friction": 0.1, "mass_g": 9.0, "guided_by": "balls"}, "cage.land_oil_share"),
+    ],
+)
+def test_what_a_dry_land_needs(land, key):
+    document = load_case("6208_oil_supply").document
+    cage = {**document["cage"], **land}
+    with pytest.raises(CaseError, match=key):
+        case_of_document({**document, "cage": {k: v for k, v in cage.items() if k in land or k in document["cage"]}})
 
 
 @pytest.mark.parametrize("name", ["supply_track_share_least", "supply_track_share_most"])
