@@ -16,7 +16,7 @@ import numpy as np
 from ehl import ContactSolution
 from ehl.closed_form.hertz_stress import hertz_edge_tension
 from ehl.oil.rheology import Rheology
-from ehl.solid.surface_stress import surface_stress
+from ehl.solid.surface_stress import SurfaceStress, surface_stress, surface_stresses
 from ehl.traction.shear import shear_fields
 
 from ..geometry import Array, Bearing, Race
@@ -107,8 +107,11 @@ def solved_tension(
     found = []
     for mesh in meshes:
         fields = shear_fields(mesh, traction.kinematics, rheology, temperature=temperature)
-        ring = _largest(mesh, (fields.body_2_x, fields.body_2_y), ratios[0], hoop)
-        ball = _largest(mesh, (fields.body_1_x, fields.body_1_y), ratios[1], 0.0)
+        shears = ((fields.body_2_x, fields.body_2_y), (fields.body_1_x, fields.body_1_y))
+        ring, ball = (
+            _largest(mesh, stress, pull)
+            for stress, pull in zip(_stresses(mesh, shears, ratios), (hoop, 0.0), strict=True)
+        )
         found.append((ring, ball))
     (ring, ball), coarse = found
     errors = [abs(fine[0] - other[0]) for fine, other in zip((ring, ball), coarse, strict=True)]
@@ -117,15 +120,29 @@ def solved_tension(
     )
 
 
-def _largest(
-    film: ContactSolution, shear: tuple[Array, Array], poisson_ratio: float, hoop: float
-) -> tuple[float, float, float]:
-    """Largest principal tension of a surface under its shear [Pa], and its place x, y [m]."""
+def _stresses(
+    film: ContactSolution, shears: Sequence[tuple[Array, Array]], ratios: Sequence[float]
+) -> tuple[SurfaceStress, ...]:
+    """Stress in the surfaces of both bodies [Pa] under the shears, by their Poisson ratios."""
     x = film.x
     y = film.y
     assert x is not None and y is not None  # dimensional conditions of a bearing
     steps = (float(x[1] - x[0]), float(y[1] - y[0]))
-    stress = surface_stress(film.pressure, shear, steps, poisson_ratio)
+    if ratios[0] == ratios[1]:
+        return surface_stresses(film.pressure, shears, steps, ratios[0])
+    return tuple(
+        surface_stress(film.pressure, shear, steps, ratio)
+        for shear, ratio in zip(shears, ratios, strict=True)
+    )
+
+
+def _largest(
+    film: ContactSolution, stress: SurfaceStress, hoop: float
+) -> tuple[float, float, float]:
+    """Largest principal tension of a surface [Pa], and its place x, y [m]."""
+    x = film.x
+    y = film.y
+    assert x is not None and y is not None
     tension = replace(stress, xx=stress.xx + hoop).tension
     i, j = np.unravel_index(int(tension.argmax()), tension.shape)
     return float(tension[i, j]), float(x[i]), float(y[j])

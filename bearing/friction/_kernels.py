@@ -1,13 +1,15 @@
 """Compiled friction of many contacts and its slope: laws of `ehl.traction`, by difference
-quotients, and Coulomb's; SI.
+quotients, films node by node, and Coulomb's; SI.
 
 Everything is arrays and floats; motion k = (S_x, S_y, Omega, omega). The NumPy twins are
-`tables.law_gradient`, contact by contact, and `coulomb_dissipation_twin` of tests/reference.
+`tables.law_gradient`, contact by contact, `film_friction_twin` and `coulomb_dissipation_twin` of
+tests/reference.
 """
 
 import numpy as np
 
 from ehl.compiled import compiled
+from ehl.oil._rheology_kernels import shear_stress_slope
 from ehl.traction._kernels import hertz_friction, table_lookup
 
 
@@ -54,6 +56,45 @@ def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
             m[j] += size
             hertz_friction(disc, laws[k], shapes[k], load, speed, m[0], m[1], m[2], out)
             slope[k, :, j] = -(out[:4] + gradient[k]) / size
+
+
+@compiled
+def film_friction(nodes, law, motion, least, gradient, slope):
+    """Friction (4,) of a sheared film, A tau s/|s| K summed over its nodes, and its slope (4, 4)
+    by the motion; s = (K_x, K_y) motion is the sliding.
+
+    nodes: rows of area [m^2], gap [m], viscosity [Pa s], limiting stress [Pa], then the four of
+    K_x, the derivatives of the sliding along by the motion, and of K_y, shape (12, n); law: the
+    first four fields of `KernelRheology`; least: sliding below which the stress is proportional
+    to it [m/s].
+    """
+    code, stress, exponent, breadth = law
+    pull = np.empty(4)
+    gradient[:] = 0.0
+    slope[:] = 0.0
+    for k in range(nodes.shape[1]):
+        area, gap, eta, limit = nodes[:4, k]
+        along = nodes[4:8, k]
+        across = nodes[8:, k]
+        x = 0.0
+        y = 0.0
+        for i in range(4):
+            x += motion[i] * along[i]
+            y += motion[i] * across[i]
+        speed = np.sqrt(x * x + y * y + least * least)
+        tau, by_rate = shear_stress_slope(speed / gap, eta, limit, code, stress, exponent, breadth)
+        secant = area * tau / speed
+        bend = (area * by_rate / gap - secant) / speed**2
+        for i in range(4):
+            pull[i] = x * along[i] + y * across[i]
+            gradient[i] += secant * pull[i]
+        for i in range(4):
+            for j in range(i + 1):
+                fixed = secant * (along[i] * along[j] + across[i] * across[j])
+                slope[i, j] += fixed + bend * pull[i] * pull[j]
+    for i in range(4):
+        for j in range(i):
+            slope[j, i] = slope[i, j]
 
 
 @compiled

@@ -1,12 +1,11 @@
 """Friction law of solved films, and the balance of balls under it."""
 
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.oil.rheology import Rheology, shear_stress
+from ehl.oil.rheology import Rheology, kernel_rheology, limiting_stress, shear_stress
 from ehl.traction.shear import (
     Cavitation,
     dimensional_grid,
@@ -23,6 +22,7 @@ from ..contacts.motion import bearing_kinematics
 from ..contacts.traction import TRACTION_POINTS
 from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
+from ._kernels import film_friction
 from .balance import (
     SKID_RATIO,
     BalancedFriction,
@@ -38,7 +38,6 @@ from .running_films import RunningFilm, RunningFilms
 
 FilmLaw = Callable[[Array, float], tuple[Array, Array]]
 # Half and double of each change the integrated torque of 6206_combined_1000N by 6e-13 at most.
-SLOPE_STEP = 1.0e-4  # relative change of the shear rate for a difference quotient [-]
 # part of the shear of a contact in nodes that a first, coarse balance leaves out [-]
 COARSE_SHARE_LEFT_OUT = 1.0e-2
 REFERENCE_SLIDE_RATIO = 1.0e-2  # sliding over entrainment at which nodes are weighed [-]
@@ -154,34 +153,17 @@ def _film_law(
     `integrate_traction`, without the weakest nodes, which make `left_out` [-] of the friction.
     """
     rheology = solution_rheology(film.film, rheology)
-    nodes = _film_nodes(solution, contact, film, rheology, left_out)
-    area, gap, eta, pressure, temperature = nodes.shear
-    along, across = nodes.along, nodes.across
+    nodes, pumping = _film_nodes(solution, contact, film, rheology, left_out)
+    own = kernel_rheology(rheology)
+    base = (own.law, own.stress, own.exponent, own.breadth)
 
     def law(motion: Array, oil: float) -> tuple[Array, Array]:
-        s_x, s_y = motion @ along, motion @ across
-        speed = np.sqrt(s_x**2 + s_y**2 + MIN_SLIDING**2)
-        rate = speed / gap
-        stress = shear_stress(rate, eta, pressure, rheology, temperature)
-        faster = shear_stress((1.0 + SLOPE_STEP) * rate, eta, pressure, rheology, temperature)
-        secant = area * stress / speed
-        tangent = area * (faster - stress) / (SLOPE_STEP * speed)
-        pull = s_x * along + s_y * across
-        curvature = (along * secant) @ along.T + (across * secant) @ across.T
-        curvature += (pull * ((tangent - secant) / speed**2)) @ pull.T
-        return oil * (pull @ secant) + nodes.pumping, oil * curvature
+        gradient = np.empty(4)
+        slope = np.empty((4, 4))
+        film_friction(nodes, base, motion, MIN_SLIDING, gradient, slope)
+        return oil * gradient + pumping, oil * slope
 
     return law
-
-
-class _FilmNodes(NamedTuple):
-    """Nodes of a film that shear."""
-
-    # area [m^2], gap [m], viscosity [Pa s], pressure [Pa] and temperature [K] of the nodes
-    shear: tuple[Array, Array, Array, Array, Array | float | None]
-    along: Array  # (4, nodes) derivatives of the sliding along by the motion [-], [m]
-    across: Array  # (4, nodes) and across
-    pumping: Array  # (4,) minus the hydrodynamic rolling moment, with its share along [N m], [N]
 
 
 def _film_nodes(
@@ -190,8 +172,10 @@ def _film_nodes(
     running: RunningFilm,
     rheology: Rheology,
     left_out: float,
-) -> _FilmNodes:
-    """As `_film_law` takes them."""
+) -> tuple[Array, Array]:
+    """Nodes that shear, shape (12, n) as `film_friction` takes them, and minus the hydrodynamic
+    rolling moment with its share along, (4,) [N], [N m].
+    """
     film = with_outlet(running.film.thinned(TRACTION_POINTS))
     film_x, film_y, thickness = dimensional_grid(film)
     x, y = np.broadcast_arrays(film_x[:, None], film_y[None, :])
@@ -206,17 +190,16 @@ def _film_nodes(
     chosen = (width > 0.0) & _counting(area * width * stress, left_out)
     temperature = inlet[chosen] if isinstance(inlet, np.ndarray) else inlet
     x, y = x[chosen], y[chosen]
-    zeros, ones = np.zeros_like(x), np.ones_like(x)
+    pressure = film.pressure[chosen]
+    limit = limiting_stress(pressure, rheology, temperature)
     moment = running.rolling_moment * np.array(
         [0.5 * kinematics.curvature_difference, 0.0, 0.0, 1.0]
     )
-    strips = (area * width)[chosen], gap[chosen], eta[chosen], film.pressure[chosen]
-    return _FilmNodes(
-        shear=(*strips, temperature),
-        along=np.stack([ones, zeros, -y, kinematics.curvature_height(y)]),
-        across=np.stack([zeros, ones, x, zeros]),
-        pumping=moment,
-    )
+    zeros, ones = np.zeros_like(x), np.ones_like(x)
+    along = (ones, zeros, -y, kinematics.curvature_height(y))
+    across = (zeros, ones, x, zeros)
+    strips = ((area * width)[chosen], gap[chosen], eta[chosen], limit)
+    return np.stack([*strips, *along, *across]), moment
 
 
 def _counting(parts: Array, left_out: float) -> NDArray[np.bool_]:

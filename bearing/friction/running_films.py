@@ -77,11 +77,12 @@ def running_films(
     get, and those solved behind the layers of another supply, by the law of starvation; None:
     films as they are.
     """
-    solved = {
-        id(film): rolling_moment(film).value
+    distinct = {
+        id(film): film
         for film in films
         if film is not None and not isinstance(film, FormulaFilm) and film.converged
     }
+    solved = {name: rolling_moment(film).value for name, film in distinct.items()}
     found: list[RunningFilm | None] = []
     for contact, film in zip(contacts, films, strict=True):
         if isinstance(film, FormulaFilm):

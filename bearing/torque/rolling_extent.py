@@ -40,9 +40,8 @@ def rolling_moments(
 
     factor: on the layer of their lubricant [-].
     """
-    known = {
-        id(film): rolling_moment(film, factor * _layer(film)) for film in films if film is not None
-    }
+    distinct = {id(film): film for film in films if film is not None}
+    known = {name: rolling_moment(film, factor * _layer(film)) for name, film in distinct.items()}
     return tuple(None if film is None else known[id(film)] for film in films)
 
 

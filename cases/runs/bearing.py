@@ -11,6 +11,7 @@ from bearing.contacts.contacts import contact_conditions
 from bearing.contacts.finite_bodies import FiniteBodies, finite_bodies, with_finite_bodies
 from bearing.contacts.traction import ContactTraction, contact_traction
 from bearing.friction.formula_films import FormulaFilm, formula_film
+from bearing.friction.running_films import RunningFilms
 from bearing.friction.sources import FilmTraction, LawTraction
 from bearing.geometry import Array
 from bearing.heating.films_heat import running_conductances
@@ -102,7 +103,10 @@ def _in_balance(results: BearingResults, case: Case) -> BearingResults:
         note = f"the temperature still moves by {moved:.2g} K after {WARM_ROUNDS} rounds of films"
         balance = replace(heating.balance, converged=False, message=note)
         return replace(results, heating=replace(heating, balance=balance, note=note))
-    printed = _printed(case, results.quasistatic, results.contacts, results.torque, results.films)
+    state = results.quasistatic
+    contacts = results.contacts
+    running = _running(case, state, contacts, results.films)
+    printed = _printed(case, state, contacts, results.torque, running)
     assert printed is not None
     return replace(results, heating=at_its_balance(heating, case, printed))
 
@@ -261,33 +265,52 @@ def _friction(
     timing["strength"] = perf_counter() - start - timing["torque"]
     if case.heating is not None:
         notify(0, 1, "self-heating")
-    printed = _printed(case, state, contacts, torque, films.known)
+    running = _running(case, state, contacts, films.known)
+    printed = _printed(case, state, contacts, torque, running)
     heating = self_heated(case, printed) if state.converged else None
     return {
         "tractions": tractions,
         "torque": torque,
         "heating": heating,
         "tensions": tensions,
-        "conductances": _conductances(case, state, contacts, films.known),
+        "conductances": _conductances(case, state, contacts, running),
         **beside_supply(case, state, contacts, films.known, torque),
     }
+
+
+def _running(
+    case: Case,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    films: Sequence[ContactSolution | FormulaFilm | None],
+) -> RunningFilms | None:
+    """Films as they run, for the heat in and through them; None where that is not known."""
+    if case.friction is None or not state.converged:
+        return None
+    if case.heating is None and not _conducts(case):
+        return None
+    return films_as_they_run(state, contacts, films, case.friction, case.inlet)
+
+
+def _conducts(case: Case) -> bool:
+    """Whether the heat properties of oil and bodies are known."""
+    bodies = case.bearing
+    materials = (bodies.ball_material, bodies.inner_ring_material, bodies.outer_ring_material)
+    known = all(m.thermal_conductivity and m.specific_heat for m in materials)
+    return case.lubricant.thermal is not None and known
 
 
 def _conductances(
     case: Case,
     state: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: Sequence[ContactSolution | FormulaFilm | None],
+    running: RunningFilms | None,
 ) -> Array | None:
     """Of heat through the films of all contacts [W/K]; None where heat properties of oil or bodies
     are not known.
     """
-    bodies = case.bearing
-    materials = (bodies.ball_material, bodies.inner_ring_material, bodies.outer_ring_material)
-    known = all(m.thermal_conductivity and m.specific_heat for m in materials)
-    if case.lubricant.thermal is None or case.friction is None or not (known and state.converged):
+    if running is None or not _conducts(case):
         return None
-    running = films_as_they_run(state, contacts, films, case.friction, case.inlet)
     return running_conductances(state, contacts, running)
 
 
@@ -296,16 +319,13 @@ def _printed(
     state: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     torque: TorqueBreakdown | None,
-    films: Sequence[ContactSolution | FormulaFilm | None],
+    running: RunningFilms | None,
 ) -> Printed | None:
     """The total with its films as they run [N m]; None where there is none."""
-    if torque is None or torque.total is None or case.friction is None:
+    if torque is None or torque.total is None:
         return None
-    running = None
-    if case.heating is not None:
-        running = films_as_they_run(state, contacts, films, case.friction, case.inlet)
     seal = torque.models[INTEGRATED].components.get("seal", 0.0)
-    return Printed(state, contacts, torque.total, seal, running)
+    return Printed(state, contacts, torque.total, seal, None if case.heating is None else running)
 
 
 def _tractions(

@@ -16,6 +16,7 @@ LARGEST_ARGUMENT = 300.0  # as in `rheology`
 # as in `rheology`: m and the number of square roots that make the m-th root
 LIMIT_POWER = 32
 LIMIT_ROOTS = 5
+NEGLIGIBLE = 1e-17  # beside 1 in double precision [-]
 NEWTON_STEPS = 30
 
 
@@ -47,6 +48,8 @@ def blend(ratio):
     power = ratio
     for _ in range(LIMIT_ROOTS):
         power *= power
+    if power < NEGLIGIBLE:
+        return 1.0
     power += 1.0
     for _ in range(LIMIT_ROOTS):
         power = np.sqrt(power)
@@ -87,6 +90,34 @@ def shear_stress(rate, viscosity, limit, law, stress, exponent, breadth):
     if np.isfinite(limit):
         tau = limited(tau, limit, law)
     return tau
+
+
+@compiled
+def shear_stress_slope(rate, viscosity, limit, law, stress, exponent, breadth):
+    """As `shear_stress`, with its derivative by the rate [Pa s]."""
+    tau = viscosity * rate
+    slope = viscosity
+    if law == REE_EYRING:
+        slope = viscosity / np.sqrt((tau / stress) ** 2 + 1.0)
+        tau = stress * inverse_sine(tau / stress)
+    elif law == CARREAU_YASUDA:
+        power = (tau / stress) ** breadth
+        factor = (1.0 + power) ** ((exponent - 1.0) / breadth)
+        slope = viscosity * factor * (1.0 + exponent * power) / (1.0 + power)
+        tau *= factor
+    if not np.isfinite(limit):
+        return tau, slope
+    if law == NEWTONIAN:
+        return limited(tau, limit, law), slope * np.exp(-tau / limit)
+    ratio = min(tau, limit) / max(tau, limit)
+    power = ratio
+    for _ in range(LIMIT_ROOTS):
+        power *= power
+    root = blend(ratio)
+    slope /= root * (1.0 + power)
+    if tau > limit:
+        slope *= power * ratio
+    return min(tau, limit) / root, slope
 
 
 @compiled

@@ -18,6 +18,7 @@ and a shear along y the same with x and y exchanged. The pressure's part is that
 at depth zero. Tension is positive. Second order in the mesh size where the loads are smooth.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -50,20 +51,38 @@ def surface_stress(
     """Stress in the surface under a pressure and shears along x and y at the middles of the cells
     of an even grid, shape (nx, ny) [Pa], its `steps` [m]; zero outside of it.
     """
+    return surface_stresses(pressure, (shear,), steps, poisson_ratio)[0]
+
+
+def surface_stresses(
+    pressure: Array,
+    shears: Sequence[tuple[Array, Array]],
+    steps: tuple[float, float],
+    poisson_ratio: float,
+) -> tuple[SurfaceStress, ...]:
+    """As `surface_stress`, of several surfaces under one pressure and the shears of each."""
     nx, ny = points = pressure.shape
-    shape = [next_fast_len(3 * n - 2, real=True) for n in points]
+    # what comes round from the other end of the kernel falls outside of the cells
+    shape = [next_fast_len(2 * n - 1, real=True) for n in points]
     dry = rectangle_stress(points, steps, 0.0, poisson_ratio)
     along = shear_kernels(points, steps, poisson_ratio)
     by, bx, bxy = (kernel.T for kernel in shear_kernels(points[::-1], steps[::-1], poisson_ratio))
-    kernels = ((dry[0], dry[1], dry[3]), along, (bx, by, bxy))
-    total = [np.zeros((shape[0], shape[1] // 2 + 1), dtype=np.complex128) for _ in range(3)]
-    for load, of_load in zip((pressure, *shear), kernels, strict=True):
-        transform = rfft2(load, shape)
-        for component, kernel in zip(total, of_load, strict=True):
-            component += transform * rfft2(kernel, shape)
+    kernels = [
+        [rfft2(kernel, shape) for kernel in of_load]
+        for of_load in ((dry[0], dry[1], dry[3]), along, (bx, by, bxy))
+    ]
     middle = (slice(nx - 1, 2 * nx - 1), slice(ny - 1, 2 * ny - 1))
-    xx, yy, xy = (irfft2(component, shape)[middle] for component in total)
-    return SurfaceStress(xx=xx, yy=yy, xy=xy)
+    loads = rfft2(pressure, shape)
+    normal = [loads * kernel for kernel in kernels[0]]
+    found = []
+    for shear in shears:
+        total = normal
+        for load, of_load in zip(shear, kernels[1:], strict=True):
+            loads = rfft2(load, shape)
+            total = [part + loads * kernel for part, kernel in zip(total, of_load, strict=True)]
+        xx, yy, xy = (irfft2(component, shape)[middle] for component in total)
+        found.append(SurfaceStress(xx=xx, yy=yy, xy=xy))
+    return tuple(found)
 
 
 def shear_kernels(

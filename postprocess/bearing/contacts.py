@@ -15,7 +15,6 @@ from bearing.geometry import Race
 from bearing.heating.conductances import Conductance
 from bearing.shoulder_diameter import ESTIMATED_HEIGHT, shoulder_diameter
 from bearing.supply.starved_films import StarvedFilm
-from bearing.torque.rolling_extent import rolling_moments
 from ehl.units import from_si, to_si
 
 from ..contact.quantities import FILM_QUANTITIES, FilmRecord, film_values, formula_films
@@ -207,8 +206,6 @@ REPORT_COLUMNS = (
 def contact_records(results: BearingResults) -> list[ContactRecord]:
     """What is known of every contact, in the order of the results."""
     count = len(results.contacts)
-    films = [film if film is not None and film.converged else None for film in results.solutions]
-    moments = rolling_moments(films)
     torque = results.torque
     tensions = results.tensions or (None,) * count
     starved = torque.films if torque is not None and torque.films else (None,) * count
@@ -219,7 +216,7 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
             contact=contact,
             film=results.solutions[i],
             traction=None if (traction := tractions[i]) is None else traction.result,
-            rolling=moments[i],
+            rolling=results.rolling_moments[i],
             stress=contact_stress(results.quasistatic, contact),
             starved=starved[i],
             surface=results.case.get("surface"),

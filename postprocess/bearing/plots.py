@@ -49,6 +49,14 @@ PRESSURE_LEVELS = np.array([0.1, 0.3, 0.5, 0.7, 0.9])  # of the largest pressure
 WIDE_LABEL = 8  # characters of azimuths that fit above a map
 ROOM = 0.25  # below a map for its numbers, over the half width of the window [-]
 COLUMNS = 6  # maps side by side at most
+# boxes of the overview, in shares of the figure
+MAPS = {"left": 0.1, "right": 0.878, "bottom": 0.425, "hspace": 0.1, "wspace": 0.18}
+MAPS_TOP = 0.932
+LABEL_LINE = 0.021  # height of a further line of a column's label
+BAR_LEFT = 0.922
+BAR_WIDTH = 0.0115
+VALUES = (0.075, 0.118, 0.913, 0.186)
+RACE_LEFT = 0.043  # of the race beside its row
 FOOTNOTES = {
     "film": "Oil moves to the right; axes stretched; Hertz ellipse dashed; numbers: central and "
     "minimum film; grey: film beyond the colour scale;\ncontour lines at 0.8 ... 1.5 of each "
@@ -178,14 +186,15 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
     Film in [um] or pressure in [GPa], as `quantity` says: "film" or "pressure".
     """
     columns = ball_columns(results)
+    # fixed boxes: the layout engine takes as long as the drawing
+    figure.set_layout_engine("none")
     figure.set_size_inches(PAGE_WIDTH, 6.0)
-    figure.suptitle(results.title, fontsize=8.5)
-    halves: Any = figure.subfigures(2, 1, height_ratios=[1.75, 1.0])
-    upper, lower = halves
-    panels: Any = upper.subplots(2, len(columns), squeeze=False)
+    figure.suptitle(results.title, fontsize=8.5, y=0.99)
+    top = MAPS_TOP - LABEL_LINE * max(column.label.count("\n") for column in columns)
+    panels: Any = figure.subplots(2, len(columns), squeeze=False, gridspec_kw=MAPS | {"top": top})
     limits = _limits([c.views[race] for c in columns for race in COLOURS], quantity)
     start, end, half_width = columns[0].window
-    image = None
+    image: Any = None
     for row, race in zip(panels, COLOURS, strict=True):
         for panel, column in zip(row, columns, strict=True):
             image = _small_map(panel, column.views[race], quantity, limits) or image
@@ -193,6 +202,7 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
             _few_ticks(panel, start, end, len(columns))
             _hatch_outside(panel, column.views[race])
         row[0].set_ylabel(f"{race} race\ntransverse $y$ [mm]")
+        row[0].yaxis.set_label_coords(RACE_LEFT, _middle(row[0]), figure.transFigure)
     for panel, column in zip(panels[0], columns, strict=True):
         panel.set_title(f"ψ = {column.label}")
         panel.set_xticklabels([])
@@ -202,15 +212,24 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
         panel.set_yticklabels([])
     extend = "max" if quantity == "film" else "neither"
     label = FIELDS[quantity].label
-    bar = upper.colorbar(image, ax=panels, label=label, extend=extend, aspect=40)
+    height = top - MAPS["bottom"]
+    box = figure.add_axes((BAR_LEFT, MAPS["bottom"], BAR_WIDTH, height))
+    bar = figure.colorbar(image, cax=box, label=label, extend=extend)
     if quantity == "film":
         bar.ax.minorticks_off()
         ticks = logarithmic_ticks(*limits)
         bar.set_ticks(ticks, labels=[f"{tick:.3g}" for tick in ticks])
-    _over_azimuth(lower.subplots(), results, quantity)
+    _over_azimuth(figure.add_axes(VALUES), results, quantity)
     cut = any(view is not None and view.cut for c in columns for view in c.views.values())
     note = FOOTNOTES[quantity] + BOX_ENDS * cut
-    lower.supxlabel(note, fontsize=6.5, color=REFERENCE)
+    style: Any = {"fontsize": 6.5, "color": REFERENCE, "ha": "center", "va": "bottom"}
+    figure.text(0.5, 0.008, note, **style)
+
+
+def _middle(axes: Axes) -> float:
+    """Height of the middle of its box [-]."""
+    box = axes.get_position()
+    return 0.5 * (box.y0 + box.y1)
 
 
 def _limits(views: list[ContactView | None], quantity: str) -> tuple[float, float]:

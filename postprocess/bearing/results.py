@@ -1,6 +1,7 @@
 """Results of a bearing run, and its distinct contacts."""
 
 from dataclasses import dataclass
+from functools import cached_property
 from math import degrees
 
 from bearing.contacts.contact import BearingContact
@@ -20,15 +21,17 @@ from bearing.rating.life import LifeRating
 from bearing.supply.decay import FilmDecay
 from bearing.supply.oil_balance import GrooveOil
 from bearing.torque.breakdown import TorqueBreakdown
+from bearing.torque.rolling_extent import RollingExtent, rolling_extent, rolling_moments
 from bearing.torque.supply_band import SupplyBand, SupplyTorque
 from ehl import ContactSolution, Lubricant
+from ehl.traction.rolling_moment import RollingMoment
 from ehl.units import from_si
 
 from ..results import Results
 from ..text import listed
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True)  # without slots, which would keep no cached property
 class BearingResults(Results):
     """One bearing case, computed."""
 
@@ -65,6 +68,29 @@ class BearingResults(Results):
         """Of the contacts, solved ones or those of formulas in their place."""
         formulas = self.formula_films or (None,) * len(self.solutions)
         return tuple(a or b for a, b in zip(self.solutions, formulas, strict=True))
+
+    @cached_property
+    def rolling_moments(self) -> tuple[RollingMoment | None, ...]:
+        """Of the contacts [N m]; None without a solved film that converged."""
+        return rolling_moments(
+            [film if film and film.converged else None for film in self.solutions]
+        )
+
+    @cached_property
+    def rolling_extent(self) -> RollingExtent | None:
+        """Rolling part of the integrated torque by where the oil ends [N m]; None where there is
+        no such torque, or it is not of solved films alone.
+        """
+        shear = None if self.torque is None else self.torque.shear
+        if shear is None or not shear.tractions:
+            return None
+        rolling = shear.torque.rolling
+        if shear.by_formula or rolling is None:
+            return None
+        extent = rolling_extent(self.quasistatic, self.tractions, self.solutions)
+        if extent is None or extent.within_extent == 0.0:
+            return extent
+        return extent.scaled(rolling / extent.within_extent)
 
     def conductance(self, index: int) -> Conductance | None:
         """Of heat through one film [W/K]; None without a film or heat properties."""

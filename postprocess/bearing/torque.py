@@ -6,7 +6,6 @@ from typing import Any
 from bearing.operation import BallKinematics
 from bearing.torque.breakdown import NAMES, TorqueBreakdown
 from bearing.torque.models import ModelTorque
-from bearing.torque.rolling_extent import RollingExtent, rolling_extent
 from bearing.torque.shear_torque import SolvedShear
 from ehl.units import from_si
 
@@ -60,7 +59,7 @@ def torque_block(results: BearingResults) -> dict[str, Any]:
     torque = results.torque
     shear = None if torque is None else torque.shear
     hypothesis = None if shear is None else results.quasistatic.model.ball_kinematics.value
-    extent = _extent(results)
+    extent = results.rolling_extent
     inlet = None if torque is None else torque.inlet
     rough = results.case.get("surface") is not None
     return {
@@ -218,7 +217,7 @@ def rolling_messages(results: BearingResults) -> Iterator[str]:
     """Where the oil of the rolling part ends, and how much of the torque that decides."""
     if any(film is None or not film.converged for film in results.solutions):
         yield "contacts.rolling_moment_N_mm: null where there is no film that converged"
-    extent = _extent(results)
+    extent = results.rolling_extent
     if extent is None:
         yield (
             "torque_N_mm.rolling_extent: null, there is no integrated torque, or it is not of "
@@ -246,16 +245,3 @@ def rolling_messages(results: BearingResults) -> Iterator[str]:
             f"{doubling}, the boxes of the "
             f"films alone have {box}"
         )
-
-
-def _extent(results: BearingResults) -> RollingExtent | None:
-    torque = results.torque
-    if torque is None or torque.shear is None or not torque.shear.tractions:
-        return None
-    rolling = torque.shear.torque.rolling
-    if torque.shear.by_formula or rolling is None:
-        return None
-    extent = rolling_extent(results.quasistatic, results.tractions, results.solutions)
-    if extent is None or extent.within_extent == 0.0:
-        return extent
-    return extent.scaled(rolling / extent.within_extent)

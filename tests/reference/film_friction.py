@@ -1,0 +1,22 @@
+"""Friction of a sheared film node by node in NumPy, twin of the kernel `film_friction`."""
+
+import numpy as np
+
+from ehl.oil.rheology import Rheology, shear_stress
+
+STEP = 1e-5  # relative change of the rate for a difference quotient [-]
+
+
+def film_friction_twin(nodes: np.ndarray, rheology: Rheology, motion: np.ndarray, least: float):
+    """Gradient (4,) and slope (4, 4) as the kernel, with the limiting stress of the nodes by their pressure."""
+    area, gap, eta, pressure = nodes[:4]
+    along, across = nodes[4:8], nodes[8:]
+    s_x, s_y = motion @ along, motion @ across
+    speed = np.sqrt(s_x**2 + s_y**2 + least**2)
+    slower, stress, faster = (shear_stress(f * speed / gap, eta, pressure, rheology) for f in (1 - STEP, 1.0, 1 + STEP))
+    secant = area * stress / speed
+    tangent = area * (faster - slower) / (2.0 * STEP * speed)
+    pull = s_x * along + s_y * across
+    slope = (along * secant) @ along.T + (across * secant) @ across.T
+    slope += (pull * ((tangent - secant) / speed**2)) @ pull.T
+    return pull @ secant, slope
