@@ -164,7 +164,7 @@ def _conditions(
     heaviest = max(solution.inner_load.max(), solution.outer_load.max())
     if hertz.load < NEGLIGIBLE_LOAD * heaviest and _floats(conditions):
         thick = f"thicker than {MAX_FILM_OVER_RADIUS:.0%} of Rx, outside the model"
-        return None, f"a load of {hertz.load:.2g} N on a film {thick}; its friction is left out"
+        return None, f"a light load on a film {thick}; its friction is left out"
     return conditions, ""
 
 

@@ -75,25 +75,34 @@ def _entry(name: str) -> dict[str, Any]:
 
 
 def warn_of_estimates(name: str, values: Mapping[str, Any], assumed: Collection[str] = ()) -> None:
-    """Warn once of all values of a case that are the catalogue's estimates, with their ranges.
+    """Warn once of all values of a case that are the catalogue's estimates, with their ranges,
+    and once of those that the case itself says are assumed.
 
     `name`: of the bearing, in the catalogue or not; `values`: of the case's [bearing] table,
     filled in from the catalogue; `assumed`: keys that the case itself says are assumed.
     """
     key = catalogue_name(name)
-    if key is None:
-        return
-    entry = load_catalogue_entry(key)
-    estimates = []
-    for field in estimated_fields(name, values):
-        if field in assumed:
-            continue
-        low, high = entry["range"][field]
-        text, unit = _words(field)
-        estimates.append(f"{text} {values[field]:g}{unit} ({low:g} to {high:g})")
-    if estimates:
+    if key is not None and (estimates := _estimates(key, name, values, assumed)):
         text = f"bearing {key!r}: internal geometry is estimated: {', '.join(estimates)}"
         warnings.warn(text, stacklevel=2)
+    known = {field: value for field, value in values.items() if value is not None}
+    own = [_with_words(field, value) for field, value in known.items() if field in assumed]
+    if own:
+        text = f"bearing {name!r}: assumed, as the case says: {', '.join(own)}"
+        warnings.warn(text, stacklevel=2)
+
+
+def _estimates(
+    key: str, name: str, values: Mapping[str, Any], assumed: Collection[str]
+) -> list[str]:
+    """Values of a case that are the catalogue's estimates, in words with their ranges."""
+    ranges = load_catalogue_entry(key).get("range", {})  # none of published bearings
+    estimates = []
+    for field in estimated_fields(name, values):
+        if field not in assumed:
+            low, high = ranges[field]
+            estimates.append(f"{_with_words(field, values[field])} ({low:g} to {high:g})")
+    return estimates
 
 
 def estimated_fields(name: str, values: Mapping[str, Any]) -> tuple[str, ...]:
@@ -105,7 +114,10 @@ def estimated_fields(name: str, values: Mapping[str, Any]) -> tuple[str, ...]:
     return tuple(field for field in known if isclose(values[field], entry[field]))
 
 
-def _words(field: str) -> tuple[str, str]:
-    """A key as words and its unit: 'ball_diameter_mm' is 'ball diameter' and ' mm'."""
+def _with_words(field: str, value: Any) -> str:
+    """A key as words, its value and unit: 'ball_diameter_mm' 8.0 is 'ball diameter 8 mm'."""
     words, _, last = field.rpartition("_")
-    return (words.replace("_", " "), f" {last}") if last in ("mm", "um", "deg") else (field, "")
+    shown = f"{value:g}" if isinstance(value, int | float) else str(value)
+    if last in ("mm", "um", "deg"):
+        return f"{words.replace('_', ' ')} {shown} {last}"
+    return f"{field.replace('_', ' ')} {shown}"

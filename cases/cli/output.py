@@ -120,11 +120,14 @@ def report(
 
 
 def say_notes(messages: Iterable[str]) -> None:
-    """Print estimates, assumptions and values outside their data; not why values are null."""
+    """Print estimates, assumptions and values outside their data; not why values are null,
+    but why a loaded contact has no film.
+    """
     wrapper = TextWrapper(80, "note: ", "      ", break_long_words=False)
     for message in messages:
-        if "null" not in message and not _of_failure(message):
-            say(wrapper.fill(message))
+        lacks_film = "film null, a light load" in message
+        if (lacks_film or "null" not in message) and not _of_failure(message):
+            say(wrapper.fill(message.replace("film null", "no film")))
 
 
 def _of_failure(message: str) -> bool:

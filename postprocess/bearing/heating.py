@@ -101,7 +101,7 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
                 f"self_heating: friction ({heating.model}) and cooling agree at {balanced:.1f} C; "
                 f"all else was computed at operation.temperature_C = {given:.4g}"
             )
-        else:
+        elif results.case["operation"].get("temperature") != "self-heated":  # told already
             yield f"self_heating: friction ({heating.model}) and cooling agree at {balanced:.1f} C"
         if heating.model == "integrated" and abs(balanced - given) > AGREEMENT:
             yield (
@@ -113,7 +113,7 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
                 f"self_heating: heats with the torque of {heating.model} "
                 "(friction.heating_torque), which is not the total"
             )
-        if heating.note:
+        if heating.note and heating.note not in results.messages:
             yield f"self_heating: {heating.note}"
 
 

@@ -1,6 +1,6 @@
 """Rating life and clearance in the summary and in the terminal's table."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from bearing.rating.film_life import ContactKappa, FilmLife, film_life
@@ -140,6 +140,8 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
     revolutions = known["basic_reference_rating_Mrev"]
     basic = known["basic_reference_rating_h"]
     kappa = known["kappa"]
+    if revolutions is None:
+        rows["rating life"] = _why_none(life.messages)
     if revolutions is not None and basic is not None:
         rows["rating life"] = hours_text(basic, known["modified_reference_rating_h"])
         rows["rating life"] += f" ({revolutions:.4g} million revolutions"
@@ -162,6 +164,13 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
             )
             rows |= film_row(values_of(films, FILM_LIFE))
     return rows
+
+
+def _why_none(messages: Iterable[str]) -> str:
+    """That there is no life, and why, by the messages on it."""
+    start = "life: null, "
+    reasons = [message.removeprefix(start) for message in messages if message.startswith(start)]
+    return ": ".join(["none", *reasons[:1]])
 
 
 def film_row(known: dict[str, Any]) -> dict[str, str]:

@@ -57,6 +57,6 @@ def row_lines(state: QuasistaticSolution) -> dict[str, str]:
     lines = {}
     for block in row_blocks(state) if len(state.rows) > 1 else ():
         x, y, z = (round(force, 1) + 0.0 for force in block["force_N"])
-        cage = f"{block['balls_loaded']} balls loaded, cage {block['cage_speed_rpm']:.1f} rpm"
+        cage = f"{block['balls_loaded']} balls loaded, cage {block['cage_speed_rpm']:.1f} r/min"
         lines[f"row {block['row']}"] = f"x {x:.1f}, y {y:.1f}, z {z:.1f} N, {cage}"
     return lines

@@ -10,10 +10,12 @@ from bearing.geometry import Race
 from ehl.units import from_si
 
 from ..quantities import values_of
+from ..text import NOTHING
 from .quantities import RING_STRENGTH
 from .results import BearingResults
 
 PROBABILITY = "failure_probability"
+NEXT_TO_NONE = 1e-9  # of a probability of failure, in the terminal [-]
 NO_STANDARD = (
     "strength: no standard rates ceramic rings; hoop tension by Lame's cylinders, probability of "
     "failure by Weibull for flaws in the volume, its range that of the material's data "
@@ -104,14 +106,19 @@ def strength_rows(results: BearingResults) -> dict[str, str]:
             continue
         parts = [ring.hoop_tension, ring.fit_tension, ring.rotation_tension]
         tension, fit, rotation = (from_si("tension_MPa", part) for part in parts)
+        odds = (ring.failure_probability, ring.failure_low, ring.failure_high)
+        value, low, high = map(probability_text, odds)
         rows[f"{ring.race.value} ring"] = (
-            f"hoop {tension:.3g} MPa (fit {fit:.3g}, rotation {rotation:.3g}), breaks with "
-            f"{_probability(ring.failure_probability)} ({_probability(ring.failure_low)} to "
-            f"{_probability(ring.failure_high)})"
+            f"hoop {tension:.3g} MPa (fit {fit:.3g}, rotation {rotation:.3g}), probability of "
+            f"failure {value} ({low} to {high})"
         )
     return rows
 
 
-def _probability(value: float | None) -> str:
-    """A probability in words of the table; below 1e-30 it is nothing."""
-    return "–" if value is None else "0" if value < 1e-30 else f"{value:.1g}"
+def probability_text(value: float | None) -> str:
+    """A probability of failure in words of the table; what is next to none is not spelt out."""
+    if value is None:
+        return NOTHING
+    return (
+        "0" if value == 0.0 else f"< {NEXT_TO_NONE:g}" if value < NEXT_TO_NONE else f"{value:.1g}"
+    )

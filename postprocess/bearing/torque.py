@@ -14,6 +14,7 @@ from .quantities import AS_PRINTED, POWER_BALANCE, ROLLING_EXTENT, TORQUE, TORQU
 from .results import BearingResults
 
 WITHOUT_SEALS = ", without seals"
+CHURNING_SHARE = 0.2  # of the total, from which it is said beside it [-]
 LARGE_SHARE = 0.05  # of the torque: from there on it is reported what the layer decides
 MAIN = ("integrated", "skf", "palmgren", "coulomb")  # those of papers by models = "all"
 
@@ -126,6 +127,7 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
         yield f"torque_N_mm.total: the {_total_text(results, torque)}"
         yield from _inlet_messages(torque)
         yield from _seal_message(torque)
+        yield from _churning_message(results, torque)
 
 
 def _total_text(results: BearingResults, torque: TorqueBreakdown) -> str:
@@ -178,6 +180,29 @@ def _seal_message(torque: TorqueBreakdown) -> Iterator[str]:
         )
 
 
+def _churning_share(torque: TorqueBreakdown) -> float | None:
+    """Share of the total that drag of the balls in the oil has [-]; None of a small one."""
+    drag = torque.models[torque.chosen].components.get("drag") if torque.chosen else None
+    if not drag or not torque.total or drag < CHURNING_SHARE * torque.total:
+        return None
+    return drag / torque.total
+
+
+def _churning_message(results: BearingResults, torque: TorqueBreakdown) -> Iterator[str]:
+    """That much of the total hangs on how much oil is in the cavity."""
+    share = _churning_share(torque)
+    fraction = results.case.get("friction", {}).get("oil_fraction")
+    if share is None or fraction is None:
+        return
+    assumed = "friction.oil_fraction" in results.case.get("assumed", ())
+    source = "an assumption" if assumed else "as the case gives it"
+    yield (
+        f"torque_N_mm.total: {share:.0%} of it is churning, drag of the balls in a cavity that "
+        f"oil fills to {fraction:.2g} (friction.oil_fraction, {source}), proportional to it"
+        f": half as much oil takes {0.5 * share * TORQUE.value(torque):.3g} N mm off"
+    )
+
+
 def _balance_text(results: BearingResults, shear: SolvedShear) -> str:
     """Whether the balls are in balance, and what the hypothesis on their motion is used for."""
     if shear.balanced is None:
@@ -210,6 +235,8 @@ def torque_rows(results: BearingResults) -> dict[str, str]:
     ]
     chosen = TORQUE_MODELS[torque.chosen].title
     rows = {"friction torque": f"{TORQUE.value(torque):.4g} N mm ({chosen})"}
+    if share := _churning_share(torque):
+        rows["friction torque"] += f", {share:.0%} of it churning"
     return rows | ({"other models": ", ".join(others)} if others else {})
 
 

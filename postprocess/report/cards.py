@@ -45,7 +45,7 @@ def cards(summary: dict[str, Any]) -> str:
     for title, value, key in numbers:
         if value is not None:
             entries.append(html.card(title, html.number(value, 4), unit_symbol(key)))
-    estimated = is_bearing and estimated_keys(summary["case"])
+    estimated = is_bearing and _rests_on_estimates(summary["case"])
     return html.side_by_side(*entries, kind="cards") + (ESTIMATED if estimated else "")
 
 
@@ -61,6 +61,12 @@ def _operating_numbers(summary: dict[str, Any]) -> list[tuple[str, float | None,
         if value is not None:
             numbers.append((title, from_si("stiffness_N_um", value), "stiffness_N_um"))
     return numbers
+
+
+def _rests_on_estimates(case: dict[str, Any]) -> bool:
+    """Whether the catalogue or the case itself calls a value of the bearing an estimate."""
+    own = any(str(key).startswith("bearing.") for key in case.get("assumed") or ())
+    return own or bool(estimated_keys(case))
 
 
 def estimated_keys(case: dict[str, Any]) -> frozenset[str]:

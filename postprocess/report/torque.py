@@ -6,7 +6,7 @@ from typing import Any
 
 from ..bearing.plots_torque import KINDS
 from ..bearing.quantities import TORQUE_MODELS
-from ..bearing.torque import WITHOUT_SEALS
+from ..bearing.torque import CHURNING_SHARE, WITHOUT_SEALS
 from . import html
 from .svg import stacked_bars
 
@@ -57,6 +57,9 @@ def _recommended(torque: dict[str, Any]) -> str:
     text = f"Recommended: {html.number(torque['total'], 4)} N mm"
     if torque.get("model"):
         text += f", model {escape(_title(torque['model']))}"
+    drag = (torque.get("parts") or {}).get("drag")
+    if isinstance(drag, int | float) and drag >= CHURNING_SHARE * torque["total"] > 0.0:
+        text += f", {drag / torque['total']:.0%} of it churning"
     if torque.get("coulomb_coefficient") is not None:
         text += f"; Coulomb's coefficient is {html.number(torque['coulomb_coefficient'], 3)}"
     return f"<p>{text}.</p>"

@@ -2,23 +2,25 @@
 
     PYTHONPATH=. python tools/fuzz/case_files.py --seed 7193 --count 10000 --runs 400
 
-The mutations are those of `tests/cases/format/test_fuzz.py`. Each file is validated in a process of its own: right
-are exit codes 0 and 2, wrong all others, tracebacks, signals and more than `PATIENCE` seconds. Of the files that are
-valid so many are run on a coarse grid, with one film or none: right are exit codes 0 and 1, and 2 only with words
-about what no check of a file can know (`LATE`).
+The mutations are those of `tests/cases/format/test_fuzz.py`. Each file is validated in this process, which takes a
+tenth of a second: right are exit codes 0 and 2, wrong all others, tracebacks and more than `PATIENCE` seconds. Of the
+files that are valid so many are run on a coarse grid, with one film or none, in a process of their own: right are
+exit codes 0 and 1, and 2 only with words about what no check of a file can know (`LATE`). `--apart` validates in a
+process of its own, too, for a file that ends this one.
 """
 
 from __future__ import annotations
 
 import argparse
 import random
+import signal
 import sys
 import tempfile
 import time
 from importlib import import_module
 from pathlib import Path
 
-from damaged import call
+from damaged import PATIENCE, answer, call
 from tests.cases.format.test_fuzz import mutated
 
 LATE = ("cannot be written",)
@@ -42,6 +44,21 @@ def fault_of(code: int, errors: str, allowed: tuple[int, ...]) -> str | None:
     return "a traceback" if "Traceback" in errors else None
 
 
+def too_late(_signal: int, _frame: object) -> None:
+    """What the alarm of a validation does."""
+    raise RuntimeError(f"more than {PATIENCE} s")
+
+
+def validated(file: Path, *, apart: bool) -> tuple[int, str]:
+    """Exit code and messages of `validate`."""
+    if apart:
+        return call(["validate", str(file)])
+    signal.alarm(PATIENCE)
+    found = answer(["validate", str(file)])
+    signal.alarm(0)
+    return found
+
+
 def report(number: int, what: str, fault: str, errors: str, file: Path, seconds: float) -> None:
     """Print a fault, the last words of the command, and keep its file."""
     kept = file.with_name(f"{number}_{what}.toml")
@@ -57,9 +74,11 @@ def main() -> None:
     parser.add_argument("--first", type=int, default=0, help="number of the first file, to go on")
     parser.add_argument("--count", type=int, default=10_000)
     parser.add_argument("--runs", type=int, default=400, help="valid files to run")
+    parser.add_argument("--apart", action="store_true", help="validate in a process of its own")
     arguments = parser.parse_args()
     for name in ("cases.cli.main", "cases.batch.sweep", "cases.runs.bearing", "cases.runs.contact"):
         import_module(name)  # before processes are made
+    signal.signal(signal.SIGALRM, too_late)
     home = Path(tempfile.mkdtemp(prefix="case-files-"))
     file = home / "case.toml"
     codes: dict[str, int] = {}
@@ -69,7 +88,7 @@ def main() -> None:
         text = mutated(rng)
         file.write_text(text if rng.random() < 0.5 else coarse(text, rng), encoding="utf-8", newline="")
         start = time.monotonic()
-        code, errors = call(["validate", str(file)])
+        code, errors = validated(file, apart=arguments.apart)
         codes[f"validate {code}"] = codes.get(f"validate {code}", 0) + 1
         if fault := fault_of(code, errors, (0, 2)):
             bad += 1

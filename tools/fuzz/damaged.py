@@ -51,6 +51,7 @@ def call(words: list[str], patience: int = PATIENCE) -> tuple[int, str]:
     child = os.fork()
     if not child:
         os.close(reader)
+        signal.signal(signal.SIGALRM, signal.SIG_DFL)  # of the child, whatever its parent does
         signal.alarm(patience)
         code = run(words, writer)
         os._exit(code)
@@ -63,18 +64,24 @@ def call(words: list[str], patience: int = PATIENCE) -> tuple[int, str]:
 
 def run(words: list[str], writer: int) -> int:
     """The command, its messages sent to a pipe."""
+    os.dup2(writer, 2)
+    code, errors = answer(words)
+    os.write(writer, errors[-8000:].encode())
+    return code
+
+
+def answer(words: list[str]) -> tuple[int, str]:
+    """Exit code and messages of a command in this process."""
     from cases.cli.main import app
     from cases.cli.terminal import exit_code
 
     errors = io.StringIO()
-    os.dup2(writer, 2)
     with redirect_stderr(errors), redirect_stdout(io.StringIO()):
         try:
             code = exit_code(lambda: app(words))
         except SystemExit as stop:
             code = int(stop.code or 0)
-    os.write(writer, errors.getvalue()[-8000:].encode())
-    return code
+    return code, errors.getvalue()
 
 
 def changed(value: object, rng: random.Random) -> object:

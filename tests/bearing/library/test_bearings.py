@@ -314,9 +314,11 @@ def test_a_warning_names_estimates_that_were_not_replaced(recwarn):
     assert "pitch diameter" in text
     assert "ball diameter" not in text
     assert "balls" not in text
+    assert "bearing '6305': assumed, as the case says: balls 8" in str(caught[1].message)
 
 
 @pytest.mark.parametrize("name", ["209", "no such bearing"])
 def test_nothing_to_warn_of(name, recwarn):
     warn_of_estimates(name, {"ball_diameter_mm": 12.7})
+    warn_of_estimates("209", load_catalogue_entry("209"))  # published, without ranges
     assert not recwarn.list

@@ -10,6 +10,7 @@ from cases import load_case, run_case
 from cases.format.case import case_from_text
 from cases.format.problems import CaseError
 from postprocess import summary
+from postprocess.bearing.ratings import rating_rows
 
 CASE = """\
 schema_version = 1
@@ -55,7 +56,9 @@ def test_life_in_the_summary(life):
 
 
 def test_a_ceramic_bearing_has_no_life_and_says_so():
-    found = summary(run_case(load_case("6208_full_ceramic_warm")))
+    results = run_case(load_case("6208_full_ceramic_warm"))
+    found = summary(results)
+    assert rating_rows(results)["rating life"].startswith("none: the standards rate rings of hardened bearing steel")
     keys = ("basic_reference_rating_Mrev", "modified_reference_rating_Mrev", "a_iso", "kappa")
     assert [found["life"][key] for key in keys] == [None] * 4
     assert any(message.startswith("life: null, the standards rate rings of") for message in found["messages"])

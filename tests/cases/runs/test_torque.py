@@ -11,6 +11,8 @@ from cases.format.case import case_from_text
 from cases.format.problems import CaseError
 from cases.runs.bearing import run_case
 from postprocess import summary
+from postprocess.bearing.torque import torque_rows
+from postprocess.report.torque import torque_section
 
 TEXT = """
 schema_version = 1
@@ -176,7 +178,7 @@ def test_rolling_resistance_of_the_film_is_that_of_the_formula_within_a_half(rad
 
 
 def test_the_five_terms_with_their_inputs():
-    more = "[friction]\nhysteresis_loss = 0.007\noil_fraction = 0.02\n[cage]\npocket_friction = 0.1\n"
+    more = "[friction]\nhysteresis_loss = 0.007\noil_fraction = 0.05\n[cage]\npocket_friction = 0.1\n"
     torque, _ = torque_of(TEXT + more)
     five = torque["models"]["yao"]
     assert all(five[part] is not None for part in ("ME", "MD", "MS", "MC", "ML"))
@@ -212,6 +214,23 @@ def test_without_film_maps_the_torque_is_that_of_films_of_formulas(radial):
     assert torque["total"] == pytest.approx(radial[0]["total"], abs=0.1 * torque["total"] + open_part)
     assert any("films of formulas at 12 of 12 contacts" in message for message in document["messages"])
     assert all(c["traction_coefficient"] is None for c in document["contacts"])
+
+
+def test_a_large_share_of_churning_stands_beside_the_total(tmp_path):
+    """At 20 000 r/min a twentieth of oil in the cavity makes a third of the torque, as the numbers themselves say."""
+    text = TEXT.replace("points = 65", 'film_maps = "none"').replace("3000.0", "20000.0")
+    results = run_case(case_from_text(text + "[friction]\noil_fraction = 0.05\n", "case.toml"))
+    document = summary(results)
+    torque = document["torque_N_mm"]
+    share = torque["parts"]["drag"] / torque["total"]
+    assert share > 0.2
+    assert f", {share:.0%} of it churning" in torque_rows(results)["friction torque"]
+    assert f", {share:.0%} of it churning" in torque_section(torque, tmp_path)
+    note = next(message for message in document["messages"] if "% of it is churning" in message)
+    assert "friction.oil_fraction, as the case gives it" in note
+    assert f"half as much oil takes {0.5 * torque['parts']['drag']:.3g} N mm off" in note
+    slow = run_case(case_from_text(text.replace("20000.0", "500.0"), "case.toml"))
+    assert "churning" not in torque_rows(slow)["friction torque"]
 
 
 def test_at_rest_nothing_rubs():

@@ -9,6 +9,7 @@ from rich.console import Console
 
 from bearing.torque.models import summed
 from postprocess.bearing.ratings import film_row
+from postprocess.bearing.strength import probability_text
 from postprocess.bearing.table import bearing_table
 from postprocess.bearing.torque import shown_titles
 from postprocess.contact.table import contact_table
@@ -121,3 +122,7 @@ def test_models_without_seals_say_so_beside_those_with():
     assert shown_titles(models) == ["integrated films", "Palmgren, without seals"]
     models["integrated"] = summed({"rolling": 0.02, "seal": 0.0})
     assert shown_titles(models) == ["integrated films", "Palmgren"]
+
+
+def test_a_probability_of_failure_that_is_next_to_none_is_not_spelt_out():
+    assert [probability_text(value) for value in (None, 0.0, 3e-20, 2e-5)] == ["–", "0", "< 1e-09", "2e-05"]
