@@ -245,12 +245,19 @@ def _scaled(
         density_denominator=DOWSON_HIGGINSON_DENOMINATOR * pressure if compressible else 0.0,
         moes_load=m,
         moes_lubricant=l,
-        film_guess=moes_film_nijenbanning(m, l, d) / (f**2 * m ** (2 / 3)),
+        film_guess=_film_guess(groups, lubricant) / (f**2 * m ** (2 / 3)),
         hertz_pressure=pressure,
         semi_axis_x=None if length is None else length[0],
         film_scale=None if length is None else length[0] ** 2 / length[1],
         oil=None if closed else lubricant,
     )
+
+
+def _film_guess(groups: tuple[float, float, float], lubricant: Lubricant) -> float:
+    """Central film by formula, in Moes' units [-]; an isoviscous oil has L = 0."""
+    m, l, d = groups
+    isoviscous = lubricant.viscosity_law is ViscosityLaw.ISOVISCOUS
+    return moes_film_nijenbanning(m, 0.0 if isoviscous else l, d)
 
 
 def _viscosity_coefficients(

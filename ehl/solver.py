@@ -37,7 +37,7 @@ Array = NDArray[np.float64]
 
 FLOODED_ONLY = "inlet_layer: films with shear or heat are solved flooded only"
 CAUTIOUS_LEVEL = "finer mesh with damping halved, less Gauss-Seidel"
-LOAD_STEPS = (1.0 / 16.0, 0.25)  # shares of the load through which a fallback reaches it
+LOAD_STEPS = (1 / 16, 1 / 8, 1 / 4, 1 / 2)  # shares of the load by which a fallback reaches it
 # Hc/(S hx^2) of the first mesh times the tolerance, Hc of the film formula
 FIRST_FINENESS = 6.0
 FEWEST_POINTS = 65  # of the first mesh

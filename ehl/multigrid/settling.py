@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from .acceleration import Acceleration
 from .cycle import cycle, refresh_factors, relative_residual, update_film
-from .history import LevelHistory, start_history
+from .history import CONVERGED, LevelHistory, start_history
 from .levels import Multigrid
 
 Array = NDArray[np.float64]
@@ -20,7 +20,8 @@ MORE_CYCLES = 3  # times those allowed, on a finest level that is nearing its so
 LEVEL_CYCLES = 3  # cycles on levels that the mesh does not resolve
 # of P, above which the iteration has diverged: the spike of a Barus oil at L 20 passes 5
 PRESSURE_LIMIT = 40.0
-GROWTH_LIMIT = 10.0  # of the residual in one cycle, above which it has, too
+# of the residual in one cycle, above which it has, too, where the equations do not hold any more
+GROWTH_LIMIT = 10.0
 PLAIN_CYCLES = 5  # on a level, before the cycles are accelerated
 DIVERGED = (inf, inf)  # in place of residual and mass imbalance after a cycle
 HALVINGS = 3  # of the damping on one level before it counts as diverged
@@ -125,7 +126,8 @@ def guarded_cycle(state: Multigrid, index: int, last: float = inf) -> tuple[floa
         refresh_factors(state, index)
         cycle(state, index)
         equations = relative_residual(state, index)
-    diverged = not np.isfinite(equations[0]) or equations[0] > GROWTH_LIMIT * last
+    limit = max(GROWTH_LIMIT * last, CONVERGED[0])
+    diverged = not np.isfinite(equations[0]) or equations[0] > limit
     if diverged or not 0.0 < state.levels[index].P.max() <= PRESSURE_LIMIT:
         return DIVERGED
     return equations

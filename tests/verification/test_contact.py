@@ -505,7 +505,7 @@ def test_free_volume_laws_in_the_contact():
 
 
 def test_load_reached_in_steps_leads_to_the_same_film():
-    """The fallback's way from a sixteenth of the load over a quarter ends where the plain one does."""
+    """The fallback's way from a sixteenth of the load, doubled again and again, ends where the plain one does."""
     plain = solve_contact(CIRCULAR, SolverOptions(points=129))
     steps = next(attempt for attempt in ATTEMPTS if attempt.from_lighter)
     stepped, _ = solve_attempts(CIRCULAR, SolverOptions(points=129), attempts=(steps,))

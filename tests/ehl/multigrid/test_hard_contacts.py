@@ -1,0 +1,63 @@
+"""Contacts of the sweep `oilfilm verify --robustness` that no attempt led to a solution, and what solves them now."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import inf
+
+import pytest
+
+from ehl import Lubricant, MoesConditions, SolverOptions, ViscosityLaw
+from ehl.closed_form.film import moes_film_nijenbanning
+from ehl.closed_form.hertz import hertz_coefficients
+from ehl.multigrid.full_multigrid import ATTEMPTS
+from ehl.multigrid.settling import DIVERGED, guarded_cycle
+from ehl.scaling import scale_contact
+from ehl.solver import solve_attempts
+from verification.draws import draws
+
+SEED = 20261124  # of docs/validation/robustness.md
+OIL = Lubricant(viscosity=0.05, pressure_viscosity=20e-9)
+
+
+def draw(number):
+    return draws(number + 1, SEED)[number].conditions
+
+
+def attempt(name):
+    return next(attempt for attempt in ATTEMPTS if attempt.name == name)
+
+
+def test_film_guess_of_an_isoviscous_oil_knows_no_pressure_viscosity():
+    """Its pressure-viscosity coefficient only scales the pressure: five times the film at M 889, L 11."""
+    conditions = MoesConditions(
+        load_parameter=889.0,
+        lubricant_parameter=11.0,
+        radius_ratio=2.5,
+        lubricant=replace(OIL, viscosity_law=ViscosityLaw.ISOVISCOUS),
+    )
+    f = hertz_coefficients(2.5)[0]
+    formula = moes_film_nijenbanning(889.0, 0.0, 2.5) / (f**2 * 889.0 ** (2 / 3))
+    assert scale_contact(conditions).film_guess == pytest.approx(formula, rel=1e-12)
+    thickened = scale_contact(replace(conditions, lubricant=OIL)).film_guess
+    assert thickened / formula == pytest.approx(5.0, rel=0.2)
+
+
+# draw 479 is isoviscous with M 889 at R_x/R_y 2.5, 661 has M 2324 at R_x/R_y 3.4 and 39 degrees
+@pytest.mark.parametrize(("number", "points"), [(479, 513), (661, 513)])
+def test_load_reached_in_steps_on_a_level_that_resolves_the_film(number, points):
+    """From Hertz, on levels with a negative film, both ran away; from lighter loads they converge."""
+    steps = (attempt("load reached in steps"),)
+    solution, _ = solve_attempts(draw(number), SolverOptions(points=points), attempts=steps)
+    assert solution.converged
+    assert solution.record.residual[-1] < 1e-3
+    assert solution.film_minimum_dimensionless.finest > 0.0
+
+
+def test_a_cycle_after_which_the_equations_hold_is_not_undone():
+    """Ten times a residual of 1e-9 is no divergence; of draw 661 it halved the damping till nothing was left."""
+    conditions = MoesConditions(load_parameter=50.0, lubricant_parameter=5.0, radius_ratio=1.0, lubricant=OIL)
+    _, state = solve_attempts(conditions, SolverOptions(points=65))
+    equations = guarded_cycle(state, len(state.levels) - 1, last=1e-9)
+    assert equations != DIVERGED
+    assert 1e-8 < equations[0] < inf
