@@ -54,9 +54,11 @@ def from_ratings(ball: float, pitch: float, balls: int, basis: str) -> Geometry:
     )
 
 
-def from_dimensions(bore: float, outside_diameter: float, contact_angle: float) -> Geometry:
+def from_dimensions(
+    bore: float, outside_diameter: float, contact_angle: float, width: float | None = None
+) -> Geometry:
     """Typical geometry of boundary dimensions [m] and a nominal contact angle [rad]."""
-    ball, pitch, balls = typical.typical_geometry(bore, outside_diameter, contact_angle)
+    ball, pitch, balls = typical.typical_geometry(bore, outside_diameter, contact_angle, width)
     low, high = typical.TYPICAL_BALL_RANGE
     more = max(2, round(typical.TYPICAL_BALLS_RANGE * balls))
     width = typical.TYPICAL_PITCH_RANGE

@@ -193,7 +193,7 @@ def estimate_bearing(data: CatalogueData) -> dict[str, Any]:
 
 def _geometry(data: CatalogueData) -> Geometry:
     if data.dynamic_rating is None and data.static_rating is None:
-        return from_dimensions(data.bore, data.outside_diameter, data.contact_angle)
+        return from_dimensions(data.bore, data.outside_diameter, data.contact_angle, data.width)
     pair = estimate_geometry(data)
     basis = f"ball, balls: estimated from the ratings, which they miss by {pair.misfit:.1%}"
     return from_ratings(pair.ball_diameter, data.pitch, pair.balls, basis)

@@ -149,6 +149,15 @@ def guess_and_estimate(name):
     return 1e3 * ball / float(row["ball_mm"]), balls - int(row["balls"]), balls
 
 
+def test_a_guess_stays_within_the_width():
+    """A 16008, 40 x 68 x 9 mm: 0.30 of the section, 8.4 mm, would leave the shoulders 0.3 mm at each side."""
+    entry = estimate_bearing(CatalogueData(bore=40e-3, outside_diameter=68e-3, width=9e-3))
+    assert entry["ball_diameter_mm"] == pytest.approx(7.1437, abs=1e-4)
+    assert entry["range"]["ball_diameter_mm"][1] < 9.0
+    shares = [float(row["ball_mm"]) / catalogue_geometry.data(row).width / 1e3 for row in ROWS.values()]
+    assert (len(shares), sum(share < 0.80 for share in shares)) == (262, 261)
+
+
 def test_a_guess_from_the_boundary_dimensions_is_near():
     """The intervals of such entries hold what the ratings say: D -20 to +15 %, balls a fifth or two of them."""
     guesses = {name: guess_and_estimate(name) for name in ROWS if name not in ("6200", "7200C", "7200B")}
