@@ -30,6 +30,7 @@ from ..plot_style import (
     SHOWN_OUTLET,
     SHOWN_SIDE,
     common_film_range,
+    few_ticks,
     logarithmic_ticks,
     write_figures,
 )
@@ -255,8 +256,7 @@ def _hatch_outside(axes: Axes, view: ContactView | None) -> None:
 
 def _few_ticks(axes: Axes, start: float, end: float, count: int) -> None:
     """Ticks along the rolling direction [mm] that fit below one of `count` narrow maps."""
-    step = float(f"{(0.4 if count < COLUMNS else 0.55) * (end - start):.0e}")
-    ticks = [k * step for k in (-2, -1, 0, 1, 2) if start <= k * step <= end]
+    ticks = few_ticks(start, end, 5.0 if count < COLUMNS else 3.2)
     axes.set_xticks(ticks, [f"{tick:.3g}".replace("-", "−") for tick in ticks])
 
 

@@ -8,6 +8,8 @@ from pathlib import Path
 from string import Template
 from typing import Any
 
+from ehl.units import unit_symbol
+
 from ..files import read_summary, write_text
 from . import batch, bearing, html
 from . import cards as headline
@@ -97,14 +99,14 @@ def _sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str,
     """Anchor, title and content of every part of a single case's page."""
     yield "input", "Input", bearing.input_tables(summary["case"])
     yield from bearing.sections(summary, folder)
-    yield "more", "Further results", _further_results(summary)
+    yield "more", "Further results", further_results(summary)
     yield "pictures", "Further pictures", _further_pictures(summary, folder)
     others = (message for message in summary["messages"] if not is_urgent(str(message)))
     yield "notes", "Notes", html.notes(others)
     yield "versions", "Versions and times", html.versions(summary)
 
 
-def _further_results(summary: dict[str, Any]) -> str:
+def further_results(summary: dict[str, Any]) -> str:
     """Blocks that no part of the page places: whatever numbers they hold; notes say why not."""
     blocks = {
         key: value
@@ -118,7 +120,8 @@ def _further_results(summary: dict[str, Any]) -> str:
     for key, value in blocks.items():
         known = value.items() if isinstance(value, dict) else ()
         plain = {name: v for name, v in known if v is not None and not html.is_large(v)}
-        facts_blocks += [html.facts(html.name_text(key), plain)] if plain else []
+        unit = f" [{unit_symbol(key)}]" if unit_symbol(key) else ""
+        facts_blocks += [html.facts(html.name_text(key) + unit, plain)] if plain else []
     lists = {key: value for key, value in blocks.items() if isinstance(value, list)}
     if "contacts" not in summary:
         lists["balls"] = summary.get("balls") or []

@@ -16,6 +16,7 @@ from postprocess.contact import plots
 from postprocess.contact.frame import refined
 from postprocess.contact.plots import write_contact_plots
 from postprocess.contact.view import contact_view
+from postprocess.plot_style import few_ticks
 from postprocess.text import value_with_error
 
 pytest.importorskip("matplotlib")
@@ -151,3 +152,16 @@ def test_fields_with_gaps_are_drawn_linear():
 )
 def test_digits_follow_the_uncertainty(value, error, text):
     assert value_with_error(value, error) == text
+
+
+@pytest.mark.parametrize(
+    ("low", "high", "most", "expected"),
+    [
+        (-0.0945, 0.0555, 3.2, [-0.05, 0.0, 0.05]),
+        (-0.135, 0.081, 5.0, [-0.1, -0.05, 0.0, 0.05]),
+        (-0.2, 0.12, 3.2, [-0.2, -0.1, 0.0, 0.1]),
+        (-1.3, 0.78, 5.0, [-1.0, -0.5, 0.0, 0.5]),
+    ],
+)
+def test_a_narrow_map_has_two_ticks_at_least(low, high, most, expected):
+    assert few_ticks(low, high, most) == pytest.approx(expected)

@@ -16,7 +16,7 @@ from ehl.units import unit_of, without_unit
 from postprocess.files import SUMMARY_FILE
 from postprocess.report.cards import cards, estimated_keys
 from postprocess.report.html import number, text
-from postprocess.report.page import is_urgent, report_page, write_report
+from postprocess.report.page import further_results, is_urgent, report_page, write_report
 from postprocess.report.svg import stacked_bars
 
 VOID = {"meta", "img", "br", "rect", "line"}
@@ -261,3 +261,10 @@ def test_no_page_is_wider_than_its_window(folder, tmp_path, width):
     found, window = map(int, re.search(r"<title>(\d+) of (\d+)</title>", answer.stdout).groups())
     assert window == width
     assert found <= window
+
+
+def test_a_block_in_one_unit_names_it(folder):
+    document = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))
+    page = further_results(document | {"temperatures_C": {"shaft": 39.3}, "heat_flows_W": {"shaft-ambient": 5.4}})
+    assert "<h3>temperatures [°C]</h3>" in page
+    assert "<h3>heat flows [W]</h3>" in page
