@@ -88,11 +88,11 @@ def film_ticks(low: float, high: float) -> list[float]:
 
 
 def few_ticks(low: float, high: float, most: float) -> list[float]:
-    """Multiples of a round step, at most so many steps on the scale, and two ticks at least."""
+    """Multiples of a round step, at most so many steps (2 or more), and two ticks at least."""
     size = 10.0 ** np.floor(np.log10(high - low))
-    steps = [factor * size for factor in (2.0, 1.0, 0.5, 0.25, 0.2, 0.1)]
+    steps = [factor * size for factor in (5.0, 2.5, 2.0, 1.0, 0.5, 0.2, 0.1)]
     fitting = [step for step in steps if (high - low) / step <= most]
-    step = min(fitting, default=steps[0])
+    step = min(fitting)
     while np.floor(high / step) - np.ceil(low / step) < 1.0:
         step *= 0.5
     numbers = np.arange(np.ceil(low / step), np.floor(high / step) + 1.0)

@@ -256,7 +256,7 @@ def _hatch_outside(axes: Axes, view: ContactView | None) -> None:
 
 def _few_ticks(axes: Axes, start: float, end: float, count: int) -> None:
     """Ticks along the rolling direction [mm] that fit below one of `count` narrow maps."""
-    ticks = few_ticks(start, end, 5.0 if count < COLUMNS else 3.2)
+    ticks = few_ticks(start, end, min(5.0, 16.0 / count))
     axes.set_xticks(ticks, [f"{tick:.3g}".replace("-", "−") for tick in ticks])
 
 
