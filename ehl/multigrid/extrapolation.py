@@ -15,6 +15,7 @@ SHORT_SEQUENCE = 0.5  # where the second level below the finest is none or not r
 UNRESOLVED_BELOW = 1.0  # where the level below is not
 LOWEST_RATIO = 2.0  # of two steps: first order
 LARGEST_FALL = 0.25  # over the film, beyond which none is extrapolated: the finest value stands
+UNKNOWN = 1.0  # relative error by cycles and equations, above which a level below says nothing
 ALONE = 4.0  # over Hmin/(S hx^2): relative bar of a level alone
 
 
@@ -25,7 +26,8 @@ def extrapolate(levels: Sequence[LevelHistory], kind: int, *, oblique: bool = Fa
     The bar is a share of the last step or of a quarter of the one before, which a step of second
     order is, or what a sequence of the order that both show has its limit away from that of second
     order, and what the cycles left. A step down by more than a quarter of the film is not
-    made, and is the bar at least.
+    made, and is the bar at least. A level whose film cycles and equations leave open by all of
+    it is left out, with those below.
 
     Parameters
     ----------
@@ -38,6 +40,7 @@ def extrapolate(levels: Sequence[LevelHistory], kind: int, *, oblique: bool = Fa
     """
     if not levels:
         return FilmValue(value=nan, uncertainty=nan, finest=nan)
+    levels = _known(levels, kind)
     finest = levels[-1].film[-1][kind]
     noise = levels[-1].noise(kind)
     if len(levels) < 2:
@@ -59,6 +62,12 @@ def extrapolate(levels: Sequence[LevelHistory], kind: int, *, oblique: bool = Fa
         step = 0.0
     value = finest + step
     return FilmValue(value=value, uncertainty=bar + noise * abs(value), finest=finest)
+
+
+def _known(levels: Sequence[LevelHistory], kind: int) -> Sequence[LevelHistory]:
+    """The finest level and those below it down to the first that says nothing."""
+    unknown = [n for n, level in enumerate(levels[:-1]) if level.noise(kind) > UNKNOWN]
+    return levels[unknown[-1] + 1 :] if unknown else levels
 
 
 def _departure(step: float, before: float) -> float:

@@ -118,6 +118,16 @@ def test_bars_widen_where_the_order_is_not_seen_and_where_levels_miss():
     assert np.isnan(extrapolate([], 0).value)
 
 
+def test_a_level_below_that_is_not_solved_is_left_out():
+    """Its film is open by all of itself: the finest stands alone, with the bar of a single level."""
+    below, finest = levels([0.5, 0.99])
+    below.residual = [1.0, 1.0]
+    assert extrapolate([below, finest], 0) == extrapolate([finest], 0)
+    first, *rest = levels([0.5, 0.97, 0.99])
+    first.residual = [1.0, 1.0]
+    assert extrapolate([first, *rest], 0) == extrapolate(rest, 0)
+
+
 def test_bars_hold_what_the_cycles_left():
     quiet, noisy = (extrapolate(levels([0.9, 0.975, 0.99], noise=x), 0) for x in (0.0, 0.01))
     assert noisy.value == quiet.value
