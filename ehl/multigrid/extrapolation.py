@@ -15,7 +15,9 @@ SHORT_SEQUENCE = 0.5  # where the second level below the finest is none or not r
 UNRESOLVED_BELOW = 1.0  # where the level below is not
 LOWEST_RATIO = 2.0  # of two steps: first order
 LARGEST_FALL = 0.25  # over the film, beyond which none is extrapolated: the finest value stands
-UNKNOWN = 1.0  # relative error by cycles and equations, above which a level below says nothing
+# relative error by cycles and equations above which a level below says nothing: a third of it
+# alone passes the bar of a resolved film (`verdict.LARGEST_BAR`)
+UNKNOWN = 0.45
 ALONE = 4.0  # over Hmin/(S hx^2): relative bar of a level alone
 
 
@@ -26,7 +28,7 @@ def extrapolate(levels: Sequence[LevelHistory], kind: int, *, oblique: bool = Fa
     The bar is a share of the last step or of a quarter of the one before, which a step of second
     order is, or what a sequence of the order that both show has its limit away from that of second
     order, and what the cycles left. A step down by more than a quarter of the film is not
-    made, and is the bar at least. A level whose film cycles and equations leave open by all of
+    made, and is the bar at least. A level whose film cycles and equations leave open by half of
     it is left out, with those below.
 
     Parameters

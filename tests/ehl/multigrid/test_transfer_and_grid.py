@@ -119,7 +119,7 @@ def test_bars_widen_where_the_order_is_not_seen_and_where_levels_miss():
 
 
 def test_a_level_below_that_is_not_solved_is_left_out():
-    """Its film is open by all of itself: the finest stands alone, with the bar of a single level."""
+    """Its film is open by more than itself: the finest stands alone, with the bar of a single level."""
     below, finest = levels([0.5, 0.99])
     below.residual = [1.0, 1.0]
     assert extrapolate([below, finest], 0) == extrapolate([finest], 0)
