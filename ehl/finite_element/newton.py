@@ -44,6 +44,9 @@ SMALLEST_TIME_STEP = 0.01
 GROWTH = 3.0  # of the time step after one that changed the pressure less
 NEAR = 0.03  # change of pressure [-] below which the steady equations are solved
 OTHER_DEFLECTIONS = 3  # of a step beside those of GMRES: film, given pressures, change
+# share of a change that the next takes back, above which only half of that is made: at M 31, L 31,
+# R_x/R_y 0.05 all of it was taken back, for ever
+REVERSED = 0.9
 STALLED = 4  # steps at rest with a film that does not follow the pressure
 
 
@@ -104,6 +107,7 @@ def newton(level: Level, progress: Progress) -> tuple[bool, str]:
     time_step = inf
     at_rest = 0
     size = inf
+    before = np.zeros_like(level.P)
     for _ in range(STEPS):
         miss = level.film - level.H
         try:
@@ -112,7 +116,9 @@ def newton(level: Level, progress: Progress) -> tuple[bool, str]:
             return False, f"the linear system was not solved: {error}; {ADVICE} or a smaller load"
         last, size = size, float(np.abs(change).max())
         time_step = next_time_step(time_step, size)
-        _advance(level, change, rise, miss, progress)
+        share = share_of_step(before, change)
+        _advance(level, share * change, share * rise, miss, progress)
+        before = change
         tolerance = ALTERNATING if size > 0.5 * last else TOLERANCE
         if size < tolerance and time_step == inf:
             overlap = float(np.abs(miss).max())
@@ -123,6 +129,14 @@ def newton(level: Level, progress: Progress) -> tuple[bool, str]:
                 return False, f"not converged: the bodies overlap between nodes; {ADVICE}"
     steps = f"in the last of {STEPS} Newton steps"
     return False, f"not converged: pressure changed by {size:.1e} {steps}; {ADVICE}"
+
+
+def share_of_step(before: Array, change: Array) -> float:
+    """Half of a change that takes back the one before, else all of it: between two sets of wet
+    nodes that lead to each other, the solution lies on neither [-].
+    """
+    back = -float(before @ change)
+    return 0.5 if back > REVERSED * float(before @ before) else 1.0
 
 
 def next_time_step(time_step: float, size: float) -> float:
