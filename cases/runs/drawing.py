@@ -74,7 +74,8 @@ class Drawing:
             raise InterruptedError("interrupted")
         file = parcel / "results"
         file.write_bytes(pickle.dumps(results))
-        for part in range(1 + results.pictures):
+        # the longest first: pictures of contacts come last, files for ParaView first
+        for part in reversed(range(1 + results.pictures)):
             jobs.append(self._pool.submit(_make, file, parcel.parent, part))
 
     def _extras(
