@@ -1,18 +1,22 @@
-"""Films of formulas, for the friction of contacts whose film is not solved.
+"""Films for the friction of contacts whose film is not solved.
 
-The pressure is Hertz', the film flat: the central one of Chittenden et al. (1985), or, in light
-contacts that they were not made for, that of Nijenbanning, Venner and Moes (1994) as corrected
-here. Minimum over central film after Hamrock and Dowson (1977), rolling moment as `formula_moment`
-has it. Where the same contact was solved at another speed or with another oil, film and
-moment are those of that solution times the ratio of the formulas here and there.
+The pressure is Hertz', the film flat. Its thickness, and the moment that resists rolling, are
+those of the film atlas where it covers the contact. Under less or more load than it covers, or for
+larger L, they are formulas times the ratio of atlas to formulas at the nearest contact that it
+covers, so that there is no step; for other oils and ellipses the formulas alone: the central film
+of Chittenden et al. (1985), or, in light contacts that they were not made for, that of
+Nijenbanning, Venner and Moes (1994) as corrected here, minimum over central film after Hamrock and
+Dowson (1977), the moment as `formula_moment` has it. Where the same contact was solved at another
+speed or with another oil, film and moment are those of that solution times the ratio of these
+numbers here and there.
 
-Against solved films of 6208, 6306, 7012 AC, 6205, 6312 and 61808 (129 points, M 50 to 10 000):
-central films within 12 % but one (18 %), minimum films within 20 %.
+The formulas alone, against solved films of 6208, 6306, 7012 AC, 6205, 6312 and 61808 (129 points,
+M 50 to 10 000): central films within 12 % but one (18 %), minimum films within 20 %.
 """
 
 from dataclasses import dataclass, replace
 from math import log
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -26,6 +30,7 @@ from ehl.conditions import ContactConditions
 from ehl.options import SolverOptions
 from ehl.scaling import ScaledContact, scale_contact
 from ehl.solution import ContactSolution, ConvergenceRecord, FilmValue
+from ehl.traction.atlas.films import atlas_films, nearest_covered
 from ehl.traction.rolling_moment import rolling_moment
 
 from ..contacts.contact import BearingContact
@@ -41,10 +46,12 @@ CONTACT_PRESSURE = 0.01
 # of Nijenbanning's formula, fitted to what was solved in wide ellipses from M = 1 to 6 (0.785 to
 # 0.791) [-]
 LIGHT_CONTACT = 0.785
-FORMULA_ERROR = 0.2  # of the central film [-], see above
+FORMULA_ERROR = 0.2  # of the central film of the formulas alone [-], see above
 # of a scaled film, per unit of the logarithm of the speed [-]: from 3000 to 40 r/min the solved
 # films of a 6208 fall by 0.05 of that more slowly or faster than the formula
 WAY_ERROR = 0.05
+# of formulas scaled to the atlas, per unit of ln A and ln L beyond its range [-]
+BEYOND_ERROR = 0.1
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,7 +64,14 @@ class FormulaFilm:
     moment: float  # that resists rolling, flooded and isothermal [N m]
     # of the central film: of the formula, or of the solved film and of the way to it [m]
     uncertainty: float
+    minimum_uncertainty: float | None  # [m]
     scaled: bool  # to a solved film of the same contact
+    atlas: bool = False  # whether film and moment are those of the film atlas
+
+    @property
+    def error(self) -> float:
+        """Of the central film over it [-]."""
+        return self.uncertainty / self.central
 
 
 def formula_film(
@@ -74,17 +88,24 @@ def formula_film(
         return None
     axes = (hertz.semi_axis_y, hertz.semi_axis_x)
     limit = THICKEST_FILM * conditions.radius_x
-    central = formula_central(conditions)
-    ratio = _minimum_ratio(conditions)
-    moment = flooded_moment(conditions, *axes, min(central, limit))
+    own = film_numbers(conditions, axes)
+    central = own.central
+    ratio = own.ratio
+    moment = own.moment
+    error = own.error
+    least = own.minimum_error
     if base is not None and isinstance(base.conditions, ContactConditions):
         there = base.conditions
+        other = film_numbers(there, axes)
         solved = _known(base.film_minimum) / _known(base.film_central)
-        central *= _known(base.film_central) / formula_central(there)
-        other = _minimum_ratio(there)
-        ratio = solved if ratio is None or other is None else ratio * solved / other
-        by_formula = flooded_moment(there, *axes, formula_central(there))
-        moment *= rolling_moment(base).value / by_formula
+        central *= _known(base.film_central) / other.central
+        ratio = solved if ratio is None or other.ratio is None else ratio * solved / other.ratio
+        moment *= rolling_moment(base).value / other.moment
+        way = log(there.entrainment_speed / conditions.entrainment_speed)
+        error = base.film_central_dimensionless.relative_uncertainty + WAY_ERROR * abs(way)
+        least = error
+    elif central > limit:
+        moment = flooded_moment(conditions, *axes, limit)
     central = min(central, limit)
     minimum = None if ratio is None else min(ratio, 1.0) * central
     return FormulaFilm(
@@ -94,23 +115,74 @@ def formula_film(
         central=central,
         minimum=minimum,
         moment=moment,
-        uncertainty=_error(conditions, base) * central,
+        uncertainty=error * central,
+        minimum_uncertainty=None if minimum is None else least * minimum,
         scaled=base is not None,
+        atlas=own.atlas and base is None,
     )
-
-
-def _error(conditions: ContactConditions, base: ContactSolution | None) -> float:
-    """Relative error of a central film [-]."""
-    if base is None or not isinstance(base.conditions, ContactConditions):
-        return FORMULA_ERROR
-    way = log(base.conditions.entrainment_speed / conditions.entrainment_speed)
-    return base.film_central_dimensionless.relative_uncertainty + WAY_ERROR * abs(way)
 
 
 def _known(film: float | None) -> float:
     """A film of a solution that converged [m]."""
     assert film is not None
     return film
+
+
+class FilmNumbers(NamedTuple):
+    """Of a flooded, isothermal contact whose film is not solved."""
+
+    central: float  # [m]
+    ratio: float | None  # minimum over central film [-]; None: not known
+    moment: float  # that resists rolling [N m]
+    error: float  # of the central film [-]
+    minimum_error: float  # of the minimum film [-]
+    atlas: bool  # whether they are those of the film atlas
+
+
+def film_numbers(conditions: ContactConditions, axes: tuple[float, float]) -> FilmNumbers:
+    """Film and moment of the atlas, or of formulas scaled to it at the nearest load that it
+    covers, or of formulas; `axes`: Hertz', across and along rolling [m].
+    """
+    own = _by_formulas(conditions, axes)
+    near, distance = nearest_covered(conditions)
+    if near is None:
+        return own
+    known = atlas_films(near)
+    there = own
+    if distance:
+        stretch = (near.load / conditions.load) ** (1.0 / 3.0)
+        there = _by_formulas(near, (stretch * axes[0], stretch * axes[1]))
+    central = known.central.value * own.central / there.central
+    ratio = known.minimum.value / known.central.value
+    if own.ratio is not None and there.ratio is not None:
+        ratio *= own.ratio / there.ratio
+    moment = own.moment
+    if known.rolling_moment is not None:
+        moment *= known.rolling_moment.value / there.moment
+    beyond = BEYOND_ERROR * distance
+    errors = [one.uncertainty / one.value + beyond for one in (known.central, known.minimum)]
+    return FilmNumbers(
+        central=central,
+        ratio=ratio,
+        moment=moment,
+        error=min(errors[0], FORMULA_ERROR),
+        minimum_error=min(errors[1], FORMULA_ERROR),
+        atlas=not distance,
+    )
+
+
+def _by_formulas(conditions: ContactConditions, axes: tuple[float, float]) -> FilmNumbers:
+    """Those of the formulas alone."""
+    central = formula_central(conditions)
+    counted = min(central, THICKEST_FILM * conditions.radius_x)
+    return FilmNumbers(
+        central=central,
+        ratio=_minimum_ratio(conditions),
+        moment=flooded_moment(conditions, *axes, counted),
+        error=FORMULA_ERROR,
+        minimum_error=FORMULA_ERROR,
+        atlas=False,
+    )
 
 
 def formula_central(conditions: ContactConditions) -> float:

@@ -14,7 +14,7 @@ from ehl.traction.rolling_moment import rolling_moment
 from ..contacts.contact import BearingContact
 from ..supply.supply import InletFilm, Supply, supplied_shares
 from .asperities import Asperities
-from .formula_films import FORMULA_ERROR, FormulaFilm, formula_film, with_gap
+from .formula_films import FormulaFilm, formula_film, with_gap
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -31,13 +31,15 @@ class RunningFilm:
     asperity_share: float = 0.0  # of the load [-]
     flooded_share: float = 0.0  # the same of the flooded film [-]
     formula: bool = False  # whether the film is not solved
+    formula_error: float = 0.0  # of its central film then [-]
+    atlas: bool = False  # whether it is that of the film atlas
     boundary: float = 0.0  # friction of asperities, mu_b [-]
 
     @property
     def error(self) -> float:
         """Of the central film over it [-]."""
         if self.formula:
-            return FORMULA_ERROR
+            return self.formula_error
         return self.film.film_central_dimensionless.relative_uncertainty
 
     @property
@@ -130,6 +132,8 @@ def _by_formula(found: FormulaFilm | None) -> RunningFilm | None:
         flooded_moment=found.moment,
         flooded_central=found.central,
         formula=True,
+        formula_error=found.error,
+        atlas=found.atlas,
     )
 
 

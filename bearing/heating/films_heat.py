@@ -11,7 +11,7 @@ from ehl.oil.rheology import Rheology
 from ..contacts.contact import BearingContact
 from ..friction.balance import BalancedFriction
 from ..friction.films import film_balance
-from ..friction.formula_films import FORMULA_ERROR, formula_film
+from ..friction.formula_films import formula_film
 from ..friction.running_films import RunningFilm
 from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
@@ -72,7 +72,7 @@ def formula_conductances(
 ) -> Array:
     """Of all contacts by films of formulas, (3, balls, 2) [W/K]."""
     found = [formula_film(contact) for contact in contacts]
-    films = [None if film is None else (film.film, FORMULA_ERROR) for film in found]
+    films = [None if film is None else (film.film, film.error) for film in found]
     temperature = solution.operation.temperature
     return contact_conductances(solution.bearing, contacts, films, temperature)
 

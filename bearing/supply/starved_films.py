@@ -6,10 +6,10 @@ from math import inf
 
 import numpy as np
 
-from ehl import ContactSolution, ViscosityLaw
-from ehl.closed_form.film import film_hamrock_dowson_minimum, film_nijenbanning_central
+from ehl import ContactSolution
 
 from ..contacts.contact import BearingContact
+from ..friction.formula_films import film_numbers
 from ..geometry import Race
 from ..quasistatic.solution import QuasistaticSolution
 from .supply import InletFilm, Supply, supplied_shares
@@ -26,8 +26,7 @@ class StarvedFilm:
     flooded_minimum: float  # [m]
     # root mean square of race and ball together, zero where it is not known
     roughness: float = 0.0  # [m]
-    # whether the flooded films were solved; else they are those of the formulas of Nijenbanning et
-    # al. and of Hamrock and Dowson
+    # whether the flooded films were solved; else they are those of atlas and formulas
     solved: bool = False
     inside: bool = True  # whether the law of starvation was solved for such a contact
 
@@ -139,8 +138,8 @@ def _flooded(
         central, minimum = solution.film_central, solution.film_minimum
         if central is not None and minimum is not None:
             return central, minimum, True
-    conditions = contact.conditions
-    oil = conditions.lubricant
-    if oil.viscosity_law is ViscosityLaw.ISOVISCOUS or oil.pressure_viscosity <= 0.0:
+    hertz = contact.hertz
+    known = film_numbers(contact.conditions, (hertz.semi_axis_y, hertz.semi_axis_x))
+    if known.ratio is None:
         return None
-    return film_nijenbanning_central(conditions), film_hamrock_dowson_minimum(conditions), False
+    return known.central, min(known.ratio, 1.0) * known.central, False

@@ -106,6 +106,7 @@ class SolvedShear:
     tractions: tuple[ContactTraction, ...] = ()
     # contacts of all lubricated ones whose film is that of a formula [-]
     by_formula: int = 0
+    by_atlas: int = 0  # of these, that of the film atlas [-]
     lubricated: int = 0
     note: str = ""  # why there is no balanced one, or why it does not count as one
     # why parts of the torque are None, by name

@@ -37,6 +37,7 @@ from .heating import Printed, at_its_balance, at_its_temperature, self_heated
 from .interrupt import interruptible
 from .load_cases import solve_load_cases
 from .strength import case_strength, contact_tensions
+from .studies.atlas import unasked_films
 from .studies.supply import beside_supply
 from .traction_films import traction_messages, with_workers
 
@@ -187,6 +188,8 @@ def _films(
         None if asked is None else formula_film(contact, base if base and base.converged else None)
         for contact, asked, base in zip(contacts, plan.bases, bases, strict=True)
     )
+    if state.converged and case.films.model is FilmModel.NEWTONIAN and case.inlet_layer is None:
+        formulas = unasked_films(contacts, wanted, formulas)
     return _Films(solutions, formulas, interrupted, messages)
 
 

@@ -248,20 +248,19 @@ def _formula_values(film: FormulaFilm | None) -> dict[str, float | None]:
     """Films in place of one that the mesh does not resolve [um]."""
     if film is None:
         return {}
-    ratio = 1.0 if film.minimum is None else film.minimum / film.central
     values = {
         "film_central_um": film.central,
         "film_central_uncertainty_um": film.uncertainty,
         "film_minimum_um": film.minimum,
-        "film_minimum_uncertainty_um": ratio * film.uncertainty,
+        "film_minimum_uncertainty_um": film.minimum_uncertainty,
     }
     return {key: value and from_si(key, value) for key, value in values.items()}
 
 
 def _origin(record: ContactRecord) -> str | None:
-    """Whether a film is solved or that of a formula; None without."""
+    """Whether a film is solved, of the film atlas or that of a formula; None without."""
     if record.formula is not None:
-        return "formula"
+        return "atlas" if record.formula.atlas else "formula"
     return None if record.film is None or not record.film.converged else "solved"
 
 
@@ -310,9 +309,15 @@ def _absent_films(results: BearingResults) -> Iterator[str]:
         yield f"{race} race, {balls_text(balls)}: film null, {reason}"
     if absent:
         yield f"contacts: residual and mass_imbalance null where {NO_FILM}"
-    if any(formulas):
-        both = zip(results.contacts, formulas, strict=True)
-        places = ", ".join(f"{contact.ball} {contact.race.value}" for contact, one in both if one)
+    both = [(c, one) for c, one in zip(results.contacts, formulas, strict=True) if one is not None]
+    if of_atlas := sum(one.atlas for _, one in both):
+        yield (
+            f"contacts: films of the film atlas (film_origin) at {of_atlas} contacts whose films "
+            "[ehl] film_maps does not ask for: not solved, with the atlas's error bars; they have "
+            "no maps"
+        )
+    if scaled := [contact for contact, one in both if not one.atlas]:
+        places = ", ".join(f"{contact.ball} {contact.race.value}" for contact in scaled)
         yield (
             f"contacts: films of formulas (film_origin) at ball {places}, which the mesh does not "
             "resolve: scaled to films solved at the lowest speed at which it does, error 5 % per "

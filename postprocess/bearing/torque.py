@@ -150,10 +150,13 @@ def _films_text(results: BearingResults, shear: SolvedShear) -> str:
         return ""
     maps = results.case.get("ehl", {}).get("film_maps")
     hint = "" if maps == "all" else '; [ehl] film_maps = "all" solves them'
-    return (
-        f", films of formulas at {shear.by_formula} of {shear.lubricated} contacts (central film "
-        f"to 20 %, rolling moment to 10 % above M = 300 and 33 % at M = 50{hint})"
-    )
+    parts = []
+    if shear.by_atlas:
+        parts.append(f"of the film atlas at {shear.by_atlas}")
+    if by_formulas := shear.by_formula - shear.by_atlas:
+        error = "central film to 20 %, rolling moment to 10 % above M = 300 and 33 % at M = 50"
+        parts.append(f"of formulas at {by_formulas} ({error})")
+    return f", films {' and '.join(parts)} of {shear.lubricated} contacts{hint}"
 
 
 def _inlet_messages(torque: TorqueBreakdown) -> Iterator[str]:

@@ -1,11 +1,13 @@
 """Films of a case by the film atlas, without a film solve."""
 
+from collections.abc import Sequence
 from dataclasses import replace
 from time import perf_counter
 
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.contacts import contact_conditions
 from bearing.contacts.finite_bodies import finite_bodies, with_finite_bodies
+from bearing.friction.formula_films import FormulaFilm, formula_film
 from bearing.friction.resolvable import too_thick
 from bearing.quasistatic.solver import solve_quasistatic
 from bearing.rows import SINGLE
@@ -73,6 +75,24 @@ def run_atlas_bearing(case: Case, name: str) -> AtlasBearingResults:
         messages=(*case.warnings, *messages),
         timing={"total": perf_counter() - start},
     )
+
+
+def unasked_films(
+    contacts: Sequence[BearingContact],
+    wanted: Sequence[ContactConditions | None],
+    films: Sequence[FormulaFilm | None],
+) -> tuple[FormulaFilm | None, ...]:
+    """Films in place of solved ones, with those of the atlas at the contacts whose films were not
+    asked for and that it covers.
+    """
+    found = []
+    for contact, own, film in zip(contacts, wanted, films, strict=True):
+        conditions = contact.conditions
+        if own is None and film is None and conditions is not None and not too_thick(conditions):
+            of_atlas = formula_film(contact)
+            film = of_atlas if of_atlas is not None and of_atlas.atlas else None
+        found.append(film)
+    return tuple(found)
 
 
 def _record(
