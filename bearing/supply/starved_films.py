@@ -6,7 +6,7 @@ from math import inf
 
 import numpy as np
 
-from ehl import ContactSolution
+from ehl import ContactSolution, ViscosityLaw
 
 from ..contacts.contact import BearingContact
 from ..friction.formula_films import film_numbers
@@ -138,6 +138,9 @@ def _flooded(
         central, minimum = solution.film_central, solution.film_minimum
         if central is not None and minimum is not None:
             return central, minimum, True
+    oil = contact.conditions.lubricant
+    if oil.viscosity_law is ViscosityLaw.ISOVISCOUS or oil.pressure_viscosity <= 0.0:
+        return None
     hertz = contact.hertz
     known = film_numbers(contact.conditions, (hertz.semi_axis_y, hertz.semi_axis_x))
     if known.ratio is None:

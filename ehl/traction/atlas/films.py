@@ -31,13 +31,13 @@ ALIGNED = 1e-9  # sine of the angle between entrainment and principal direction 
 ROTATION = 0.02
 ROTATION_WIDE = 0.65  # what the minimum film's bar grows by over it, Rx/Ry above `SLIM`
 # In ellipses as of ball bearings it lowers the minimum film by 1 - exp(-k t^2), and moves the
-# central one by `ROTATION_CENTRAL` t^2 at most: 70 contacts solved with and without, k 0.4 to 2.4
+# central one by `ROTATION_CENTRAL` t^2 at most: 80 contacts solved with and without, k 0.5 to 2.4
 # (`docs/theory/film_atlas.md`)
 SLIM = 0.1  # Rx/Ry up to which they count
 ROTATION_SLIM = 0.42  # t up to which they were solved
 ROTATION_CENTRAL = 0.03
 # Rx/Ry up to which k was found as given, and its error
-ROTATION_MINIMUM = ((0.06, 1.0, 0.65), (SLIM, 1.8, 0.8))
+ROTATION_MINIMUM = ((0.06, 1.0, 0.65), (SLIM, 1.65, 0.85))
 LAYERS = (8.0, 25.0, 400.0)  # of the tabulated moments, over 1 + H_c [-]
 THINNEST_LAYER = 3.0  # over 1 + H_c, beyond which the moment is extrapolated no further
 MOES_LAYER = 25.0  # of Moes conditions, over a^2/Rx
@@ -139,9 +139,9 @@ def atlas_films(
 
 
 def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | None, float]:
-    """The same contact under the nearest load, and with the nearest pressure-viscosity, that the
-    atlas covers, and how far it is off, |ln(A/A')| + |ln(L/L')| [-]; None where these two do not
-    bring it into the range.
+    """The same contact under the nearest load, and with the nearest pressure-viscosity and z, that
+    the atlas covers, and how far it is off, |ln(A/A')| + |ln(L/L')| + |z - z'| [-]; None where
+    these do not bring it into the range.
     """
     contact = scale_contact(conditions)
     axis = hertz_coefficients(contact.radius_ratio)[0]
@@ -149,6 +149,11 @@ def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | 
     wanted = _nearest("A = a^2/(Rx^2 sqrt(2U))", own)
     thick = _nearest("L", contact.moes_lubricant)
     oil = conditions.lubricant
+    if oil.viscosity_law is not ViscosityLaw.ROELANDS:
+        return None, 0.0
+    rise = _nearest("roelands_z", oil.exponent)
+    if rise != oil.exponent:
+        oil = replace(oil, roelands_z=rise)
     if thick != contact.moes_lubricant:
         coefficient = oil.pressure_viscosity * thick / contact.moes_lubricant
         oil = replace(oil, pressure_viscosity=coefficient, roelands_z=oil.exponent)
@@ -158,7 +163,7 @@ def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | 
         _require_range((wanted, thick, contact.radius_ratio, oil.exponent, oil.pressure_viscosity))
     except NotInAtlasError:
         return None, 0.0
-    way = abs(log(own / wanted))
+    way = abs(log(own / wanted)) + abs(conditions.lubricant.exponent - rise)
     if thick != contact.moes_lubricant:
         way += abs(log(contact.moes_lubricant / thick))
     return (near, way) if way else (conditions, 0.0)

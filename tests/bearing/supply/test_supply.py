@@ -11,12 +11,12 @@ import pytest
 
 from bearing import Operation, contact_conditions, solve_quasistatic
 from bearing.friction.asperities import asperity_share
+from bearing.friction.formula_films import film_numbers
 from bearing.heating.heat_balance import HIGHEST_TEMPERATURE, Cooling, heat_balance
 from bearing.supply.starved_films import least_lambda, mean_share, of_driven_balls, starved_films
 from bearing.supply.supply import InletFilm, Supply, cavity_volume, compression, oil_fraction, supplied_shares
 from bearing.supply.track import Track, steady_share
 from ehl import Lubricant, ViscosityLaw
-from ehl.closed_form.film import film_nijenbanning_central
 from ehl.closed_form.starvation import FLOODED, starvation_exponent, starvation_shares, starved_share
 from ehl.conditions import moes_groups
 
@@ -92,7 +92,8 @@ def test_a_layer_at_the_inlets_starves_every_contact_by_its_own_film(radial):
     assert len({round(films[i].share, 6) for i in lubricated}) > 1
     for i in lubricated:
         own = contacts[i].conditions
-        flooded, hertz = film_nijenbanning_central(own), contacts[i].hertz
+        hertz = contacts[i].hertz
+        flooded = film_numbers(own, (hertz.semi_axis_y, hertz.semi_axis_x)).central
         packed = compression(hertz.pressure, OIL)
         shares = starvation_shares(*moes_groups(own), own.radius_x / own.radius_y, 0.3e-6 / (packed * flooded))
         assert films[i].share == pytest.approx(shares.central.value, rel=1e-3)

@@ -13,6 +13,8 @@ import pytest
 import ehl
 from ehl.closed_form.hertz import hertz_coefficients
 from ehl.scaling import scale_contact
+from ehl.traction.atlas.films import nearest_covered
+from ehl.traction.kapitza import kapitza_moment
 from ehl.traction.rolling_moment import rolling_moment
 from verification.contacts import OIL, from_groups, moes
 
@@ -93,3 +95,59 @@ def test_a_little_rotation_of_the_entrainment_widens_the_bar_of_the_minimum():
     assert solution.film_central == pytest.approx(without.film_central, rel=0.001)
     with pytest.raises(ValueError, match=r"mean_spin.*less than 0.02.*solve_contact"):
         ehl.atlas_films(replace(straight, mean_spin=-0.021 * whole))
+
+
+def ball_and_race(load=300.0, layer=1e-4, mean_spin=0.0):
+    """A ball of 8 mm on a race: A 38, L 11.5, R_x/R_y 0.036."""
+    oil = replace(OIL, viscosity=0.03, pressure_viscosity=20e-9, flooded_layer=layer)
+    return ehl.ContactConditions(
+        load=load,
+        radius_x=3.4e-3,
+        radius_y=95e-3,
+        reduced_modulus=2.3e11,
+        entrainment_speed=9.0,
+        lubricant=oil,
+        ball_radius=4e-3,
+        mean_spin=mean_spin,
+    )
+
+
+def test_entrainment_that_turns_in_a_slim_ellipse():
+    """As in angular contact: the minimum film falls, the central one hardly; both within their bars."""
+    scaled = scale_contact(ball_and_race())
+    end = scaled.semi_axis_x * scaled.semi_axis_ratio
+    turning = ball_and_race(mean_spin=0.3 * 9.0 / end)
+    films, straight = ehl.atlas_films(turning), ehl.atlas_films(ball_and_race())
+    solution = ehl.solve_contact(turning, ehl.SolverOptions(points=257))
+    assert solution.resolved
+    assert films.minimum.value < 0.95 * straight.minimum.value
+    assert films.minimum.value == pytest.approx(solution.film_minimum, abs=films.minimum.uncertainty)
+    assert films.central.value == pytest.approx(solution.film_central, abs=films.central.uncertainty)
+    with pytest.raises(ValueError, match=r"mean_spin.*less than 0.42.*solve_contact"):
+        ehl.atlas_films(ball_and_race(mean_spin=0.43 * 9.0 / end))
+
+
+@pytest.mark.parametrize("layer", [50e-6, 200e-6])
+def test_the_moment_ends_in_the_gap_of_circles(layer):
+    """Wide of the moment of paraboloids, within its bar of the solved one."""
+    contact = ball_and_race(layer=layer)
+    moment = ehl.atlas_films(contact).rolling_moment
+    solution = ehl.solve_contact(contact, ehl.SolverOptions(points=257))
+    assert moment.value == pytest.approx(rolling_moment(solution).value, abs=moment.uncertainty)
+    assert moment.uncertainty < 0.05 * moment.value
+    flat = kapitza_moment(contact, solution.film_central, circles=False)
+    assert flat - kapitza_moment(contact, solution.film_central) > 0.02 * moment.value
+
+
+@pytest.mark.parametrize(("load", "distance"), [(0.5, True), (300.0, False), (1e4, True)])
+def test_the_nearest_contact_covered(load, distance):
+    near, way = nearest_covered(ball_and_race(load))
+    assert (way > 0.0) is distance
+    assert ehl.atlas_films(near).inside
+    assert near.radius_y == 95e-3
+
+
+def test_nothing_is_near_another_law():
+    contact = ball_and_race()
+    barus = replace(contact.lubricant, viscosity_law=ehl.ViscosityLaw.BARUS)
+    assert nearest_covered(replace(contact, lubricant=barus)) == (None, 0.0)

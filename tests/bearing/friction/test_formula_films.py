@@ -1,0 +1,70 @@
+"""Films that are not solved: of the atlas, and of formulas scaled to it without a step."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from bearing.contacts.hertz import hertz_contacts
+from bearing.friction.formula_films import film_numbers
+from bearing.library.lubricants import library_lubricant
+from cases import load_case, run_case
+from cases.format.case import case_of_document
+from ehl import ViscosityLaw
+from ehl.conditions import ContactConditions
+from postprocess import summary
+
+
+def contact(load, speed=8.0, temperature=333.15):
+    oil = library_lubricant("iso vg 32", temperature)
+    return ContactConditions(
+        load=load, radius_x=4.8e-3, radius_y=0.16, reduced_modulus=2.26e11, entrainment_speed=speed, lubricant=oil
+    )
+
+
+def numbers(conditions):
+    c = conditions
+    arrays = (np.array([value]) for value in (c.load, c.radius_x, c.radius_y, c.reduced_modulus))
+    hertz = hertz_contacts(*arrays)[0]
+    return film_numbers(conditions, (hertz.semi_axis_y, hertz.semi_axis_x))
+
+
+def test_films_go_on_without_a_step_beyond_the_atlas():
+    """Over three decades of load: no film and no moment jumps where the range of the atlas ends."""
+    found = [numbers(contact(load)) for load in np.geomspace(1.0, 3000.0, 161)]
+    edges = [i for i, (a, b) in enumerate(pairwise(found)) if a.atlas is not b.atlas]
+    assert len(edges) == 2
+    for name in ("central", "ratio", "moment"):
+        steps = [np.log(getattr(b, name) / getattr(a, name)) for a, b in pairwise(found)]
+        for i in edges:
+            beside = steps[i - 1], steps[i + 1]
+            assert min(beside) - 0.002 < steps[i] < max(beside) + 0.002
+    assert all(one.error <= 0.2 for one in found)
+    assert min(one.error for one in found) < 0.01
+
+
+def test_other_laws_have_the_formulas_alone():
+    barus = contact(300.0)
+    barus = replace(barus, lubricant=replace(barus.lubricant, viscosity_law=ViscosityLaw.BARUS))
+    assert numbers(barus).error == 0.2
+    assert not numbers(barus).atlas
+
+
+def test_a_bearing_without_maps_has_films_of_the_atlas():
+    """As the solved ones, within the atlas's bars; and its torque."""
+    document = load_case("6208_full_ceramic").document
+    none = summary(run_case(case_of_document({**document, "ehl": {"film_maps": "none"}})))
+    solved = summary(run_case(case_of_document({**document, "ehl": {"film_maps": [0.0], "points": 257}})))
+    heaviest, known = none["contacts"][0], solved["contacts"][0]
+    assert (heaviest["film_origin"], known["film_origin"]) == ("atlas", "solved")
+    for name in ("central", "minimum"):
+        film, bar = (heaviest[f"film_{name}_{end}"] for end in ("um", "uncertainty_um"))
+        assert film == pytest.approx(known[f"film_{name}_um"], abs=bar + known[f"film_{name}_uncertainty_um"])
+    assert heaviest["points"] is heaviest["pressure_maximum_GPa"] is None
+    light = none["contacts"][5]
+    assert light["load_N"] < 20.0 and light["film_origin"] is light["film_central_um"] is None
+    assert any("films of the film atlas (film_origin) at 6 contacts" in message for message in none["messages"])
+    assert any("films of the film atlas at 6 and of formulas at 6" in message for message in none["messages"])
