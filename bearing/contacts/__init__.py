@@ -2,7 +2,9 @@
 
 contact       - one contact of a ball with a race, placed in the bearing's frame
 contacts      - the contacts of a solved bearing as lubricated contacts
+film_numbers  - film and rolling moment where no film is solved: film atlas, and formulas
 finite_bodies - difference of ring, ball and groove to half-spaces, radii of films with it
+formula_moment - moment that resists rolling in a flooded contact, by formulas
 hertz         - Hertz contacts of many balls at once
 motion        - the one kinematics of ball on race: rolling, sliding and spin of both
 shape         - curvatures and ellipse of a contact, as the laws of friction take them

@@ -7,8 +7,7 @@ cage        - balance of balls and cage: balls that the inner race does not driv
 coulomb     - Coulomb friction of ball and race over the Hertz ellipse, a potential
 equilibrium - traction equilibrium: speeds and loads of balls as the films drive them
 films       - friction law of solved films, and the balance of balls under it
-formula_films - films of formulas, where none is solved
-formula_moment - moment that resists rolling in a flooded contact, by formulas
+formula_films - films of atlas and formulas, where none is solved
 law         - the contract of every law of the friction of balls on races
 newton      - Newton's method for the balance of friction on balls: all balls at once
 race_tables - traction tables of a bearing's two races, at one temperature

@@ -1,57 +1,35 @@
 """Films for the friction of contacts whose film is not solved.
 
 The pressure is Hertz', the film flat. Its thickness, and the moment that resists rolling, are
-those of the film atlas where it covers the contact. Under less or more load than it covers, or for
-larger L, they are formulas times the ratio of atlas to formulas at the nearest contact that it
-covers, so that there is no step; for other oils and ellipses the formulas alone: the central film
-of Chittenden et al. (1985), or, in light contacts that they were not made for, that of
-Nijenbanning, Venner and Moes (1994) as corrected here, minimum over central film after Hamrock and
-Dowson (1977), the moment as `formula_moment` has it. Where the same contact was solved at another
+those of atlas and formulas (`contacts.film_numbers`). Where the same contact was solved at another
 speed or with another oil, film and moment are those of that solution times the ratio of these
 numbers here and there.
-
-The formulas alone, against solved films of 6208, 6306, 7012 AC, 6205, 6312 and 61808 (129 points,
-M 50 to 10 000): central films within 12 % but one (18 %), minimum films within 20 %.
 """
 
 from dataclasses import dataclass, replace
 from math import log
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
-from ehl.closed_form.film import (
-    film_chittenden_central,
-    film_hamrock_dowson_central,
-    film_hamrock_dowson_minimum,
-    film_nijenbanning_central,
-)
 from ehl.conditions import ContactConditions
 from ehl.options import SolverOptions
 from ehl.scaling import ScaledContact, scale_contact
 from ehl.solution import ContactSolution, ConvergenceRecord, FilmValue
-from ehl.traction.atlas.films import atlas_films, nearest_covered
 from ehl.traction.rolling_moment import rolling_moment
 
 from ..contacts.contact import BearingContact
+from ..contacts.film_numbers import THICKEST_FILM, film_numbers
+from ..contacts.formula_moment import flooded_moment
 from ..geometry import Array
-from .formula_moment import flooded_moment
 
 POINTS = 33  # along and across the ellipse [-]; 65 change the torque of a 6208 by 0.1 %
-# of R_x, the thickest film that counts: beyond, no elastohydrodynamic formula holds [-]
-THICKEST_FILM = 0.02
 # of Hertz' pressure, from which on a node counts to the contact, whose gap goes with the film;
 # ahead of it the gap is that of the bodies [-]
 CONTACT_PRESSURE = 0.01
-# of Nijenbanning's formula, fitted to what was solved in wide ellipses from M = 1 to 6 (0.785 to
-# 0.791) [-]
-LIGHT_CONTACT = 0.785
-FORMULA_ERROR = 0.2  # of the central film of the formulas alone [-], see above
 # of a scaled film, per unit of the logarithm of the speed [-]: from 3000 to 40 r/min the solved
 # films of a 6208 fall by 0.05 of that more slowly or faster than the formula
 WAY_ERROR = 0.05
-# of formulas scaled to the atlas, per unit of ln A and ln L beyond its range [-]
-BEYOND_ERROR = 0.1
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -126,78 +104,6 @@ def _known(film: float | None) -> float:
     """A film of a solution that converged [m]."""
     assert film is not None
     return film
-
-
-class FilmNumbers(NamedTuple):
-    """Of a flooded, isothermal contact whose film is not solved."""
-
-    central: float  # [m]
-    ratio: float | None  # minimum over central film [-]; None: not known
-    moment: float  # that resists rolling [N m]
-    error: float  # of the central film [-]
-    minimum_error: float  # of the minimum film [-]
-    atlas: bool  # whether they are those of the film atlas
-
-
-def film_numbers(conditions: ContactConditions, axes: tuple[float, float]) -> FilmNumbers:
-    """Film and moment of the atlas, or of formulas scaled to it at the nearest load that it
-    covers, or of formulas; `axes`: Hertz', across and along rolling [m].
-    """
-    own = _by_formulas(conditions, axes)
-    near, distance = nearest_covered(conditions)
-    if near is None:
-        return own
-    known = atlas_films(near)
-    there = own
-    if distance:
-        stretch = (near.load / conditions.load) ** (1.0 / 3.0)
-        there = _by_formulas(near, (stretch * axes[0], stretch * axes[1]))
-    central = known.central.value * own.central / there.central
-    ratio = known.minimum.value / known.central.value
-    if own.ratio is not None and there.ratio is not None:
-        ratio *= own.ratio / there.ratio
-    moment = own.moment
-    if known.rolling_moment is not None:
-        moment *= known.rolling_moment.value / there.moment
-    beyond = BEYOND_ERROR * distance
-    errors = [one.uncertainty / one.value + beyond for one in (known.central, known.minimum)]
-    return FilmNumbers(
-        central=central,
-        ratio=ratio,
-        moment=moment,
-        error=min(errors[0], FORMULA_ERROR),
-        minimum_error=min(errors[1], FORMULA_ERROR),
-        atlas=not distance,
-    )
-
-
-def _by_formulas(conditions: ContactConditions, axes: tuple[float, float]) -> FilmNumbers:
-    """Those of the formulas alone."""
-    central = formula_central(conditions)
-    counted = min(central, THICKEST_FILM * conditions.radius_x)
-    return FilmNumbers(
-        central=central,
-        ratio=_minimum_ratio(conditions),
-        moment=flooded_moment(conditions, *axes, counted),
-        error=FORMULA_ERROR,
-        minimum_error=FORMULA_ERROR,
-        atlas=False,
-    )
-
-
-def formula_central(conditions: ContactConditions) -> float:
-    """Central film of the formulas [m]: the thicker one, each is far too thin beyond its range."""
-    light = LIGHT_CONTACT * film_nijenbanning_central(conditions)
-    if conditions.lubricant.pressure_viscosity <= 0.0:
-        return light
-    return max(light, film_chittenden_central(conditions))
-
-
-def _minimum_ratio(conditions: ContactConditions) -> float | None:
-    """Minimum over central film of the formulas [-]; None without pressure-viscosity."""
-    if conditions.lubricant.pressure_viscosity <= 0.0:
-        return None
-    return film_hamrock_dowson_minimum(conditions) / film_hamrock_dowson_central(conditions)
 
 
 def _flat(conditions: ContactConditions, central: float, minimum: float | None) -> ContactSolution:

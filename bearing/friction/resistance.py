@@ -7,11 +7,9 @@ from dataclasses import dataclass
 from math import cos, pi
 
 import numpy as np
-import scipy
-
-from ehl import ContactConditions
 
 from ..contacts.contact import BearingContact
+from ..contacts.formula_moment import rolling_moment
 from ..geometry import Array, Bearing
 from ..quasistatic.solution import QuasistaticSolution
 
@@ -147,22 +145,6 @@ def land_rub(cage: Cage) -> float:
     """
     radius = 0.5 * (cage.land_diameter or 0.0)
     return cage.land_friction * (1.0 - cage.land_oil_share) * radius * cage.mass
-
-
-def rolling_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_x: float) -> float:
-    """Moment that resists rolling in a lubricated contact [N m], Biboulet and Houpert (2010),
-    elastohydrodynamic limit; its power is the moment times the rolling speed u_m/Rx.
-
-    Twice t = 1.8 beta^(-1/4) (2 a_y/Rx) (2 U)^(3/4) E' Rx^3, beta = (4/pi) E(m)/(1 + Rx/Ry), m = 1
-    - (a_x/a_y)^2, with the Hertz semi-axes across and along rolling [m]. t is Rx times the force
-    that the pressure flow pulls one body with; both are pulled (checked against solved contacts).
-    """
-    c = conditions
-    speed = c.lubricant.viscosity * c.entrainment_speed / (c.reduced_modulus * c.radius_x)
-    shape = min(semi_axis_x, semi_axis_y) / max(semi_axis_x, semi_axis_y)
-    beta = 4.0 / pi * float(scipy.special.ellipe(1.0 - shape**2)) / (1.0 + c.radius_x / c.radius_y)
-    width = 2.0 * semi_axis_y / c.radius_x
-    return 3.6 * beta**-0.25 * width * (2.0 * speed) ** 0.75 * c.reduced_modulus * c.radius_x**3
 
 
 def contact_rolling_power(contact: BearingContact) -> float:

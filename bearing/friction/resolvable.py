@@ -5,7 +5,7 @@ from dataclasses import replace
 from ehl.conditions import ContactConditions
 from ehl.scaling import scale_contact
 
-from .formula_films import formula_central
+from ..contacts.film_numbers import formula_central
 
 # Inlets are about H^(2/3) semi-axes long, H the film in units of a^2/Rx. Cells that they have at
 # least: where an error bar is asked for, and on a mesh that is given. A 6208 at 2000 N solves on

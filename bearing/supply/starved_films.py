@@ -9,7 +9,7 @@ import numpy as np
 from ehl import ContactSolution, ViscosityLaw
 
 from ..contacts.contact import BearingContact
-from ..friction.formula_films import film_numbers
+from ..contacts.film_numbers import film_numbers
 from ..geometry import Race
 from ..quasistatic.solution import QuasistaticSolution
 from .supply import InletFilm, Supply, supplied_shares

@@ -297,9 +297,7 @@ def _absent_films(results: BearingResults) -> Iterator[str]:
     complete = results.quasistatic.converged and not results.interrupted
     absent: dict[tuple[str, str], list[str]] = {}
     formulas = results.formula_films or (None,) * len(results.contacts)
-    pairs = zip(results.solutions, formulas, strict=True)
-    known = [film or by_formula for film, by_formula in pairs]
-    for contact, solution in zip(results.contacts, known, strict=True):
+    for contact, solution in zip(results.contacts, results.films, strict=True):
         reason = contact.note or "not asked for by [ehl] film_maps"
         if contact.conditions is not None and too_thick(contact.conditions):
             reason = "too light a contact for its speed: by formula the film is beyond 2 % of R_x"

@@ -8,8 +8,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from bearing.contacts.film_numbers import film_numbers
 from bearing.contacts.hertz import hertz_contacts
-from bearing.friction.formula_films import film_numbers
 from bearing.library.lubricants import library_lubricant
 from cases import load_case, run_case
 from cases.format.case import case_of_document

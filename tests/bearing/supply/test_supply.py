@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from bearing import Operation, contact_conditions, solve_quasistatic
+from bearing.contacts.film_numbers import film_numbers
 from bearing.friction.asperities import asperity_share
-from bearing.friction.formula_films import film_numbers
 from bearing.heating.heat_balance import HIGHEST_TEMPERATURE, Cooling, heat_balance
 from bearing.supply.starved_films import least_lambda, mean_share, of_driven_balls, starved_films
 from bearing.supply.supply import InletFilm, Supply, cavity_volume, compression, oil_fraction, supplied_shares
