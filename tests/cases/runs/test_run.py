@@ -43,7 +43,7 @@ def unsheared(monkeypatch):
         "cases.runs.bearing._tractions", lambda _case, _state, contacts, _films, _balanced: (None,) * len(contacts)
     )
     monkeypatch.setattr("cases.runs.bearing._torque", lambda *_: None)
-    monkeypatch.setattr("cases.runs.bearing._conductances", lambda *_: None)
+    monkeypatch.setattr("cases.runs.bearing._running", lambda *_: None)
     monkeypatch.setattr("cases.runs.contact._contact_traction", lambda *_: None)
 
 
