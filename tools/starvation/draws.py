@@ -50,6 +50,7 @@ def outcome(job: tuple[Draw, float]) -> dict[str, object]:
         "outcome": "converged",
         "resolved": film.resolved,
         "share": share,
+        "inlet_ratio": None if supply is None else supply.inlet_ratio,
         "mass": film.record.mass_imbalance,
         "seconds": film.record.wall_time,
     }
@@ -73,8 +74,8 @@ def main(seed: int, number: int, file: Path) -> None:
     resolved = [one for one in solved if one["resolved"]]
     balanced = sum(abs(one["mass"]) <= MASS for one in solved)
     print(f"{len(solved)} converged, {len(resolved)} of them resolved; oil balanced to {MASS:g} in {balanced}")
-    over = [one["share"] / one["r"] for one in resolved if one["share"] is not None]
-    print(f"resolved, share over r: largest {max(over):.3f}")
+    over = [one["share"] / one["inlet_ratio"] for one in resolved if one["share"] is not None]
+    print(f"resolved, share over solved r: largest {max(over):.3f}")
     seconds = [one["seconds"] for one in known if "seconds" in one]
     print(f"seconds: median {np.median(seconds):.2f}, largest {max(seconds):.1f}")
 
