@@ -11,6 +11,7 @@ The formulas alone, against solved films of 6208, 6306, 7012 AC, 6205, 6312 and 
 M 50 to 10 000): central films within 12 % but one (18 %), minimum films within 20 %.
 """
 
+from functools import lru_cache
 from typing import NamedTuple
 
 from ehl.closed_form.film import (
@@ -45,6 +46,7 @@ class FilmNumbers(NamedTuple):
     atlas: bool  # whether they are those of the film atlas
 
 
+@lru_cache(maxsize=256)
 def film_numbers(conditions: ContactConditions, axes: tuple[float, float]) -> FilmNumbers:
     """Film and moment of the atlas, or of formulas scaled to it at the nearest load that it
     covers, or of formulas; `axes`: Hertz', across and along rolling [m].

@@ -1,6 +1,7 @@
 """Moment of Kapitza's (1955) pressure ahead of rigid bodies, up to the meniscus of the oil."""
 
 from collections.abc import Callable
+from functools import cache
 from math import pi
 
 import numpy as np
@@ -11,7 +12,7 @@ from .oil_extent import Sections
 
 RAYS = 48  # of a quarter, by Gauss and Legendre [-]
 NODES = 48  # of each, in the logarithm of the distance [-]
-HALVINGS = 50  # of the interval that holds the meniscus
+HALVINGS = 32  # of the interval that holds the meniscus: to 2e-10 of it
 NEAREST = 0.03  # of the distance at which the gap is twice the film: what is within is left out
 
 
@@ -27,7 +28,7 @@ def kapitza_moment(
     if film >= layer:
         return 0.0
     # 1. rays of a quarter from the centre, their gap and the distance of the meniscus
-    places, weights = np.polynomial.legendre.leggauss(RAYS)
+    places, weights = _nodes(RAYS)
     angle = 0.25 * pi * (places + 1.0)
     cosine = np.cos(angle)
     curvature = cosine**2 / c.radius_x + np.sin(angle) ** 2 / c.radius_y
@@ -38,13 +39,20 @@ def kapitza_moment(
     end = _meniscus(film, layer, quadratic, bodies, excess)
     # 2. int K cos^2 r^3/h^2 dr over the rays, in even steps of ln(r)
     start = np.minimum(NEAREST * np.sqrt(2.0 * film / curvature), end)
-    steps, shares = np.polynomial.legendre.leggauss(NODES)
+    steps, shares = _nodes(NODES)
     span = np.log(end / start)[:, None]
     r = start[:, None] * np.exp(0.5 * span * (steps + 1.0))
     radial = np.sum(0.5 * span * shares * r**4 / _gap(film, r, quadratic, excess) ** 2, axis=1)
     strength = 12.0 * c.lubricant.viscosity * c.entrainment_speed
     strength = strength / (3.0 + 2.0 * c.radius_x / c.radius_y)
     return float(2.0 * strength * np.sum(0.25 * pi * weights * cosine**2 * radial))
+
+
+@cache
+def _nodes(count: int) -> tuple[Array, Array]:
+    """Gauss and Legendre's places and weights on [-1, 1], shape (count,) each [-]."""
+    places, weights = np.polynomial.legendre.leggauss(count)
+    return places, weights
 
 
 Excess = Callable[[Array, float], Array]  # of a gap over the paraboloids' [m]
