@@ -20,7 +20,6 @@ from ehl.traction.rolling_moment import rolling_moment
 
 from ..contacts.contact import BearingContact
 from ..contacts.film_numbers import THICKEST_FILM, film_numbers
-from ..contacts.formula_moment import flooded_moment
 from ..geometry import Array
 
 POINTS = 33  # along and across the ellipse [-]; 65 change the torque of a 6208 by 0.1 %
@@ -82,8 +81,6 @@ def formula_film(
         way = log(there.entrainment_speed / conditions.entrainment_speed)
         error = base.film_central_dimensionless.relative_uncertainty + WAY_ERROR * abs(way)
         least = error
-    elif central > limit:
-        moment = flooded_moment(conditions, *axes, limit)
     central = min(central, limit)
     minimum = None if ratio is None else min(ratio, 1.0) * central
     return FormulaFilm(

@@ -3,7 +3,7 @@ cage and churning.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos, pi
 
 import numpy as np
@@ -51,17 +51,19 @@ class Resistance:
         """Power [W] that the balls give to a cage that turns at a speed [rad/s] against the drag
         of its land.
         """
-        return self._land_torque(solution, cage_speed) * cage_speed
+        slip = cage_speed - self.guiding_speed(solution)
+        return self.land_torque(slip, cage_speed) * cage_speed
 
     def guiding_power(self, solution: QuasistaticSolution, cage_speed: float) -> float:
         """Power [W] that the guiding ring gives to the land of a cage at a speed [rad/s]."""
-        return -self._land_torque(solution, cage_speed) * self.guiding_speed(solution)
+        ring = self.guiding_speed(solution)
+        return -self.land_torque(cage_speed - ring, cage_speed) * ring
 
-    def _land_torque(self, solution: QuasistaticSolution, cage_speed: float) -> float:
-        """On the cage, against its slip [N m]: oil by Petroff, and dry by Coulomb under the
-        weight of the cage and the centrifugal force of a cage that lies on its land.
+    def land_torque(self, slip: float, cage_speed: float) -> float:
+        """On the cage, against its slip over the land [N m], at speeds [rad/s]: oil by Petroff,
+        and dry by Coulomb under the weight of the cage and the centrifugal force of a cage that
+        lies on its land.
         """
-        slip = cage_speed - self.guiding_speed(solution)
         load = STANDARD_GRAVITY + self.play * cage_speed**2
         return float(self.land * slip + self.rub * load * np.sign(slip))
 
@@ -110,8 +112,12 @@ def resistance_of(
     ball = ball_drag(bearing, density, oil_fraction or 0.0)
     if cage is None:
         return Resistance(ball=ball)
+    return replace(_cage_resistance(cage, viscosity), ball=ball)
+
+
+def _cage_resistance(cage: Cage, viscosity: float) -> Resistance:
+    """Of land and pockets, by the oil's viscosity [Pa s]."""
     return Resistance(
-        ball=ball,
         land=land_drag(cage, viscosity),
         rub=land_rub(cage),
         play=cage.land_clearance or 0.0,
@@ -182,9 +188,8 @@ def land_power(cage: Cage, viscosity: float, ring_speed: float, cage_speed: floa
     """Power sheared and rubbed in the guiding lands [W] at a viscosity [Pa s] and speeds of the
     guiding ring and the cage [rad/s].
     """
-    slip = abs(ring_speed - cage_speed)
-    load = STANDARD_GRAVITY + (cage.land_clearance or 0.0) * cage_speed**2
-    return (land_drag(cage, viscosity) * slip + land_rub(cage) * load) * slip
+    slip = cage_speed - ring_speed
+    return _cage_resistance(cage, viscosity).land_torque(slip, cage_speed) * slip
 
 
 def pocket_power(

@@ -35,7 +35,9 @@ def films_torque(
     known = [film for film in running if film is not None]
     by_formula = sum(film.formula for film in known)
     by_atlas = sum(film.atlas for film in known)
-    return replace(shear, by_formula=by_formula, by_atlas=by_atlas, lubricated=len(known))
+    return replace(
+        shear, films=running, by_formula=by_formula, by_atlas=by_atlas, lubricated=len(known)
+    )
 
 
 def films_as_they_run(

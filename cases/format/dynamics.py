@@ -23,7 +23,7 @@ from .fields import (
 )
 from .friction import SIMULATED, FrictionTable
 from .problems import CaseFault, shown
-from .rules import Below, CaseValues, Excludes, Needs, Where, bounded
+from .rules import Below, CaseValues, Excludes, Needs, OnlyWith, Relation, Where, bounded
 
 
 class DynamicsTable(Table):
@@ -117,7 +117,8 @@ RENAMED = {  # earlier keys, accepted for one version, and those of [friction] i
     "friction_limit": "traction_limit",
     "friction_coefficient": "coefficient",
 }
-RELATIONS = (
+RELATIONS: tuple[Relation, ...] = (
+    OnlyWith("cage.land_oil_share", (Where("cage.pocket_friction"),), default=1.0),
     Excludes("dynamics.ball_drag_N", "dynamics.mixture_density_kg_m3"),
     Below("dynamics.friction_dead_band_m_s", "dynamics.friction_full_m_s", low_default=0.0),
     *(

@@ -106,7 +106,7 @@ def _in_balance(results: BearingResults, case: Case) -> BearingResults:
         return replace(results, heating=replace(heating, balance=balance, note=note))
     state = results.quasistatic
     contacts = results.contacts
-    running = _running(case, state, contacts, results.films)
+    running = _running(case, state, contacts, results.films, results.torque)
     printed = _printed(case, state, contacts, results.torque, running)
     assert printed is not None
     return replace(results, heating=at_its_balance(heating, case, printed))
@@ -268,7 +268,7 @@ def _friction(
     timing["strength"] = perf_counter() - start - timing["torque"]
     if case.heating is not None:
         notify(0, 1, "self-heating")
-    running = _running(case, state, contacts, films.known)
+    running = _running(case, state, contacts, films.known, torque)
     printed = _printed(case, state, contacts, torque, running)
     heating = self_heated(case, printed) if state.converged else None
     return {
@@ -286,12 +286,15 @@ def _running(
     state: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     films: Sequence[ContactSolution | FormulaFilm | None],
+    torque: TorqueBreakdown | None,
 ) -> RunningFilms | None:
-    """Films as they run, for the heat in and through them; None where that is not known."""
+    """Films as they run, those of the torque where it has them; None where heat is not known."""
     if case.friction is None or not state.converged:
         return None
     if case.heating is None and not _conducts(case):
         return None
+    if torque is not None and torque.shear is not None and torque.shear.films:
+        return torque.shear.films
     return films_as_they_run(state, contacts, films, case.friction, case.inlet)
 
 

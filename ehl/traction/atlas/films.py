@@ -218,8 +218,8 @@ def _of_circles(
     """The moment [N m] of paraboloids less what Kapitza's pressure loses in the gap of circles, by
     film and layer [m].
     """
-    both = (kapitza_moment(conditions, film, layer, circles=circles) for circles in (False, True))
-    lost = next(both) - next(both)
+    flat = kapitza_moment(conditions, film, layer, circles=False)
+    lost = flat - kapitza_moment(conditions, film, layer)
     return AtlasValue(moment.value - lost, moment.uncertainty + CIRCLES * abs(lost))
 
 

@@ -498,6 +498,15 @@ def test_what_a_dry_land_needs(land, key):
         case_of_document({**document, "cage": {k: v for k, v in cage.items() if k in land or k in document["cage"]}})
 
 
+def test_a_dry_land_belongs_to_a_cage_with_pockets():
+    """Without the pockets' friction no cage brakes a quasi-static bearing: the key would be without effect."""
+    document = load_case("6208_oil_supply").document
+    cage = {k: v for k, v in document["cage"].items() if k != "pocket_friction"}
+    dry = {"land_oil_share": 0.5, "land_friction": 0.1, "mass_g": 9.0}
+    with pytest.raises(CaseError, match=r"cage\.land_oil_share"):
+        case_of_document({**document, "cage": {**cage, **dry}})
+
+
 @pytest.mark.parametrize("name", ["supply_track_share_least", "supply_track_share_most"])
 def test_a_band_needs_a_flow(name):
     with pytest.raises(CaseError, match=name):

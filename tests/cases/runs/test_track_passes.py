@@ -89,6 +89,7 @@ def test_without_a_track_there_are_no_passes():
         ({"[ehl]": "[ehl]\ntrack_loss = 0.1"}, "ehl.track_loss"),
         ({"[ehl]": "[ehl]\ntrack_passes = 3\ntrack_added_um = 0.1"}, "ehl.track_added_um"),
         ({"[ehl]": '[ehl]\ntrack_passes = 3\nstarvation = "tabulated"'}, "ehl.starvation"),
+        ({"[ehl]": '[ehl]\ntrack_passes = 3\nfilm_model = "shear-thinning"'}, "ehl.film_model"),
         ({"[ehl]": "[ehl]\ntrack_passes = 3", "[lub": "entrainment_angle_deg = 20.0\n[lub"}, "ehl.track_passes"),
     ],
 )
