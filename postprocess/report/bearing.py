@@ -29,6 +29,8 @@ FILM_PICTURES = {
 ERROR_BARS = (
     "Error bars enclose the distance to the film on an infinitely fine grid of the same equations."
 )
+# where a film is of that was not solved
+UNSOLVED = {"atlas": "of the film atlas", "formula": "of a formula"}
 BLOCKS = {
     "life": "Rating life",
     "duty_cycle": "Duty cycle",
@@ -220,11 +222,18 @@ def _convergence(summary: dict[str, Any]) -> str:
 
 
 def _convergence_cells(contact: dict[str, Any]) -> list[str]:
-    start, end, half_width = (html.number(length, 3) for length in contact["domain"])
+    """Nodes, box and error bars of one film; one without a solve names its origin instead."""
+    nodes = box = html.NOTHING
+    if contact["domain"] is None:
+        box = html.text(UNSOLVED.get(contact.get("film_origin")))
+    else:
+        nodes = " × ".join(map(str, contact["points"]))
+        start, end, half_width = (html.number(length, 3) for length in contact["domain"])
+        box = f"{start} … {end}; ±{half_width}"
     return [
         f"{contact['ball']} {contact['race']}",
-        " × ".join(map(str, contact["points"])),
-        f"{start} … {end}; ±{half_width}",
+        nodes,
+        box,
         *(_relative_error(contact, f"film_{film}") for film in ("central", "minimum")),
         *(html.text(contact.get(state)) for state in ("converged", "resolved")),
     ]
@@ -233,7 +242,7 @@ def _convergence_cells(contact: dict[str, Any]) -> list[str]:
 def _relative_error(contact: dict[str, Any], film: str) -> str:
     value = contact[f"{film}_um"]
     error = contact[f"{film}_uncertainty_um"]
-    if not value:
+    if not value or error is None:
         return html.NOTHING
     percent = 100.0 * error / value
     return f"{percent:.0f}" if percent >= WHOLE_PERCENT else html.number(percent, 2)

@@ -97,6 +97,16 @@ def test_the_page_says_what_the_summary_says(folder):
     assert document["oilfilm"] in words
 
 
+def test_a_film_without_a_solve_names_its_origin_in_place_of_a_mesh(folder, tmp_path):
+    copy = tmp_path / "copy"
+    shutil.copytree(folder, copy)
+    document = json.loads((copy / SUMMARY_FILE).read_text(encoding="utf-8"))
+    document["contacts"][0] |= {"film_origin": "atlas", "domain": None, "points": None}
+    document["contacts"][0] |= {"film_central_uncertainty_um": None}
+    (copy / SUMMARY_FILE).write_text(json.dumps(document), encoding="utf-8")
+    assert "of the film atlas" in Page(report_page(copy)).words
+
+
 def test_assumed_values_are_marked(folder):
     page = report_page(folder)
     marked = re.findall(r'<tr class="assumed"><td>([^<]*)<span', page)
