@@ -225,7 +225,7 @@ def _convergence_cells(contact: dict[str, Any]) -> list[str]:
     """Nodes, box and error bars of one film; one without a solve names its origin instead."""
     nodes = box = html.NOTHING
     if contact["domain"] is None:
-        box = html.text(UNSOLVED.get(contact.get("film_origin")))
+        box = html.text(UNSOLVED.get(str(contact.get("film_origin"))))
     else:
         nodes = " × ".join(map(str, contact["points"]))
         start, end, half_width = (html.number(length, 3) for length in contact["domain"])
