@@ -65,7 +65,12 @@ NOT_HERE = (
     (r"(?:12|13|22|23)\d\d(?!\d)", "a self-aligning ball bearing; here are rigid ones"),
     (r"(?:32|33|42|43|52|53)\d\d(?!\d)", "a bearing of two rows; here are single ones and pairs"),
     (r"(?:HS|XCS|RS)\d", "a high-speed bearing with smaller balls than the series have here"),
-    (r"(?:70|72|73|719|79)\d\d", "the letters of its contact angle are missing or not known"),
+    (r"16[01]\d\d(?!\d)", "a bearing of the series 160 or 161, which are not among those here"),
+    (
+        r"(?:70|72|73|719|79)\d\d",
+        "the letters of its contact angle are missing or not known: C is 15 deg, AC 25, B 40",
+    ),
+    (r"(?:60|62|63)\d(?!\d)", "its bore is below 10 mm"),
     ("|".join(sorted({*SERIES, *SYNONYMS})), "its bore or a suffix is not known"),
 )
 
@@ -181,5 +186,18 @@ def _set(match: re.Match[str]) -> dict[str, object]:
 
 def why_unknown(text: str) -> str:
     """What a designation that is not known seems to be; empty if nothing can be said."""
-    plain = re.sub(rf"^(?:(?:{MAKERS}) ?)", "", " ".join(text.upper().split()))
+    plain = _without_maker(text)
     return next((why for pattern, why in NOT_HERE if re.match(pattern, plain)), "")
+
+
+def series_and_bore(text: str) -> Designation | None:
+    """Series and bore with which a designation begins, whatever follows; None without them."""
+    series = "|".join(sorted({*SERIES, *SYNONYMS}, key=len, reverse=True))
+    match = re.match(rf"(?:HCB?|XCB?|B)?({series})(\d\d)(?!\d)", _without_maker(text))
+    if match is None:
+        return None
+    return Designation(series=SYNONYMS.get(match[1], match[1]), bore_number=int(match[2]))
+
+
+def _without_maker(text: str) -> str:
+    return re.sub(rf"^(?:(?:{MAKERS}) ?)", "", " ".join(text.upper().split()))

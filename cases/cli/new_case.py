@@ -7,17 +7,14 @@ from typing import Any
 
 from bearing.library.bearings import load_catalogue_entry, named_designation
 from bearing.library.catalogue import boundary_dimensions, with_designation
-from bearing.library.designation import Designation
+from bearing.library.designation import Designation, series_and_bore
 from bearing.rating.geometry_estimate import CatalogueData, estimate_bearing
 
 from .first_operation import BearingKind, FirstOperation, first_tables, typical
 
 SPINDLE_SERIES = ("70", "719")
 SPINDLE_ANGLE = 26.0  # of bearings known by their size that count likewise [deg]
-BY_SIZE = (
-    "a bearing by its size: oilfilm init NAME --bore 25 --outside 47 --width 8 [mm], with "
-    "--angle 15 of angular contact [deg], --C and --C0 if known [kN]"
-)
+EXAMPLE_SIZE = (25.0, (47.0, 8.0))  # bore, outside diameter and width of an example [mm]
 PRECISE = ("P5", "P4", "P2")
 PRELOADS = {"DB": ("+x", "-x"), "DF": ("-x", "+x"), "DT": ("+x", "+x")}
 # keys of an entry that a case file shows, in this order
@@ -62,15 +59,27 @@ def case_of_designation(name: str, given: FirstOperation) -> str:
     try:
         entry = load_catalogue_entry(name)
     except ValueError as error:
-        raise ValueError(f"{error}; {BY_SIZE}") from None
+        raise ValueError(f"{error}; {_by_size(name)}") from None
     designation = named_designation(entry["name"])
     if designation is not None:
         outside, width = boundary_dimensions()[designation.dimension_series, designation.bore]
         size = {"bore_mm": designation.bore, "outside_diameter_mm": outside, "width_mm": width}
         entry = _with_normal_clearance({**size, **entry}, designation)
     if "width_mm" not in entry:
-        raise ValueError(f"bearing {entry['name']!r}: its source gives no width; {BY_SIZE}")
+        raise ValueError(f"bearing {entry['name']!r}: its source gives no width; {_by_size(name)}")
     return _text(entry["name"], entry, designation, given)
+
+
+def _by_size(name: str) -> str:
+    """How to make the case by size, with the dimensions of this bearing where they are known."""
+    begins = series_and_bore(name)
+    size = begins and boundary_dimensions().get((begins.dimension_series, begins.bore))
+    bore, (outside, width) = (begins.bore, size) if begins and size else EXAMPLE_SIZE
+    return (
+        f"a bearing by its size: oilfilm init NAME --bore {bore:g} --outside {outside:g} "
+        f"--width {width:g} [mm], with --angle 30 if of angular contact [deg], --C and --C0 if "
+        "known [kN]"
+    )
 
 
 def case_of_dimensions(size: BoundaryDimensions, given: FirstOperation) -> str:
