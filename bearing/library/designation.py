@@ -40,6 +40,7 @@ TOLERANCES = {
     "P4A": "P4", "P4S": "P4", "P4": "P4", "PA9A": "P2", "P2": "P2",
 }  # fmt: skip
 CONTACT_SEALS = ("2RS1", "2RSR", "2RSH", "2RS", "DDU", "DDW", "DD", "LLU", "LLH", "EE")
+SHIELDS = ("2RSL", "2RZ", "2ZR", "2Z", "ZZ", "VV", "LLB")  # with seals that do not rub
 HYBRID = ("HYBRID", "HC5", "HC")
 FULL_CERAMIC = ("FULLCERAMIC", "CERAMIC")
 # sets of two, and how far they are preloaded
@@ -48,9 +49,9 @@ PRELOADS = {"A": "light", "B": "medium", "C": "heavy", "L": "light", "M": "mediu
 SETS = "(?P<set>DB|DF|DT|DU|DG|SU|U|G) ?G?(?P<preload>[ABCLMH])|(?P<alone>DB|DF|DT)"
 WITHOUT_EFFECT = (
     # current insulation, grease, packing
-    r"VL\d{4}|VJ?\d{3,4}|LHT\d+|MT\d+|GJN|WT|5K|2AS|NS7S?|NS|AV2S?|L\d{3}|S\d|"
-    # shields and seals that do not touch, one seal alone
-    "2ZR|2RSL|2RZ|2Z|ZZ|VV|LLB|RS1|RSR|RSH|RSL|RS|RZ|ZR|DU|LU|LB|Z|V|"
+    r"VL\d{4}|V[JT]?\d{3,4}|LHT\d+|HT\d*|LT\d*|MT\d+|GJN|WT|5K|2AS|NS7S?|NS|AV2S?|L\d{3}|S\d|"
+    # one seal or shield alone
+    "RS1|RSR|RSH|RSL|RS|RZ|ZR|DU|LU|LB|Z|V|"
     # cages, snap rings
     "TN9|TNH|TVP2|TVP|TVH|TYN|TR|TN|TA|MPA|MPB|MA|MB|JR|PHAS|PH|BP|J|M|Y|T|P|F|NR|N|W|DG|U|G"
 )
@@ -85,6 +86,7 @@ class Designation:
     clearance_class: str | None = None
     tolerance_class: str | None = None
     sealed: bool = False  # contact seals on both sides
+    greased: bool = False  # seals or shields on both sides, filled with grease by the maker
     balls: str = ""  # "hybrid", "full ceramic" or empty
     arrangement: str = ""  # of a set of two: DB, DF, DT, or empty
     preload_class: str | None = None  # light, medium, heavy
@@ -151,8 +153,8 @@ def _with_suffixes(read: Designation, rest: str) -> Designation | None:
     words: dict[str, dict[str, object]] = {
         **{word: {"tolerance_class": name} for word, name in TOLERANCES.items()},
         **{word: {"clearance_class": name} for word, name in CLEARANCES.items()},
-        **{key: {"sealed": True} for key in CONTACT_SEALS},
-        "2RSL": {},  # SKF's seals of low friction, which begin as those that rub
+        **{key: {"sealed": True, "greased": True} for key in CONTACT_SEALS},
+        **{key: {"greased": True} for key in SHIELDS},
         **{key: {"balls": "hybrid"} for key in HYBRID},
         **{key: {"balls": "full ceramic"} for key in FULL_CERAMIC},
     }

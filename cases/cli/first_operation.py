@@ -1,8 +1,8 @@
 """Speed, loads, oil and cooling of a new case, chosen by its speed factor n d_m.
 
-Up to `BATH_SPEED_FACTOR` an oil bath to the middle of the lowest ball, or the grease of a sealed
-bearing; beyond it oil that circulates through a jet and takes the heat along. The oil is the grade
-whose viscosity at 70 C comes nearest to kappa = 2 of ISO 281.
+Up to `BATH_SPEED_FACTOR` an oil bath to the middle of the lowest ball, or the grease of a bearing
+with seals or shields on both sides; beyond it oil that circulates through a jet and takes the heat
+along. The oil is the grade whose viscosity at 70 C comes nearest to kappa = 2 of ISO 281.
 """
 
 from collections.abc import Mapping
@@ -51,7 +51,7 @@ class BearingKind:
     spindle: bool  # of a series of machine spindles
     pair: bool  # two bearings that carry axial load both ways
     rows: int  # bearings side by side
-    sealed: bool
+    greased: bool  # for life, by its maker
 
 
 def first_tables(
@@ -62,10 +62,10 @@ def first_tables(
     if speed is None:
         factor = SPINDLE_SPEED_FACTOR if kind.spindle else FIRST_SPEED_FACTOR
         speed = two_digits(factor / entry["pitch_diameter_mm"])
-    circulating = speed * entry["pitch_diameter_mm"] > BATH_SPEED_FACTOR and not kind.sealed
+    circulating = speed * entry["pitch_diameter_mm"] > BATH_SPEED_FACTOR and not kind.greased
     grade = _grade(speed, entry["pitch_diameter_mm"])
     return {
-        "lubricant": _lubricant(grade, sealed=kind.sealed),
+        "lubricant": _lubricant(grade, greased=kind.greased),
         "operation": _operation(entry, kind, given, speed),
         "friction": {
             **(_circulation(entry, kind, speed, grade) if circulating else _bath(entry, kind)),
@@ -74,8 +74,8 @@ def first_tables(
     }
 
 
-def _lubricant(grade: str, *, sealed: bool) -> dict[str, str]:
-    kind = {"grease": '"lithium mineral 100"'} if sealed else {"name": f'"{grade}"'}
+def _lubricant(grade: str, *, greased: bool) -> dict[str, str]:
+    kind = {"grease": '"lithium mineral 100"'} if greased else {"name": f'"{grade}"'}
     return {**kind, "contamination_factor": typical("contamination_factor")}
 
 
@@ -104,8 +104,8 @@ def _operation(
 
 
 def _bath(entry: Mapping[str, Any], kind: BearingKind) -> dict[str, str]:
-    """Oil to the middle of the lowest ball, as makers advise; nothing of a sealed bearing."""
-    if kind.sealed:
+    """Oil to the middle of the lowest ball, as makers advise; nothing of a greased bearing."""
+    if kind.greased:
         return {}
     level = 0.5 * entry["ball_diameter_mm"]
     return {

@@ -186,13 +186,13 @@ def _kind(entry: Mapping[str, Any], designation: Designation | None) -> BearingK
     angular = entry["type"] == "angular contact"
     if designation is None:
         spindle = angular and entry["free_contact_angle_deg"] <= SPINDLE_ANGLE
-        return BearingKind(angular=angular, spindle=spindle, pair=False, rows=1, sealed=False)
+        return BearingKind(angular=angular, spindle=spindle, pair=False, rows=1, greased=False)
     return BearingKind(
         angular=angular,
         spindle=designation.series in SPINDLE_SERIES,
         pair=designation.arrangement in ("DB", "DF"),
         rows=2 if _is_set(designation) else 1,
-        sealed=designation.sealed,
+        greased=designation.greased,
     )
 
 

@@ -236,6 +236,16 @@ def test_letters_of_a_set_are_not_read_as_those_of_the_angle(text, angle, arrang
     assert (read.angle_suffix, read.arrangement, read.preload_class) == (angle, arrangement, preload)
 
 
+@pytest.mark.parametrize("name", ["6200-2Z/C3VT143", "6305ZZ", "6205-2RS1/C3HT", "6204LLB", "6206-2RSLTN9"])
+def test_seals_or_shields_on_both_sides_hold_grease(name):
+    assert read_designation(name).greased
+
+
+@pytest.mark.parametrize("name", ["6205", "6205-Z", "6205-RS1", "7206B"])
+def test_open_bearings_are_not_greased(name):
+    assert not read_designation(name).greased
+
+
 def test_low_friction_seals_do_not_rub():
     assert not read_designation("6205-2RSLTN9/C3").sealed
     assert read_designation("6205-2RSH/C3").sealed

@@ -447,6 +447,12 @@ def test_suffixes_need_no_quotes_and_the_source_names_one_clearance(tmp_path):
     assert case["source"].count("clearance: ") == 1
 
 
+def test_a_shielded_bearing_runs_on_grease(tmp_path):
+    case = written(tmp_path, "--bearing", "6200-2Z")
+    assert "grease" in case["lubricant"]
+    assert "oil_level_mm" not in case["friction"]
+
+
 def test_the_name_may_stand_behind_the_designation(tmp_path):
     assert oilfilm("init", "--bearing", "6205", "C3", "m3").exit_code == 0
     behind = tomllib.loads((tmp_path / "m3.toml").read_text(encoding="utf-8"))
