@@ -225,8 +225,8 @@ def _remarks(
         yield f"{null} ISO 281 has no factor below kappa {SMALLEST_KAPPA}"
     if share > LARGEST_LOAD_SHARE:
         yield (
-            f"life: the equivalent load is {share:.2f} of the dynamic rating, more than the "
-            f"{LARGEST_LOAD_SHARE} of ISO 281"
+            f"life: the equivalent load is {share:.3g} of the dynamic rating, beyond ISO 281, "
+            f"which ends at {LARGEST_LOAD_SHARE}"
         )
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator
 from typing import Any
 
+from bearing.library.bearings import named_designation
 from bearing.rating.film_life import ContactKappa, FilmLife, film_life
 from bearing.rating.life import LARGEST_A_ISO, LARGEST_KAPPA
 from bearing.rating.relubrication import relubrication_interval
@@ -35,6 +36,13 @@ def interval_of(results: BearingResults) -> float | None:
         return None
     operation = results.quasistatic.operation
     return relubrication_interval(bore, operation.shaft_speed, operation.temperature)
+
+
+def _sealed(results: BearingResults) -> bool:
+    """Whether seals or shields on both sides keep the first grease in, and any other out."""
+    designation = named_designation(results.quasistatic.bearing.name or "")
+    seals = (results.case.get("friction") or {}).get("sealed")
+    return bool(seals) or (designation is not None and designation.greased)
 
 
 def life_by_films(results: BearingResults) -> FilmLife | None:
@@ -150,7 +158,10 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
             rows["rating life"] += f", a_ISO {known['a_iso']:.3g}{limit}"
         rows["rating life"] += ")"
     if (interval := interval_of(results)) is not None:
-        rows["relubrication"] = f"every {hours(from_si(RELUBRICATION, interval))}"
+        time = hours(from_si(RELUBRICATION, interval))
+        rows |= (
+            {"grease for life": time} if _sealed(results) else {"relubrication": f"every {time}"}
+        )
     if known["static_safety_factor"] is not None:
         rows["static safety"] = f"S_0 {known['static_safety_factor']:.3g}"
         if known["static_safety"] is not None:

@@ -118,7 +118,8 @@ def _contact_cell(record: ContactRecord, key: str, most: int) -> str:
     if key.startswith("film_"):
         error = CONTACT_QUANTITY[key.replace("_um", "_uncertainty_um")].value(record)
         return value_with_error(value, error, most=most)
-    return number(value + 0.0, TERMINAL_COLUMNS[key])
+    text = number(value, TERMINAL_COLUMNS[key])
+    return text if text.strip("-0.") else text.removeprefix("-")  # no minus before a zero
 
 
 def _flags(solution: ContactSolution | None) -> str:

@@ -294,7 +294,7 @@ def test_what_is_null_has_a_reason(b6208, changes, rating, rpm, reason, nulls):
 
 def test_a_heavy_load_is_told(b6208):
     life = bearing_life(solve(b6208, 20000.0), OIL, RatingInput())
-    assert any("more than the 0.5 of ISO 281" in message for message in life.messages)
+    assert any("beyond ISO 281, which ends at 0.5" in message for message in life.messages)
 
 
 @pytest.mark.parametrize(

@@ -282,6 +282,15 @@ def test_load_cases_warm_themselves_or_keep_a_temperature_of_their_own():
     assert temperatures[0] > temperatures[1] + 10.0
 
 
+def test_a_shielded_bearing_is_greased_for_life():
+    text = CASE.replace('name = "6208"', 'name = "6208-2Z"') + '[friction]\nlubrication = "grease"\n'
+    rows = rating_rows(run_case(case(text)))
+    assert rows["grease for life"] == "5780 h"
+    assert "relubrication" not in rows
+    rows = rating_rows(run_case(case(text.replace("6208-2Z", "6208-Z"))))
+    assert rows["relubrication"] == "every 5780 h"
+
+
 def test_relubrication_only_with_grease():
     text = CASE.replace('name = "6208"', 'name = "6208"\nbore_mm = 40.0')
     found = summary(run_case(case(text + '[friction]\nlubrication = "grease"\n')))

@@ -34,6 +34,11 @@ def test_bearing_fits_80_columns(bearing_results):
     assert "2.73" in text
 
 
+def test_an_angle_of_zero_has_no_sign(bearing_results):
+    contacts = tuple(replace(contact, contact_angle=-1e-6) for contact in bearing_results.contacts)
+    assert "-0.00" not in printed(replace(bearing_results, contacts=contacts))
+
+
 def test_narrow_error_bars_fit_80_columns(bearing_results):
     """Films known to 0.00012 um, as on the finest grids: shown with four decimals, the error rounded up."""
     known = {id(s): precise(s, 1.2e-10) for s in bearing_results.solutions if s is not None}
