@@ -34,6 +34,7 @@ from .shear_torque import (
     cage_driven_balls,
     imbalance_message,
     no_balance_message,
+    orbit_lag,
 )
 
 # why a law of friction lacks parts of the torque
@@ -194,6 +195,7 @@ def _balanced_shear(
         hypothesis=hypothesis,
         balanced=balanced,
         cage_driven=cage_driven_balls(solution, balance),
+        orbit_lag=orbit_lag(solution, balance),
         note=imbalance_message(balanced),
     )
 

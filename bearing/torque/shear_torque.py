@@ -110,6 +110,9 @@ class SolvedShear:
     by_formula: int = 0
     by_atlas: int = 0  # of these, that of the film atlas [-]
     lubricated: int = 0
+    # part by which the balls' orbits lag behind those of the hypothesis, seen from the outer ring,
+    # mean by load of the balls that the inner race drives [-]; None without a balance
+    orbit_lag: float | None = None
     note: str = ""  # why there is no balanced one, or why it does not count as one
     # why parts of the torque are None, by name
     missing_components: dict[str, str] = field(default_factory=dict)
@@ -128,9 +131,15 @@ class SolvedShear:
 
 
 def no_balance_message(balance: BalancedFriction) -> str:
-    """Why a search for the motion of the balls does not count: force left on a ball, push of the
-    cage [-].
+    """Why a search for the motion of the balls does not count: no ball that the inner race drives,
+    or force left on a ball and push of the cage [-].
     """
+    if not balance.driven.any():
+        return (
+            "the inner race can drive no ball against drag and rolling resistance, so that all "
+            "slide (more axial load, or less oil in the cavity); the hypothesis of the motion is "
+            "kept"
+        )
     return (
         f"no traction equilibrium found (residual {balance.residual:.1e}, push of the cage known "
         f"to {balance.cage_change:.1e} of it), the hypothesis of the motion is kept"
@@ -152,3 +161,14 @@ def imbalance_message(torque: IntegratedTorque) -> str:
 def cage_driven_balls(solution: QuasistaticSolution, balance: BalancedFriction) -> tuple[int, ...]:
     """Numbers of balls, from 1, loaded at the inner race but not driven by it [-]."""
     return tuple(int(i) + 1 for i in np.flatnonzero((solution.inner_load > 0.0) & ~balance.driven))
+
+
+def orbit_lag(solution: QuasistaticSolution, balance: BalancedFriction) -> float:
+    """Part by which the orbits of the balls that the inner race drives lag behind those of the
+    solution, seen from the outer ring, mean weighted by the inner loads [-].
+    """
+    outer = solution.operation.outer_speed
+    orbits = np.array([motion.orbit_speed for motion in balance.motions]) - outer
+    ratio = orbits / (solution.orbit_speed - outer)
+    weights = np.where(balance.driven, solution.inner_load, 0.0)
+    return float(1.0 - np.average(ratio, weights=weights))

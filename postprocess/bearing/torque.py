@@ -15,6 +15,7 @@ from .results import BearingResults
 
 WITHOUT_SEALS = ", without seals"
 CHURNING_SHARE = 0.2  # of the total, from which it is said beside it [-]
+VISIBLE_LAG = 0.03  # of the orbit speed, from which it is said [-]
 LARGE_SHARE = 0.05  # of the torque: from there on it is reported what the layer decides
 MAIN = ("integrated", "skf", "palmgren", "coulomb")  # those of papers by models = "all"
 
@@ -125,6 +126,7 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
         yield "torque_N_mm.total: null, neither the integrated model nor SKF's applies"
     else:
         yield f"torque_N_mm.total: the {_total_text(results, torque)}"
+        yield from _lag_message(results, torque)
         yield from _inlet_messages(torque)
         yield from _seal_message(torque)
         yield from _churning_message(results, torque)
@@ -157,6 +159,19 @@ def _films_text(results: BearingResults, shear: SolvedShear) -> str:
         error = "central film to 20 %, rolling moment to 10 % above M = 300 and 33 % at M = 50"
         parts.append(f"of formulas at {by_formulas} ({error})")
     return f", films {' and '.join(parts)} of {shear.lubricated} contacts{hint}"
+
+
+def _lag_message(results: BearingResults, torque: TorqueBreakdown) -> Iterator[str]:
+    """That friction makes the balls slide visibly behind the motion that the films assume."""
+    lag = None if torque.shear is None else torque.shear.orbit_lag
+    if torque.chosen != "integrated" or lag is None or lag < VISIBLE_LAG:
+        return
+    kinematics = results.quasistatic.model.ball_kinematics.value
+    yield (
+        f"torque_N_mm.total: the balls slide, driven against drag and rolling resistance their "
+        f"orbits are {lag:.1%} slower than by '{kinematics}', "
+        "whose speeds films, frequencies and cage_speed_rpm have"
+    )
 
 
 def _inlet_messages(torque: TorqueBreakdown) -> Iterator[str]:
@@ -210,7 +225,7 @@ def _balance_text(results: BearingResults, shear: SolvedShear) -> str:
     """Whether the balls are in balance, and what the hypothesis on their motion is used for."""
     if shear.balanced is None:
         return (
-            f"; {shear.note}: the rings' power differs from the heat by "
+            f"; not converged: {shear.note}: the rings' power differs from the heat by "
             f"{shear.torque.imbalance:.0%} of it"
         )
     kinematics = results.quasistatic.model.ball_kinematics
