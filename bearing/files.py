@@ -1,5 +1,6 @@
 """Files that are there as a whole or not at all."""
 
+import atexit
 import errno
 import os
 import tempfile
@@ -23,7 +24,8 @@ def is_disk_failure(error: BaseException) -> bool:
 
 @contextmanager
 def atomic_path(path: Path, *, with_suffix: bool = True) -> Iterator[Path]:
-    """A temporary name beside `path`; on success it becomes `path`, on failure nothing is left.
+    """A temporary name beside `path`; on success it becomes `path`, on failure nothing is left,
+    nor where the program ends while it is written.
 
     Missing folders are created; the name has the suffix of `path` for writers that go by it, and
     then is found by whoever looks for files of that suffix.
@@ -33,12 +35,14 @@ def atomic_path(path: Path, *, with_suffix: bool = True) -> Iterator[Path]:
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}-", suffix=ending)
     os.close(handle)
     temporary = Path(name)
+    atexit.register(temporary.unlink, missing_ok=True)
     try:
         yield temporary
         os.chmod(temporary, 0o666 & ~umask())  # mkstemp gives 0600
         os.replace(temporary, path)
     finally:
         temporary.unlink(missing_ok=True)
+        atexit.unregister(temporary.unlink)
 
 
 def write_bytes(path: Path, data: bytes, *, durable: bool = False) -> None:

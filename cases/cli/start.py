@@ -5,7 +5,8 @@ import signal
 import sys
 from types import FrameType
 
-ABORTED = (1, 130)  # typer's own answers to an interrupt outside commands
+ABORTED = 130  # typer's own answer to an interrupt outside commands
+NOT_CONVERGED = 1  # also typer's answer to input that ends
 INTERRUPTED = 3
 FAILED = 4
 # new objects from which the collector looks for cycles: with Python's own 700 it takes a fifth of
@@ -36,7 +37,7 @@ def main() -> None:
         code = stop.code
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, signal.SIG_IGN)  # it is done, one way or the other
-    if code in ABORTED and came():
+    if code == ABORTED or (code == NOT_CONVERGED and came()):
         say("oilfilm: interrupted")
         code = INTERRUPTED
     if code == INTERRUPTED:

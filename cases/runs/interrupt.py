@@ -93,7 +93,7 @@ def end_unless_obeyed(code: int) -> Callable[[], bool]:
     """End the program, with a code, where it does not end within `PATIENCE` of a signal: it is in
     compiled code, or waits for a process. Work that is to finish first has its time.
 
-    The answer tells whether a signal came.
+    The answer tells whether a signal came, also one of this very moment.
     """
     reader, writer = socket.socketpair()
     writer.setblocking(False)
@@ -113,7 +113,7 @@ def end_unless_obeyed(code: int) -> Callable[[], bool]:
             end_now(code)
 
     threading.Thread(target=watch, daemon=True).start()
-    return came.is_set
+    return lambda: came.wait(LOOK)  # the thread that sees it may not have run yet
 
 
 def _finishing() -> bool:

@@ -5,7 +5,9 @@ import json
 import os
 import subprocess
 import sys
+import threading
 from collections.abc import Sequence
+from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
 from shutil import disk_usage
@@ -69,21 +71,36 @@ def run_module(
 
 
 def read_request(text: str) -> tuple[Path, Path | None, dict[str, Any]]:
-    """Directory, file to draw or None for a window, and options of a request."""
+    """Directory, file to draw or None for a window, and options of a request; from then on this
+    process ends with the one that asked, however that ends.
+    """
+    threading.Thread(target=_end_with_parent, daemon=True).start()
     directory, file, options = json.loads(text)
     tuples = {name: tuple(value) for name, value in options.items() if isinstance(value, list)}
     return Path(directory), None if file is None else Path(file), options | tuples
 
 
+def _end_with_parent() -> None:
+    """End when nobody holds the other end of standard input any more."""
+    with suppress(OSError):
+        os.read(0, 1)
+    os._exit(1)
+
+
 def run_python(arguments: list[str], patience: float | None) -> None:
-    """Run Python in a process of its own, `patience` [s] at most; `RenderingError` if it fails."""
+    """Run Python in a process of its own, `patience` [s] at most; `RenderingError` if it fails.
+
+    Its standard input ends when this process does.
+    """
     home = str(Path(__file__).resolve().parents[2])
     paths = [home, *filter(None, [os.environ.get("PYTHONPATH")])]
     environment = rendering_environment() | {"PYTHONPATH": os.pathsep.join(paths)}
+    reader, writer = os.pipe()
     try:
         process = subprocess.run(
             [sys.executable, *arguments],
             env=environment,
+            stdin=reader,
             capture_output=True,
             text=True,
             timeout=patience,
@@ -92,6 +109,9 @@ def run_python(arguments: list[str], patience: float | None) -> None:
         )
     except subprocess.TimeoutExpired:
         raise RenderingError(advice(f"drawing took more than {patience:.0f} s")) from None
+    finally:
+        os.close(reader)
+        os.close(writer)
     if process.returncode != 0:
         lines = [line.strip() for line in process.stderr.splitlines() if line.strip()]
         crashed = process.returncode < 0 or process.returncode > 128

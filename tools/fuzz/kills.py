@@ -179,11 +179,24 @@ def faults(ended: Ended, kind: str, within: float) -> list[str]:
     return wrong + [f"leaves {name}" for name in ended.left]
 
 
-def calm(words: str, folder: Path) -> tuple[float, int]:
-    """Undisturbed time [s] and exit code."""
+def calm(words: str, folder: Path, longest: float | None = None) -> tuple[float, int | None]:
+    """Undisturbed time [s] and exit code; None where it takes longer than that [s]."""
     start = time.monotonic()
-    done = subprocess.run(oilfilm(words), cwd=folder, env=environment(folder / "tmp"), capture_output=True, check=False)
-    return time.monotonic() - start, done.returncode
+    process = subprocess.Popen(
+        oilfilm(words),
+        cwd=folder,
+        env=environment(folder / "tmp"),
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        start_new_session=True,
+    )
+    try:
+        code: int | None = process.wait(longest)
+    except subprocess.TimeoutExpired:
+        os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+        code = None
+    return time.monotonic() - start, code
 
 
 def main() -> None:
@@ -207,7 +220,7 @@ def main() -> None:
         for command in arguments.only.split(","):
             words = COMMANDS[command]
             prepare(home / command, results)
-            whole, code = calm(words, home / command)
+            whole, code = calm(words, home / command, arguments.longest)
             shutil.rmtree(home / command)
             whole = min(whole, arguments.longest)
             delays = []
@@ -225,7 +238,8 @@ def main() -> None:
                     print(f"{command}: {kind} after {after:.2f} of {whole:.2f} s: {fault}", flush=True)
                 shutil.rmtree(folder)
             worst = f"{max(delays):.2f} s" if delays else "too late"
-            print(f"{command}: code {code}, {whole:.1f} s, {arguments.rounds} kills, slowest end {worst}", flush=True)
+            ends = "goes on" if code is None else f"code {code}"
+            print(f"{command}: {ends}, {whole:.1f} s, {arguments.rounds} kills, slowest end {worst}", flush=True)
         print(f"{total} kills, {bad} with faults")
 
 

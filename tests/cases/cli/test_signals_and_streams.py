@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import pytest
 
@@ -14,6 +15,7 @@ from cases.cli import cost, progress
 from cases.runs.interrupt import interruptible
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals and streams of POSIX")
+ROOT = Path(__file__).parents[3]
 OILFILM = [sys.executable, "-m", "cases.cli"]
 LONG = "hashlib.pbkdf2_hmac('sha256', b'a', b'b', 200_000_000)"  # minutes in C, without Python's lock
 WITHIN = 10.0  # of a machine with other work to do; 2 s on an idle one [s]
@@ -28,6 +30,24 @@ def signalled(code, number=signal.SIGTERM):
         process.send_signal(number)
         _, errors = process.communicate(timeout=60)
         return process.returncode, errors.decode(), time.monotonic() - start
+
+
+def test_a_program_that_ends_while_it_writes_leaves_no_part_of_a_file(tmp_path):
+    code = "from pathlib import Path; from bearing.files import atomic_path; from cases.runs.interrupt import end_now\n"
+    code += "with atomic_path(Path('whole.png')) as part:\n    part.write_bytes(b'half'); end_now(3)"
+    environment = os.environ | {"PYTHONPATH": str(ROOT)}
+    ended = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, env=environment, check=False, timeout=60)
+    assert ended.returncode == 3
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_signal_of_this_very_moment_is_known():
+    """The thread that sees it may not have run when the command has ended already."""
+    code = "import os, signal; from cases.runs.interrupt import end_unless_obeyed; came = end_unless_obeyed(3)\n"
+    code += "signal.signal(signal.SIGINT, lambda *_: None); print('up', flush=True); assert not came()\n"
+    code += "os.kill(os.getpid(), signal.SIGINT); os._exit(0 if came() else 1)"
+    for _ in range(5):
+        assert subprocess.run([sys.executable, "-c", code], check=False, timeout=60).returncode == 0
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])

@@ -164,3 +164,14 @@ def test_results_without_a_scene_are_reported(tmp_path):
         file.attrs.update({"oilfilm_history": 1, "oilfilm": "1.0"})
     with pytest.raises(ValueError, match="kind dynamics, which have no scene; allowed: bearing, contact"):
         screenshot(tmp_path, tmp_path / "scene.png")
+
+
+def test_a_drawing_process_ends_with_the_one_that_asked():
+    """Also where that is killed: the pipe to its standard input ends."""
+    code = "from postprocess.scene.rendering import read_request\n"
+    code += "read_request('[\"results\", null, {}]'); print('up', flush=True); import time; time.sleep(60)"
+    with subprocess.Popen([sys.executable, "-c", code], stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
+        assert process.stdout.readline() == b"up\n"
+        assert process.poll() is None
+        process.stdin.close()
+        assert process.wait(20) == 1
