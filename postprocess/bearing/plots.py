@@ -308,7 +308,8 @@ def _over_azimuth(axes: Axes, results: BearingResults, quantity: str) -> None:
     axes.set(xlim=(-12.0, 372.0), ylim=(0.0, 1.12 * axes.get_ylim()[1]))
     if quantity == "film":
         _logarithmic_film(axes, results)
-    axes.set_xlabel(BALL_QUANTITY["azimuth_deg"].label)
+    several = "; rows side by side, row 1 on the left" if len(results.quasistatic.rows) > 1 else ""
+    axes.set_xlabel(f"{BALL_QUANTITY['azimuth_deg'].label}{several}")
     axes.set_ylabel(FIELDS[quantity].label)
     axes.grid(linewidth=0.3, alpha=0.5)
     axes.legend(ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1.0))

@@ -109,7 +109,7 @@ def _draw_balls(axes: Axes, results: BearingResults, shares: np.ndarray) -> None
         style: Any = {"color": OIL, "alpha": 1.0 if row == 0 else 0.5, "label": f"row {row + 1}"}
         axes.bar(azimuth, shares[mine], width=width, **style)
     if several:
-        axes.legend(ncols=2)
+        axes.legend(ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1.0))  # off the bars
     axes.set_xlim(-20.0, 380.0)
     axes.set_xticks(range(0, 361, 45))
     axes.set_xlabel(BALL_QUANTITY["azimuth_deg"].label)

@@ -61,6 +61,13 @@ def test_figure_with_and_without_the_balls():
     assert heights == pytest.approx([6.0, 2.0, 2.0])
     centres = [bar.get_x() + 0.5 * bar.get_width() for bar in figure.axes[1].patches]
     assert centres == pytest.approx([0.0, 120.0, 240.0])  # as every table and picture counts them
+    state.rows, state.azimuth, state.row_of_ball = (None, None), np.tile(azimuth, 2), np.repeat([0, 1], 3)
+    results.torque = replace(torque, shear=SolvedShear(hypothesis=replace(part, per_ball=np.full(6, 1e-3))))
+    figure = Figure(layout="constrained")
+    draw_torque(figure, results)
+    figure.draw_without_rendering()
+    below = figure.axes[1]
+    assert below.get_legend().get_window_extent().y0 >= below.bbox.y1  # it hides no bar
     results.torque = None
     with pytest.raises(ValueError, match="no torque"):
         draw_torque(Figure(), results)
