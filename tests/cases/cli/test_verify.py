@@ -54,6 +54,12 @@ def test_a_section_of_the_page(tmp_path):
     assert json.loads((tmp_path / "verification.json").read_text(encoding="utf-8")) == found
 
 
+def test_the_quick_diagram_knows_the_powers_of_rigid_films(tmp_path):
+    result = call("--quick", "--section", "moes", "-o", str(tmp_path), "--json")
+    assert result.exit_code == 0, result.output
+    assert all(check["passed"] for check in json.loads(result.stdout)["checks"])
+
+
 def test_pictures_are_written(tmp_path):
     assert call("--quick", "--section", "hertz", "-o", str(tmp_path), "-q").exit_code == 0
     page = (tmp_path / "verification.md").read_text(encoding="utf-8")
