@@ -43,12 +43,14 @@ def _bearing_table(results: BearingResults) -> Table:
     ring = values_of(state, (*RING, CAGE_SPEED))
     x, y, z = ring["displacement_um"]
     tilt_y, tilt_z = ring["tilt_mrad"]
+    moments = [round(moment, 0) + 0.0 for moment in ring["moment_N_mm"]]
     rows = {
         "displacement_um": f"x {x:.2f}, y {y:.2f}, z {z:.2f} µm".replace("-0.00", "0.00"),
         "tilt_mrad": f"y {tilt_y:.3f}, z {tilt_z:.3f} mrad",
         "force_N": "x {:.1f}, y {:.1f}, z {:.1f} N".format(
             *(round(v, 1) + 0.0 for v in ring["force_N"])
         ),
+        "moment_N_mm": "y {:.0f}, z {:.0f} N mm".format(*moments),
         "stiffness": _stiffness_text(state),
         "temperature": f"{from_si('oil_C', state.operation.temperature):.1f} °C of the films",
         "cage_speed_rpm": f"{ring['cage_speed_rpm']:.1f} r/min",
@@ -59,6 +61,8 @@ def _bearing_table(results: BearingResults) -> Table:
         rows["equilibrium"] = f"NOT CONVERGED: {state.message}"
     if not state.tilt.any():
         del rows["tilt_mrad"]
+    if not any(moments):
+        del rows["moment_N_mm"]
     rows = {titles.get(key, key): text for key, text in rows.items()}
     rows |= row_lines(state) | ring_lines(state)
     rows |= frequency_lines(results) | rating_rows(results) | duty_cycle_rows(results)

@@ -34,6 +34,12 @@ def test_bearing_fits_80_columns(bearing_results):
     assert "2.73" in text
 
 
+def test_the_moment_of_a_ring_that_is_held_is_told(bearing_results):
+    assert "ring moment" not in printed(bearing_results)
+    state = replace(bearing_results.quasistatic, ring_moment=np.array([1.2e-4, -3.4567]))
+    assert "ring moment        y 0, z -3457 N mm" in printed(replace(bearing_results, quasistatic=state))
+
+
 def test_an_angle_of_zero_has_no_sign(bearing_results):
     contacts = tuple(replace(contact, contact_angle=-1e-6) for contact in bearing_results.contacts)
     assert "-0.00" not in printed(replace(bearing_results, contacts=contacts))
