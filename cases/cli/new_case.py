@@ -207,10 +207,12 @@ def _rows(entry: Mapping[str, Any], designation: Designation | None) -> list[str
         return []
     lines = []
     half = 0.5 * float(entry["width_mm"])
-    preload = designation.preload_class or "light"
-    for position, sense in zip((-half, half), PRELOADS[designation.arrangement], strict=True):
+    preload = [f'preload_class = "{designation.preload_class or "light"}"']
+    senses = PRELOADS[designation.arrangement]
+    tandem = len(set(senses)) == 1  # does not press against itself
+    for position, sense in zip((-half, half), senses, strict=True):
         lines += ["[[rows]]", f"axial_position_mm = {position:g}", f'loaded_by = "{sense}"']
-        lines += [f'preload_class = "{preload}"', ""]
+        lines += [*([] if tandem else preload), ""]
     return lines
 
 

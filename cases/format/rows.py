@@ -162,4 +162,19 @@ def rows(
             model=at_rest,
         )
         result.append(row if azimuth is None else replace(row, first_ball_azimuth=azimuth))
+    _warn_of_tandem(tables)
     return tuple(result)
+
+
+def _warn_of_tandem(tables: tuple[RowTable, ...]) -> None:
+    """Say that rows loaded by one push do not press against each other."""
+    if len({table.loaded_by for table in tables}) > 1:
+        return
+    names = {name for table in tables for name in PRELOADS if getattr(table, name)}
+    if names:
+        text = (
+            f"rows.{', '.join(sorted(names))}: nothing presses back where all rows are loaded by "
+            f"{tables[0].loaded_by!r}, as in tandem: under an axial load the preload moves the "
+            "ring and changes no contact load; give it as part of operation.axial_load_N"
+        )
+        warnings.warn(text, stacklevel=2)

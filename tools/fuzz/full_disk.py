@@ -94,7 +94,11 @@ def attempt(words: str, home: Path, disk: Path | None, free: int) -> list[str]:
         wrong.append(f"not one line: {done.stderr[-600:]!r}")
     if done.returncode in (0, 1) and ("No space" in done.stderr or "too large" in done.stderr):
         wrong.append(f"exit code {done.returncode} though: {done.stderr[-400:]!r}")
-    hidden = [str(path) for path in target.rglob(".*") if path not in before and not path.name.endswith("files.json")]
+    hidden = [
+        str(path)
+        for path in target.rglob(".*")
+        if path not in before and not path.name.endswith(("files.json", "digests.json"))
+    ]
     return wrong + [f"leaves {hidden[:3]}"] * bool(hidden)
 
 

@@ -447,6 +447,11 @@ def test_suffixes_need_no_quotes_and_the_source_names_one_clearance(tmp_path):
     assert case["source"].count("clearance: ") == 1
 
 
+def test_a_tandem_set_gets_no_preload_of_its_own(tmp_path):
+    assert "preload_class" not in written(tmp_path, "--bearing", "7014AC", "DT", "H")["rows"][0]
+    assert written(tmp_path, "--bearing", "7014AC", "DB", "H")["rows"][0]["preload_class"] == "heavy"
+
+
 def test_a_shielded_bearing_runs_on_grease(tmp_path):
     case = written(tmp_path, "--bearing", "6200-2Z")
     assert "grease" in case["lubricant"]

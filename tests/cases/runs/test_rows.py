@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 
+import numpy as np
 import pytest
 from rich.console import Console
 
@@ -54,6 +55,18 @@ def test_a_pair_in_the_summary(pair, tmp_path):
     assert len({(contact["ball"], contact["race"]) for contact in found["contacts"]}) == 72
     assert any("mean over 2 rows" in message for message in found["messages"])
     assert write_bearing_plots(pair, tmp_path) == ()
+
+
+def test_a_tandem_pair_is_told_that_it_does_not_preload_itself():
+    tandem = CASE.replace("[ehl]", "axial_load_N = 500.0\n[ehl]") + LEFT + RIGHT.replace("-x", "+x")
+    found = case_from_text(tandem, "case.toml")
+    assert any("rows.preload_N: nothing presses back where all rows" in message for message in found.warnings)
+    free = case_from_text(tandem.replace("preload_N = 200.0\n", ""), "case.toml")
+    assert not any("presses back" in message for message in free.warnings)
+    loads = [run_case(one).quasistatic.inner_load for one in (found, free)]
+    np.testing.assert_allclose(*loads, rtol=1e-6)
+    pair = case_from_text(CASE + LEFT + RIGHT, "case.toml")
+    assert not any("presses back" in message for message in pair.warnings)
 
 
 def test_a_single_row_is_listed_too():
