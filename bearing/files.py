@@ -14,6 +14,7 @@ DISK_ERRORS = frozenset(
     for name in ("ENOSPC", "EDQUOT", "EFBIG", "EIO", "EROFS")
     if hasattr(errno, name)
 )
+PROBE = 2**20  # of what is written at a time to see whether there is room [bytes]
 PARTIAL = ".part"  # end of the name of a file that is not complete, before its suffix
 
 
@@ -52,6 +53,17 @@ def write_bytes(path: Path, data: bytes, *, durable: bool = False) -> None:
         file.flush()
         if durable:
             os.fsync(file.fileno())
+
+
+def require_room(folder: Path, size: int) -> None:
+    """OSError where a file of so many bytes does not fit into a folder; for libraries that a full
+    disk ends together with the program.
+    """
+    block = os.urandom(PROBE)  # nothing that a disk could keep in less room
+    with tempfile.TemporaryFile(dir=folder) as file:
+        for start in range(0, size, PROBE):
+            file.write(block[: size - start])
+        file.flush()
 
 
 def umask() -> int:

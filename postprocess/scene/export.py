@@ -14,6 +14,7 @@ import numpy as np
 import xarray
 from numpy.typing import NDArray
 
+from bearing.files import require_room
 from ehl.solid.coating import Coating
 from ehl.solid.layered_fem import layered_mesh
 from ehl.solution import Array
@@ -33,6 +34,7 @@ RACES = ("inner", "outer")
 SHELL = "S4"
 AXISYMMETRIC = "CAX4"
 ABAQUS_QUAD = "CAX4P"  # what meshio writes for any of them
+HDF5_OVERHEAD = 2**18  # of a file beside its numbers, at most [bytes]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -71,7 +73,7 @@ def export_results(
     if coating is not None:
         meshes[f"{path.stem}_coating{path.suffix}"] = partial(write, coating_mesh(coating))
     for ring in rings:
-        meshes[f"{path.stem}_{ring.stem}{path.suffix}"] = meshio.read(ring).write
+        meshes[f"{path.stem}_{ring.stem}{path.suffix}"] = partial(_write, meshio.read(ring))
     path.parent.mkdir(parents=True, exist_ok=True)
     # files of one mesh name each other: they are written under their names elsewhere, and moved
     with tempfile.TemporaryDirectory(".partial", f".{path.name}-", path.parent) as folder:
@@ -189,7 +191,17 @@ def _mesh(mesh: PatchMesh, groups: tuple[str, ...]) -> meshio.Mesh:
 
 def _write_fields(mesh: PatchMesh, path: Path) -> None:
     """VTU, and XDMF with its numbers in an HDF5 file beside it."""
-    _mesh(mesh, ("group",)).write(path)
+    _write(_mesh(mesh, ("group",)), path)
+
+
+def _write(mesh: meshio.Mesh, path: Path) -> None:
+    """By meshio; HDF5, which XDMF needs, ends the program where the disk is full."""
+    if path.suffix.lower() == ".xdmf":
+        values = [block for blocks in mesh.cell_data.values() for block in blocks]
+        corners = [block.data for block in mesh.cells]
+        arrays = [mesh.points, *corners, *mesh.point_data.values(), *values]
+        require_room(path.parent, HDF5_OVERHEAD + sum(array.nbytes for array in arrays))
+    mesh.write(path)
 
 
 def _write_msh(mesh: PatchMesh, path: Path) -> None:

@@ -6,16 +6,18 @@ import errno
 import os
 import subprocess
 import sys
+from pathlib import Path
 
 import h5netcdf
 import numpy as np
 import pytest
 
-from bearing.files import write_bytes
+from bearing.files import require_room, write_bytes
 from postprocess.dynamics.spill import SpillingFile
 from postprocess.files import attempt
 
 resource = pytest.importorskip("resource", reason="limits of POSIX")
+ROOT = Path(__file__).parents[2]
 OILFILM = [sys.executable, "-m", "cases.cli"]
 
 
@@ -83,6 +85,27 @@ def test_a_full_disk_is_no_lost_picture():
     )
     with pytest.raises(OSError, match="No space"):
         attempt("plots", lambda: fail(errno.ENOSPC))
+
+
+def test_there_is_room_or_an_error(small_files, tmp_path):
+    require_room(tmp_path, 20_000)
+    with pytest.raises(OSError, match="File too large"):
+        require_room(tmp_path, 20_001)
+    assert not list(tmp_path.iterdir())
+
+
+def test_hdf5_of_a_mesh_is_not_begun_without_room(bearing_folder, tmp_path):
+    """It would end the program with a segmentation fault."""
+    words = ["export", str(bearing_folder), "--format", "xdmf", "-o", str(tmp_path / "a.xdmf")]
+    code = (
+        f"import resource, sys; resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, 200_000)); sys.argv[1:] = {words}"
+    )
+    code += "; from cases.cli.start import main; main()"
+    environment = os.environ | {"PYTHONPATH": str(ROOT)}
+    answer = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=False)
+    assert answer.returncode == 4, answer.stderr
+    assert "File too large" in answer.stderr
+    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.parametrize(
