@@ -24,10 +24,10 @@ from .multigrid.full_multigrid import (
 from .multigrid.history import CENTRAL, MINIMUM
 from .multigrid.levels import Multigrid
 from .multigrid.newton import certify
-from .multigrid.oil_supply import inlet_ratio, oil_supply, starved_film_guess, turned_round
 from .multigrid.open_box import box_uncertainty, choose_domain
 from .multigrid.settling import Progress
-from .multigrid.starvation_law import behind_layer
+from .multigrid.supply.oil_supply import inlet_ratio, oil_supply, starved_film_guess, turned_round
+from .multigrid.supply.starvation_law import behind_layer
 from .multigrid.verdict import film_over_radius, judged, resolution_message
 from .options import SolverOptions
 from .scaling import ScaledContact, scale_contact
@@ -157,7 +157,7 @@ def solve_by_law(
     flow_model: FlowModel | None = None,
 ) -> ContactSolution:
     """A contact behind a layer of oil: its flooded film, and what the tabulated law of starvation
-    leaves of it, see `multigrid/starvation_law.py`.
+    leaves of it, see `multigrid/supply/starvation_law.py`.
 
     Raises
     ------

@@ -12,11 +12,11 @@ jacobian            - derivative of the discrete equations of a level
 kernels             - compiled: operator, line relaxation, flow behind a layer of oil
 levels              - levels of one contact: their grids, fields and workspace
 newton              - Newton's method on the finest level: certificate and last resort
-oil_supply          - what a layer of oil at the inlet leaves of a flooded film
 open_box            - open box of a contact from its film by formula
 settling            - cycles on one level until its film is at rest
-starvation_law      - a contact behind a layer by its flooded solution and the tabulated law
 starved             - conservation of mass where the oil does not fill the gap
+starved_jacobian    - derivative of its flux
+supply              - what a layer of oil at the inlet leaves of a flooded contact
 threads             - threads that share the lines of a grid
 transfer            - transfers between a grid and the one with doubled mesh size
 verdict             - what a solution may be called: converged, resolved, and why not

@@ -322,10 +322,15 @@ def update_exterior(state: Multigrid, index: int) -> None:
     if state.far_field is None:
         return
     level = state.levels[index]
-    layer = state.contact.inlet_layer
-    central = inf if layer is None else layer.central
+    central = layer_at_centre(state)
     state.exterior = exterior_load(state.far_field, level.grid, level.H, central)
     level.load = state.contact.load - state.exterior
+
+
+def layer_at_centre(state: Multigrid) -> float:
+    """Of the oil at the inlet; without end in a flooded contact [-]."""
+    layer = state.contact.inlet_layer
+    return inf if layer is None else layer.central
 
 
 def _fields(level: Level) -> Fields:

@@ -92,15 +92,18 @@ def exterior_load(field: FarField, grid: Grid, H: Array, layer: float = inf) -> 
     return load_outside(field, *_box_and_level(field, grid, H), layer)
 
 
-def squeeze_load(field: FarField, grid: Grid, H: Array) -> float:
+def squeeze_load(field: FarField, grid: Grid, H: Array, layer: float = inf) -> float:
     """Integral of 1/H^2 outside the box of a grid where the far field carries pressure [-]: of the
     pressure that bodies parting or closing in set up in a paraboloid, integral from R of
-    r/(h + q r^2/2)^2 dr = 1/(q (h + q R^2/2)) along each ray.
+    r/(h + q r^2/2)^2 dr = 1/(q (h + q R^2/2)) along each ray, up to where the gap is as wide as a
+    layer.
     """
     box, level = _box_and_level(field, grid, H)
     rays = _rays(field, box)
     c = _distance(rays, level)
     outside = 2.0 / (rays.curvature**2 * (c + rays.radius**2))
+    if isfinite(layer):  # from the layer's gap on
+        outside = np.maximum(outside - 1.0 / (rays.curvature * layer), 0.0)
     return float(np.sum(outside[rays.strength > 0.0])) * 2.0 * np.pi / DIRECTIONS
 
 

@@ -24,11 +24,12 @@ from scipy import sparse
 from ..arrays import Array
 from ..grid import Grid
 from ..solid.deformation import deflect
-from .cycle import flow, log_viscosity, reynolds_operator
+from .cycle import flow, layer_at_centre, log_viscosity, reynolds_operator, reynolds_residual
 from .far_field import edge_pressure, exterior_load
 from .flow_model import FlowFactors
 from .kernels import _kernels
 from .levels import Level, Multigrid
+from .starved_jacobian import StarvedFlux, flux_change, starved_flux
 
 Integers = NDArray[np.intp]
 
@@ -59,6 +60,7 @@ class Linearisation:
     residual: Array  # L(P) inside, k/H^2 - P on the edge
     load_error: float  # load - exterior load - integral of P
     load_by_film: float  # derivative of the exterior load by the film that it is taken from
+    starved: StarvedFlux | None = None  # behind a layer of oil; None: flooded
 
     @property
     def mesh(self) -> tuple[float, float, bool]:
@@ -79,7 +81,12 @@ def linearise(state: Multigrid, index: int) -> Linearisation:
     edge = edge_nodes(level.grid)
     target, load, load_by_film = _open_edge(state, level)
     # 3. equations
-    operator = reynolds_operator(level)
+    starved = None
+    if level.fill is None:
+        operator = reynolds_operator(level)
+    else:
+        operator = -reynolds_residual(state, index)
+        starved = starved_flux(level.fill, level.flow_x, level.H, ratio)
     return Linearisation(
         grid=level.grid,
         near=level.kernel.near,
@@ -96,6 +103,7 @@ def linearise(state: Multigrid, index: int) -> Linearisation:
         residual=np.where(edge, target - level.P, operator),
         load_error=load - level.grid.integral(level.P),
         load_by_film=load_by_film,
+        starved=starved,
     )
 
 
@@ -168,9 +176,11 @@ def _open_edge(state: Multigrid, level: Level) -> tuple[Array, float, float]:
     target = np.zeros_like(level.P)
     if state.far_field is None:
         return target, state.contact.load, 0.0
-    edge_pressure(state.far_field, level.grid, level.H, target)
+    layer = None if level.fill is None else level.fill.layer
+    edge_pressure(state.far_field, level.grid, level.H, target, layer)
+    central = layer_at_centre(state)
     exterior, more, less = (
-        exterior_load(state.far_field, level.grid, level.H * (1.0 + step))
+        exterior_load(state.far_field, level.grid, level.H * (1.0 + step), central)
         for step in (0.0, FILM_STEP, -FILM_STEP)
     )
     film = float(level.H[origin_line(level.grid), 0])
@@ -181,15 +191,34 @@ def product(lin: Linearisation, change: Array, film: Array) -> Array:
     """Derivative of L inside, and of P - k/H^2 on the edge, along a change of pressure and the
     change of the film that belongs to it, shape (ny, nx), real [-].
     """
+    content = film + lin.content_by_pressure * change
+    if lin.starved is None:
+        rows = poiseuille_change(lin, change, film, lin.couette, content)
+    else:
+        gained = poiseuille_change(lin, change, film)
+        rows = flux_change(lin.starved, lin.grid, gained, lin.density * content).rows
+    return np.where(lin.edge, change - lin.edge_by_film * film, rows)
+
+
+def poiseuille_change(
+    lin: Linearisation,
+    change: Array,
+    film: Array,
+    couette: tuple[Array, Array, bool] | None = None,
+    content: Array | None = None,
+) -> Array:
+    """Derivative of the Poiseuille term inside along a change of pressure and film, shape (ny,
+    nx), real; less that of the flow of a content where one is given [-].
+    """
     by_pressure = np.zeros_like(change)
     by_flow = np.zeros_like(change)
     still = np.zeros_like(change)
     eps = lin.eps_by_pressure * change + lin.eps_by_film * film
-    content = film + lin.content_by_pressure * change
     standing = (still, still, False)
+    carried = (still if content is None else content, eps, *(couette or standing))
     _kernels.reynolds_operator(change, still, lin.eps, *standing, *lin.mesh, by_pressure)
-    _kernels.reynolds_operator(lin.P, content, eps, *lin.couette, *lin.mesh, by_flow)
-    return np.where(lin.edge, change - lin.edge_by_film * film, by_pressure + by_flow)
+    _kernels.reynolds_operator(lin.P, *carried, *lin.mesh, by_flow)
+    return by_pressure + by_flow
 
 
 def near_field(lin: Linearisation) -> sparse.csr_matrix:
@@ -266,6 +295,7 @@ def _poiseuille_matrices(
     """Derivatives of d_X(eps d_X P) + d_Y(eps d_Y P) by P and by eps."""
     along, across = 0.5 / lin.grid.hx**2, 0.5 / lin.grid.hy**2
     here = (nodes.j, nodes.i)
+    fills = _filling(lin, nodes)
     centre = np.zeros((2, len(nodes.j)))
     by_pressure: list[Entry] = []
     by_eps: list[Entry] = []
@@ -274,6 +304,8 @@ def _poiseuille_matrices(
         j, i, _ = nodes.beside(*step)
         flow = weight * (lin.eps[here] + lin.eps[j, i])
         slope = weight * (lin.P[j, i] - lin.P[here])
+        if step == (0, -1):  # what flows back over a meniscus comes again with the flux
+            flow, slope = np.where(fills, 0.0, flow), np.where(fills, 0.0, slope)
         by_pressure.append((*step, flow))
         by_eps.append((*step, slope))
         centre += -flow, slope
@@ -284,23 +316,34 @@ def _poiseuille_matrices(
 
 def _wedge_matrix(lin: Linearisation, nodes: _Nodes) -> sparse.csr_matrix:
     """Derivative of d_X(flow_x H) + d_Y(flow_y H) by H: (3, -4, 1)/2 upstream, central where that
-    leaves the grid.
+    leaves the grid. Behind an empty node what enters does not depend on H.
     """
     flow_x, flow_y, lateral = lin.couette
-    entries = _upstream(nodes, flow_x, (0, 1), lin.grid.hx)
+    entries = _upstream(nodes, flow_x, (0, 1), lin.grid.hx, _filling(lin, nodes))
     if lateral:
-        entries += _upstream(nodes, flow_y, (1, 0), lin.grid.hy)
+        full = np.zeros(len(nodes.j), dtype=np.bool_)
+        entries += _upstream(nodes, flow_y, (1, 0), lin.grid.hy, full)
     return nodes.matrix(entries)
 
 
-def _upstream(nodes: _Nodes, flow: Array, step: tuple[int, int], mesh: float) -> list[Entry]:
+def _filling(lin: Linearisation, nodes: _Nodes) -> NDArray[np.bool_]:
+    """Nodes behind an empty one."""
+    if lin.starved is None:
+        return np.zeros(len(nodes.j), dtype=np.bool_)
+    return np.asarray(lin.starved.empty[nodes.j, np.maximum(nodes.i - 1, 0)])
+
+
+def _upstream(
+    nodes: _Nodes, flow: Array, step: tuple[int, int], mesh: float, filling: NDArray[np.bool_]
+) -> list[Entry]:
     up = np.where(flow[nodes.j, nodes.i] >= 0.0, -1, 1)
     room = nodes.beside(2 * up * step[0], 2 * up * step[1])[2]
     entries: list[Entry] = []
-    for distance, weight in ((0, 1.5), (1, -2.0), (2, 0.5)):
+    for distance, weight, behind in ((0, 1.5, 1.5), (1, -2.0, -0.5), (2, 0.5, 0.0)):
         place = (distance * up * step[0], distance * up * step[1])
         j, i, _ = nodes.beside(*place)
-        entries.append((*place, np.where(room, -up * weight / mesh * flow[j, i], 0.0)))
+        weights = np.where(filling, behind, weight)
+        entries.append((*place, np.where(room, -up * weights / mesh * flow[j, i], 0.0)))
     for side in (-1, 1):
         j, i, _ = nodes.beside(side * step[0], side * step[1])
         central = np.where(room, 0.0, side * 0.5 / mesh * flow[j, i])

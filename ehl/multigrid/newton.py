@@ -182,7 +182,9 @@ def _step(
 
 
 def dry_nodes(lin: Linearisation, diagonal: Array) -> NDArray[np.bool_]:
-    """Nodes inside that the next step sets to P = 0."""
+    """Nodes inside that the next step sets to P = 0; behind a layer those that are not full."""
+    if lin.starved is not None:
+        return ~lin.edge & lin.starved.empty
     return ~lin.edge & (lin.P - lin.residual / diagonal <= 0.0)
 
 

@@ -30,7 +30,7 @@ import numpy as np
 from ..arrays import Array
 from ..conditions import ContactConditions
 from ..multigrid.far_field import FarField, far_field
-from ..multigrid.oil_supply import pressure_moment
+from ..multigrid.supply.oil_supply import pressure_moment
 from ..scaling import ScaledContact, scale_contact
 from ..solution import ContactSolution
 from .oil_extent import HALVINGS, PARABOLA_SHARE, ray_curvature, sections

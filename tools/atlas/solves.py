@@ -16,7 +16,7 @@ import numpy as np
 from contacts import places
 
 from ehl import SolverOptions
-from ehl.multigrid.oil_supply import pressure_moment
+from ehl.multigrid.supply.oil_supply import pressure_moment
 from ehl.solver import solve_attempts
 from ehl.traction.rolling_moment import rolling_moment, scaled_as_solved
 

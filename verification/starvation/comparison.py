@@ -6,7 +6,7 @@ from functools import partial
 import numpy as np
 
 from ehl import ContactSolution, MoesConditions, SolverOptions, solve_contact
-from ehl.multigrid.oil_supply import starved_film_guess
+from ehl.multigrid.supply.oil_supply import starved_film_guess
 from ehl.oil.inlet_layer import InletLayer
 from ehl.scaling import ScaledContact, scale_contact
 

@@ -180,3 +180,29 @@ def flux_operator(P, eps, flow_y, lateral, hx, hy, symmetric, along, across, out
                 up = -1 if flow_y[ny // 2, i] >= 0.0 else 1
                 leaving += (across[j, i] - across[j + up, i]) / hy
             out[j, i] = _poiseuille(j, i, P, eps, cx, cy) - leaving
+
+
+@compiled
+def march_change(gained, own, speed, empty, turn, hx, first, along, content, rows):
+    """Change of the flux `along` from that of its first column on, of the oil of every node, and
+    of the rows of full nodes; gained: change of the Poiseuille term less that of f; own: of rho u
+    H; turn: i omega.
+    """
+    for j in range(first, own.shape[0] - 1):
+        before = own[j, 0]
+        entering = along[j, 0]
+        for i in range(1, own.shape[1] - 1):
+            u = speed[j, i]
+            if empty[j, i]:
+                # half a mesh at a meniscus belongs to the next node, too
+                half = 0.0 if empty[j, i + 1] else 0.5 * own[j, i] / u
+                leaving = entering + hx * (gained[j, i] + turn * half)
+                leaving = leaving / (1.0 + turn * hx / u)
+                content[j, i] = leaving / u - half
+            else:
+                leaving = 1.5 * own[j, i] - 0.5 * before
+                content[j, i] = own[j, i] / u
+                rows[j, i] = gained[j, i] - (leaving - entering) / hx - turn * content[j, i]
+            along[j, i] = leaving
+            entering = leaving
+            before = own[j, i]

@@ -11,9 +11,10 @@ and for the load,
     \iint p + W_e' (K p + h) - i \omega\, h\, \kappa \int \frac{d\theta}{q (h_e + q R^2/2)} &= 1,
 
 L' as in `multigrid/jacobian.py`, the squeeze beyond the edge that of a paraboloid, -kappa dH0/dT
-/H^2. The nodes without pressure stay so: their movement is of second order. Stiffness and damping
-are k + i omega c = -1/h; the limit of slow movement is the derivative at omega = 0. All quantities
-[-], the time in a/u_m.
+/H^2. The nodes without pressure stay so: their movement is of second order. Behind a layer of oil
+the first equation is that of `multigrid/starved_jacobian.py`, which carries the oil of a gap that
+is not full, too. Stiffness and damping are k + i omega c = -1/h; the limit of slow movement is the
+derivative at omega = 0. All quantities [-], the time in a/u_m.
 """
 
 from dataclasses import dataclass
@@ -24,10 +25,12 @@ from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...multigrid.bordered import Border, solve_bordered
+from ...multigrid.cycle import layer_at_centre
 from ...multigrid.far_field import squeeze_load
-from ...multigrid.jacobian import Linearisation, deflected, product
+from ...multigrid.jacobian import Linearisation, deflected, poiseuille_change, product
 from ...multigrid.levels import Multigrid
 from ...multigrid.newton import Factored, dry_nodes, polished
+from ...multigrid.starved_jacobian import FluxChange, flux_change
 
 Numbers = NDArray[Any]  # real or complex
 
@@ -64,12 +67,12 @@ class LinearContact:
         LinearSolverError
             If the linear systems are not solved.
         """
-        none = np.zeros_like(self.lin.P)
-        p, h = self._solved(none, 1.0)
-        by_content = self._solved(self._content(p, h), 0.0)[1]
+        p, h = self._solved(_Right(load=1.0))
+        by_content = self._solved(_Right(source=self._content(p, h)))[1]
         by_edge = 0.0
         if self.state.far_field is not None:
-            by_edge = self._solved(-h * self.squeeze, h * self.squeeze_load)[1]
+            squeezed = _Right(edge=-h * self.squeeze, load=h * self.squeeze_load)
+            by_edge = self._solved(squeezed)[1]
         return SlowResponse(
             stiffness=-1.0 / h,
             damping=(by_content + by_edge) / h**2,
@@ -84,26 +87,23 @@ class LinearContact:
         LinearSolverError
             If the linear system is not solved.
         """
-        h = self._solved(np.zeros_like(self.lin.P), 1.0, frequency)[1]
+        h = self._solved(_Right(load=1.0), frequency)[1]
         reaction = -1.0 / h
         return reaction.real, reaction.imag / frequency
 
-    def _solved(self, right: Array, load: float, frequency: float = 0.0) -> tuple[Numbers, Any]:
-        """Change of pressure, shape (ny, nx), and of H0 for a right side of the equations, shape
-        (ny, nx), and of the load.
-        """
+    def _solved(self, right: "_Right", frequency: float = 0.0) -> tuple[Numbers, Any]:
+        """Change of pressure, shape (ny, nx), and of H0 for a right side."""
         lin = self.lin
         diagonal = self.factored.diagonal
         dry = dry_nodes(lin, diagonal)
+        still = np.zeros_like(lin.P)
         turn: Any = 1j * frequency if frequency else 0.0
 
         def derivative(p: Numbers, h: float) -> Numbers:
             film = self._film(p, h)
-            rows = _by_parts(lambda a, b: product(lin, a, b), p, film)
-            if frequency:
-                moved = np.where(lin.edge, h * self.squeeze, -self._carried(p, film))
-                rows = rows + turn * moved
-            return np.asarray(rows / diagonal)
+            edge = p - lin.edge_by_film * film + turn * h * self.squeeze
+            rows = self._changed(p, film, turn=turn).rows
+            return np.asarray(np.where(lin.edge, edge, rows) / diagonal)
 
         def operator(p: Numbers) -> Numbers:
             change = p.reshape(lin.P.shape)
@@ -111,12 +111,14 @@ class LinearContact:
 
         kept = self.factored.preconditioner
         border = Border(
-            column=np.where(dry, 0.0, derivative(np.zeros_like(lin.P), 1.0)).ravel(),
+            column=np.where(dry, 0.0, derivative(still, 1.0)).ravel(),
             row=kept.border.row,
             corner=lin.load_by_film - turn * self.squeeze_load,
         )
-        sources = np.where(dry, 0.0, right / diagonal).ravel()
-        p, h = solve_bordered(operator, border, kept, (sources, load), TOLERANCE)
+        sides = self._changed(still, still, right.source).rows
+        sides = np.where(lin.edge, right.edge, -sides) / diagonal
+        sides = np.where(dry, 0.0, sides).ravel()
+        p, h = solve_bordered(operator, border, kept, (sides, right.load), TOLERANCE)
         return p.reshape(lin.P.shape), h
 
     def _film(self, p: Numbers, h: complex) -> Numbers:
@@ -125,14 +127,31 @@ class LinearContact:
             return np.full_like(p, h)
         return _by_parts(lambda a: deflected(self.state, self.index, a), p) + h
 
-    def _carried(self, p: Numbers, film: Numbers) -> Numbers:
-        """Change of rho H."""
+    def _changed(
+        self, p: Numbers, film: Numbers, source: Array | float = 0.0, turn: complex = 0.0
+    ) -> FluxChange:
+        """Change of the equations inside and of the oil that nodes hold."""
         lin = self.lin
-        return np.asarray(lin.density * (film + lin.content_by_pressure * p))
+        content = lin.density * (film + lin.content_by_pressure * p)
+        if lin.starved is None:
+            rows = _by_parts(lambda a, b: product(lin, a, b), p, film)
+            return FluxChange(rows=rows - source - turn * content, content=content)
+        gained = _by_parts(lambda a, b: poiseuille_change(lin, a, b), p, film)
+        return flux_change(lin.starved, lin.grid, gained - source, content, turn)
 
     def _content(self, p: Array, h: float) -> Array:
-        """Change of rho H inside the box, zero on its edge."""
-        return np.where(self.lin.edge, 0.0, self._carried(p, self._film(p, h)))
+        """Change of the oil of nodes inside the box, zero on its edge."""
+        content = self._changed(p, self._film(p, h)).content
+        return np.where(self.lin.edge, 0.0, content)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Right:
+    """Right side of the equations, arrays of shape (ny, nx) [-]."""
+
+    source: Array | float = 0.0  # inside, oil that appears
+    edge: Array | float = 0.0  # pressure on the edge
+    load: float = 0.0
 
 
 def linear_contact(state: Multigrid) -> LinearContact:
@@ -152,7 +171,7 @@ def linear_contact(state: Multigrid) -> LinearContact:
         kappa = state.contact.speed / (2.0 * curvature)
         wet = lin.edge & (lin.P > 0.0)
         squeeze[wet] = kappa / lin.H[wet] ** 2
-        load = kappa * squeeze_load(state.far_field, lin.grid, lin.H)
+        load = kappa * squeeze_load(state.far_field, lin.grid, lin.H, layer_at_centre(state))
     return LinearContact(
         state=state, index=index, lin=lin, factored=factored, squeeze=squeeze, squeeze_load=load
     )

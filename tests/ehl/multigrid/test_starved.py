@@ -16,7 +16,7 @@ from ehl.multigrid.cycle import _restrict as restrict
 from ehl.multigrid.cycle import cycle, relative_residual, relax
 from ehl.multigrid.full_multigrid import ATTEMPTS
 from ehl.multigrid.kernels import _starved_kernels
-from ehl.multigrid.oil_supply import pressure_moment
+from ehl.multigrid.supply.oil_supply import pressure_moment
 from ehl.oil.inlet_layer import InletLayer
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.scaling import scale_contact

@@ -5,10 +5,10 @@ from math import exp, hypot, inf, log
 
 import numpy as np
 
-from ..closed_form.starvation import Share
-from ..conditions import ContactConditions, MoesConditions
-from ..scaling import ScaledContact, contact_shares
-from ..solution import Array, ContactSolution, FilmValue, OilSupply
+from ...closed_form.starvation import Share
+from ...conditions import ContactConditions, MoesConditions
+from ...scaling import ScaledContact, contact_shares
+from ...solution import Array, ContactSolution, FilmValue, OilSupply
 from .oil_supply import inlet_ratio, pressure_moment
 
 RATIO_STEP = 1e-3  # of ln r, for the slope of a share

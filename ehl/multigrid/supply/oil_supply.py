@@ -3,12 +3,12 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from ..grid import unfolded
-from ..oil.lubricant import density
-from ..scaling import ScaledContact
-from ..solution import ContactSolution, OilSupply
-from .cycle import log_viscosity
-from .levels import Multigrid
+from ...grid import unfolded
+from ...oil.lubricant import density
+from ...scaling import ScaledContact
+from ...solution import ContactSolution, OilSupply
+from ..cycle import log_viscosity
+from ..levels import Multigrid
 
 Array = NDArray[np.float64]
 

@@ -1,0 +1,81 @@
+"""Derivative of the flux behind a layer of oil, at a solution with its empty nodes.
+
+The march of `starved` along the lines, differentiated, with C' the change of the oil that a node
+holds in a movement as exp(i omega T), and f' a source:
+
+    full        F_i' = (3 q_i' - q_{i-1}')/2,       q' = u C',  C' = (rho H)'
+    not full    F_i' = F_{i-1}' + h_x (Pois_i' - f_i' - i omega C_i'),   P_i' = 0,  C_i' = F_i'/u,
+                at a meniscus less half of (rho H)_i'
+    row         Pois_i' - (F_i' - F_{i-1}')/h_x - f_i' - i omega C_i'    at full nodes
+    inlet       F_0' = 0 behind the layer; (q_0' + q_1')/2 where the gap is the narrower
+
+Oil that does not fill the gap rides with the surfaces at their mean speed. A meniscus that moves
+by s needs no term of its own: at a distance d before the first full node, i + 1, the last empty
+one holds what it gains and what fills up to that node, h_x F_i'/u = (rho H - F/u) s + d (rho H)'.
+What lies behind i + 1/2 belongs to node i + 1 and is taken off; kept, it makes damping converge
+with the mesh, not with its square.
+"""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..arrays import Array
+from ..grid import Grid
+from .kernels import _starved_kernels
+from .starved import Fill
+
+Numbers = NDArray[Any]  # real or complex
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StarvedFlux:
+    """Where oil does not fill the gap, arrays of shape (ny, nx) unless said; all [-]."""
+
+    empty: NDArray[np.bool_]
+    gap_enters: NDArray[np.bool_]  # (ny,) lines that the gap at the inlet lets in less than layer
+    speed: Array  # u
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FluxChange:
+    """Change of the flux of a grid, arrays of shape (ny, nx) [-]."""
+
+    rows: Numbers  # of the equations of full nodes, zero elsewhere
+    content: Numbers  # C'
+
+
+def starved_flux(fill: Fill, flow: Array, H: Array, density: Array) -> StarvedFlux:
+    """That of a level after its march; flow: rho u; H and density of shape (ny, nx) [-]."""
+    content = flow * H
+    entering = 0.5 * (content[:, 0] + content[:, 1])
+    return StarvedFlux(
+        empty=fill.empty > 0, gap_enters=entering < flow[:, 0] * fill.layer, speed=flow / density
+    )
+
+
+def flux_change(
+    flux: StarvedFlux, grid: Grid, gained: Numbers, content: Numbers, turn: complex = 0.0
+) -> FluxChange:
+    """Change of equations and oil by that of the Poiseuille term less f, `gained`, and of rho H,
+    shape (ny, nx), at i omega, `turn` [-].
+    """
+    kind = np.result_type(gained, content, type(turn))
+    own = (flux.speed * content).astype(kind)
+    along, held, rows = np.zeros((3, *own.shape), dtype=kind)
+    along[:, 0] = np.where(flux.gap_enters, 0.5 * (own[:, 0] + own[:, 1]), 0.0)
+    _starved_kernels.march_change(
+        gained.astype(kind),
+        own,
+        flux.speed,
+        flux.empty,
+        kind.type(turn),
+        grid.hx,
+        0 if grid.symmetric else 1,
+        along,
+        held,
+        rows,
+    )
+    return FluxChange(rows=rows, content=held)
