@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .closed_form.hertz import MEAN_PRESSURE_RATIO
-from .closed_form.starvation import StarvationShares
+from .closed_form.starvation import Share, StarvationShares
 from .conditions import ContactConditions, MoesConditions
 from .oil.film_state import FilmState
 from .options import SolverOptions
@@ -81,6 +81,7 @@ class OilSupply:
     # or by the law
     meniscus: float | None
     rolling_moment_ratio: float  # of the box, over that of the flooded film there
+    damping: Share  # along the normal at 0.3 u_m/a rad/s, by the law of starvation
     # None by the law: shape (ny,), oil that leaves the box over its velocity, and shape (nx, ny),
     # share of the gap that oil fills
     outlet_layer: Array | None = None

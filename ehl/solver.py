@@ -128,19 +128,26 @@ def solve_starved(
     ValueError
         If a flow model or a certificate is asked for: neither is there behind a layer.
     """
-    layer = scale_contact(conditions).inlet_layer
-    assert layer is not None
     if flow_model is not None:
         raise ValueError(FLOODED_ONLY)
     if options.certify:
         raise ValueError("certify: Newton's method has no equations of a layer at the inlet")
+    return solve_behind_layer(conditions, options)[0]
+
+
+def solve_behind_layer(
+    conditions: ContactConditions | MoesConditions, options: SolverOptions
+) -> tuple[ContactSolution, Multigrid]:
+    """As `solve_starved`; the levels of the solution, too: of the flooded one if there is none."""
+    layer = scale_contact(conditions).inlet_layer
+    assert layer is not None
     flooded, levels = solve_attempts(replace(conditions, inlet_layer=None), options)
     if not flooded.converged:
-        return replace(flooded, conditions=conditions, message=f"flooded film: {flooded.message}")
+        message = f"flooded film: {flooded.message}"
+        return replace(flooded, conditions=conditions, message=message), levels
     if turned := turned_round(levels):
-        return replace(
-            flooded, conditions=conditions, converged=False, resolved=False, message=turned
-        )
+        unsolved = replace(flooded, conditions=conditions, message=turned)
+        return replace(unsolved, converged=False, resolved=False), levels
     ratio = inlet_ratio(layer.central, flooded, levels.contact)
     guess = starved_film_guess(flooded.film_central_dimensionless.value, ratio)
     starved, levels = solve_attempts(conditions, options, film_guess=guess)
@@ -148,7 +155,7 @@ def solve_starved(
     supply = oil_supply(flooded, starved, levels, ratio)
     work_of_both = starved.record.fft_equivalents + supply.flooded_fft_equivalents
     record = replace(starved.record, wall_time=time_of_both, fft_equivalents=work_of_both)
-    return replace(starved, record=record, supply=supply)
+    return replace(starved, record=record, supply=supply), levels
 
 
 def solve_by_law(

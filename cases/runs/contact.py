@@ -82,8 +82,6 @@ def _no_response(case: ContactCase, solution: ContactSolution) -> str:
     """Why stiffness and damping are not computed; empty if they are."""
     if not isinstance(case.conditions, ContactConditions):
         return "the case gives no lengths"
-    if case.conditions.inlet_layer is not None:
-        return "the film stands behind a layer"
     if case.films.model is not FilmModel.NEWTONIAN:
         return "the film was solved with shear or heat"
     return "" if solution.converged else "the film did not converge"

@@ -1,4 +1,4 @@
-"""What a layer of oil at the inlet leaves of a flooded contact: films and rolling moment.
+"""What a layer of oil at the inlet leaves of a flooded contact: films, rolling moment, damping.
 
 `starvation_shares` is the law of this program, tabulated from its own solutions. The formulas of
 others stand beside it for comparison.
@@ -21,7 +21,7 @@ OUTSIDE = 4.0
 
 @dataclass(frozen=True, slots=True)
 class Share:
-    """A share of the flooded value, 0 to 1 [-]."""
+    """A share of the flooded value, 0 to 1, of damping also beyond [-]."""
 
     value: float
     uncertainty: float  # encloses the distance to the solution in nineteen of twenty, of flooded
@@ -31,8 +31,8 @@ class Share:
         return Share(self.value, OUTSIDE * self.uncertainty)
 
     def raised(self, by: float) -> "Share":
-        """The share and so much more [-]."""
-        return Share(min(self.value + by, 1.0), self.uncertainty)
+        """The share and so much more, 1 at most [-]."""
+        return Share(min(self.value + by, max(self.value, 1.0)), self.uncertainty)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,6 +42,9 @@ class StarvationShares:
     central: Share  # film at the centre
     minimum: Share  # smallest film
     rolling_moment: Share  # of the pressure in the solver's own box
+    # along the normal, of an oscillation with 0.3 u_m/a rad/s, both contacts'; slower ones follow
+    # the meniscus and may be excited
+    damping: Share
     inside: bool  # whether the contact lies among those that were solved for the law
 
     def outside(self) -> "StarvationShares":
@@ -52,6 +55,7 @@ class StarvationShares:
             central=self.central.widened(),
             minimum=self.minimum.widened(),
             rolling_moment=self.rolling_moment.widened(),
+            damping=self.damping.widened(),
             inside=False,
         )
 
@@ -60,12 +64,16 @@ class StarvationShares:
         return min(self.minimum.value * minimum, self.central.value * central)
 
 
-FLOODED = StarvationShares(
-    central=Share(1.0, 0.0), minimum=Share(1.0, 0.0), rolling_moment=Share(1.0, 0.0), inside=True
-)
-DRY = StarvationShares(
-    central=Share(0.0, 0.0), minimum=Share(0.0, 0.0), rolling_moment=Share(0.0, 0.0), inside=True
-)
+def _same(share: float) -> StarvationShares:
+    """One share of all, known exactly [-]."""
+    exact = Share(share, 0.0)
+    return StarvationShares(
+        central=exact, minimum=exact, rolling_moment=exact, damping=exact, inside=True
+    )
+
+
+FLOODED = _same(1.0)
+DRY = _same(0.0)
 
 
 def starvation_shares(
@@ -75,7 +83,8 @@ def starvation_shares(
     inlet_ratio: float,
     flooded_ratio: float = inf,
 ) -> StarvationShares:
-    """Shares of the flooded films and rolling moment that a layer at the inlet leaves [-].
+    """Shares of the flooded films, rolling moment and damping that a layer at the inlet leaves
+    [-].
 
     `load_parameter`, `lubricant_parameter`: Moes' M and L; `radius_ratio`: Rx/Ry, x the direction
     of the entrainment; `inlet_ratio`: r, layer on both surfaces together at ambient density over
@@ -108,15 +117,16 @@ def starvation_shares(
         central=shares.central.raised(part * (1.0 - ample.central.value)),
         minimum=shares.minimum.raised(part * (1.0 - ample.minimum.value)),
         rolling_moment=shares.rolling_moment.raised(part * (1.0 - ample.rolling_moment.value)),
+        damping=shares.damping.raised(part * (1.0 - ample.damping.value)),
     )
 
 
 def _shares(known: Curves, inlet_ratio: float) -> StarvationShares:
     """Shares of a contact at a ratio above zero [-]."""
     at = log(inlet_ratio)
-    exponent, gain, moment = (
+    exponent, gain, moment, damping = (
         float(np.interp(at, known.log_ratios, values))
-        for values in (known.exponent, known.gain, known.moment)
+        for values in (known.exponent, known.gain, known.moment, known.damping)
     )
     film = starved_share(inlet_ratio, exp(exponent))
     minimum = min(film * exp((1.0 - film) * gain), 1.0)
@@ -125,17 +135,17 @@ def _shares(known: Curves, inlet_ratio: float) -> StarvationShares:
     shares = StarvationShares(
         central=Share(film, errors[0] * film),
         minimum=Share(minimum, errors[1] * minimum),
-        rolling_moment=Share(_moment(moment, beyond), errors[2]),
+        rolling_moment=Share(_beyond(1.0 / (1.0 + exp(-moment)), beyond), errors[2]),
+        damping=Share(_beyond(damping, beyond), errors[3]),
         inside=True,
     )
     return shares if known.inside else shares.outside()
 
 
-def _moment(logit: float, beyond: float) -> float:
-    """Share of the rolling moment; `beyond`: ln r past the end of the table, below which it falls
-    and above which what is missing falls with r [-].
+def _beyond(share: float, beyond: float) -> float:
+    """A share so far in ln r past the end of the table, below which it falls and above which what
+    is missing falls with r [-].
     """
-    share = 1.0 / (1.0 + exp(-logit))
     if beyond > 0.0:
         return 1.0 - (1.0 - share) * exp(-beyond)
     return share * exp(beyond)

@@ -1,4 +1,4 @@
-"""The law of starvation as tabulated: three functions of four numbers.
+"""The law of starvation as tabulated: four functions of four numbers.
 
 These are x = (ln H_c, ln(1 + L/3), ln(Rx/Ry), ln r). H_c is the flooded film by the formula of
 Nijenbanning, Venner and Moes (1994) over a^2/Rx, which says how far the inlet's gap is that of the
@@ -7,11 +7,12 @@ the solved places, fitted to solutions by `tools/starvation/fit.py`:
 
     f(x) = trend(x) + sum_i w_i k(|(x - x_i)/l|),   k(d) = (1 + t + t^2/3) e^-t,  t = sqrt(5) d
 
-(a Gaussian process with Matern's kernel of 5/2). From f_1 = ln(g), f_2 = c, f_3 = s follow
+(a Gaussian process with Matern's kernel of 5/2). From f_1 = ln(g), f_2 = c, f_3 = s, f_4 follow
 
     central film       R     = r/(1 + r^g)^(1/g)
     minimum film       R_min = R exp[(1 - R) c]
     rolling moment     T/T_0 = 1/(1 + exp(-s))
+    damping            f_4, at an angular frequency of 0.3 u_m/a
 
 Chevalier's form (1998) with an exponent that depends on all four keeps R below r and 1, and leaves
 the limits of little and of much oil exact. Where a fitted curve falls over r, which it does by the
@@ -32,6 +33,7 @@ from .hertz import hertz_coefficients
 Array = NDArray[np.float64]
 
 FILE = Path(__file__).parent / "starvation_law.npz"
+DAMPING_FILE = Path(__file__).parent / "starvation_damping.npz"
 STRETCH = 3.0  # of L, ln(1 + L/3): films leave the isoviscous ones about there
 NODES = 121  # of ln r, between which the functions of one contact are linear
 LEAST_RISE = 1e-6  # of ln R, ln R_min and s from node to node
@@ -41,18 +43,18 @@ PAIRS = np.triu_indices(4)
 
 
 class Function(NamedTuple):
-    """One of the three."""
+    """One of the four."""
 
+    places: Array  # (n, 4) x_i
     scales: Array  # (4,) l
     trend: Array  # (15,) of 1, x_j, x_j x_k
     weights: Array  # (n,) w
 
 
 class Table(NamedTuple):
-    """What the file holds [-]."""
+    """What the files hold [-]."""
 
-    places: Array  # (n, 4) x_i
-    functions: tuple[Function, Function, Function]
+    functions: tuple[Function, ...]
     lower: Array  # (4,) of x
     upper: Array
     # (3,) M, Rx/Ry and alpha p_h between which contacts were solved
@@ -60,7 +62,7 @@ class Table(NamedTuple):
     largest: Array
     error_films: Array  # (k,) ln H_c
     error_ratios: Array  # (m,) ln r
-    errors: Array  # (3, k, m) of R and R_min over themselves, of T/T_0
+    errors: Array  # (4, k, m) of R and R_min over themselves, of T/T_0 and the damping's share
 
 
 class Curves(NamedTuple):
@@ -70,27 +72,31 @@ class Curves(NamedTuple):
     exponent: Array  # ln g
     gain: Array  # c
     moment: Array  # s
-    errors: Array  # (3, m) over `Table.error_ratios`
+    damping: Array  # share
+    errors: Array  # (4, m) over `Table.error_ratios`
     inside: bool
 
 
 @cache
 def table() -> Table:
     """The table, read once [-]."""
-    with np.load(FILE) as file:
-        functions = tuple(
-            Function(file["scales"][k], file["trends"][k], file["weights"][k]) for k in range(3)
-        )
+    with np.load(FILE) as file, np.load(DAMPING_FILE) as damping:
+        places = file["places"].astype(float)
+        functions = [
+            Function(places, file["scales"][k], file["trends"][k], file["weights"][k])
+            for k in range(3)
+        ]
+        of_damping = [damping[name] for name in ("scales", "trend", "weights")]
+        functions.append(Function(damping["places"].astype(float), *of_damping))
         return Table(
-            places=file["places"].astype(float),
-            functions=(functions[0], functions[1], functions[2]),
+            functions=tuple(functions),
             lower=file["lower"],
             upper=file["upper"],
             least=file["least"],
             largest=file["largest"],
             error_films=file["error_films"],
             error_ratios=file["error_ratios"],
-            errors=file["errors"],
+            errors=np.concatenate([file["errors"], damping["errors"][None]]),
         )
 
 
@@ -129,8 +135,8 @@ def curves(load: float, lubricant: float, radius_ratio: float) -> Curves:
     x = np.empty((NODES, 4))
     x[:, :3] = np.clip(wanted, known.lower[:3], known.upper[:3])
     x[:, 3] = log_ratios
-    exponent, gain, moment = (
-        trend_terms(x) @ f.trend + radial(x, known.places, f.scales) @ f.weights
+    exponent, gain, moment, damping = (
+        trend_terms(x) @ f.trend + radial(x, f.places, f.scales) @ f.weights
         for f in known.functions
     )
     log_share = _rising(log_shares(exponent, log_ratios))
@@ -144,6 +150,7 @@ def curves(load: float, lubricant: float, radius_ratio: float) -> Curves:
         exponent=exponent,
         gain=(log_minimum - log_share) / missing,
         moment=_rising(moment),
+        damping=damping,
         errors=_errors(known, x[0, 0]),
         inside=bool(np.all(known.least <= contact) and np.all(contact <= known.largest)),
     )
@@ -178,7 +185,7 @@ def _exponents(log_share: Array, log_ratio: Array, before: Array) -> Array:
 
 
 def _errors(known: Table, log_film: float) -> Array:
-    """Uncertainties of a contact by its ln H_c, shape (3, m) [-]."""
+    """Uncertainties of a contact by its ln H_c, shape (4, m) [-]."""
     flat = known.errors.transpose(0, 2, 1)
     return np.array(
         [[np.interp(log_film, known.error_films, row) for row in rows] for rows in flat]

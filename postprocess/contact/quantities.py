@@ -127,6 +127,8 @@ SUPPLY_QUANTITIES = (
         ("inlet_ratio", "layer over the oil of the flooded film"),
         ("meniscus_position", "meniscus in semi-axes", "meniscus"),
         ("rolling_moment_ratio", "share of the rolling moment"),
+        ("damping_ratio", "share of the damping at 0.3 u_m/a", "damping.value"),
+        ("damping_ratio_uncertainty", "share of the damping, uncertainty", "damping.uncertainty"),
     ),
 )
 

@@ -51,6 +51,11 @@ def response_messages(results: ContactResults) -> Iterator[str]:
     else:
         if response.message != "converged":
             yield f"stiffness_N_um, damping_N_s_m: {response.message}"
+        if response.damping.value < 0.0:
+            yield (
+                "damping_N_s_m: negative, oil that fills the inlet of bodies closing in slowly is "
+                "missing behind; `response` tells it over frequency"
+            )
         if not response.frequencies:
             yield "response: null, no ehl.response_frequencies_Hz"
 

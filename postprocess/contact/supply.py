@@ -9,7 +9,7 @@ from ehl.units import from_si, to_si
 from .results import ContactResults
 
 KEYS = ("starved_film_share", "starved_film_central_um", "starved_film_minimum_um")
-SOLVED = ("inlet_ratio", "meniscus_position", "rolling_moment_ratio")
+SOLVED = ("inlet_ratio", "meniscus_position", "rolling_moment_ratio", "damping_ratio")
 NAMES = ("central", "minimum")
 LAW_MESSAGE = (
     "supply: inlet film, by the law of starvation: film_... are the films that it leaves of "

@@ -1,16 +1,20 @@
-"""Starvation law from its solves: `python tools/starvation/fit.py`, from `solves.jsonl` into ehl/closed_form."""
+"""Starvation law from its solves: `python tools/starvation/fit.py films` or `damping`, from `solves.jsonl` or
+`damping.jsonl` into ehl/closed_form.
+"""
 
 from __future__ import annotations
 
 import json
+import sys
 
 import numpy as np
+from damping import DAMPING
 from numpy.linalg import LinAlgError
 from scipy.linalg import cho_factor, cho_solve
 from scipy.optimize import minimize
 from solves import LARGEST_EXPONENT, SOLVES
 
-from ehl.closed_form.starvation_table import FILE, place_of_contact, radial, trend_terms
+from ehl.closed_form.starvation_table import DAMPING_FILE, FILE, place_of_contact, radial, trend_terms
 
 MOMENT = 0.44  # of the step of T/T_0 by its lever from the coarser mesh that is added: order 1.7
 LIGHT = 1.0  # Hc from which solves that want more points count, too
@@ -19,6 +23,9 @@ ALONE = 0.02  # step where the coarser mesh did not converge
 FLOORS = (4e-4, 1.5e-3, 6e-3)  # noise of ln R, ln R_min, T/T_0
 BAR_SHARE, LARGEST_BAR = 0.2, 0.05  # of the error bars of the films that counts as noise, and the most
 STEP_SHARE = 0.25  # of the step between the meshes that counts as noise
+# of damping: noise, and the share of the step from the coarser mesh that counts as such and that is added
+DAMPING_FLOOR, DAMPING_STEP_SHARE, DAMPING_STEP = 4e-3, 0.3, 1.0 / 3.0
+THICK_DAMPING = 4.0  # Hc from which damping is not fitted: it grows as films thin, by several times
 
 
 def rows(path):
@@ -50,6 +57,31 @@ def rows(path):
     return np.array(kinds), np.array(numbers), np.array(x), np.array(y), np.array(noise)
 
 
+def damping_rows(path):
+    """Kind, contact, x, share of damping at the higher frequency, noise of each; and of contacts too thick to fit."""
+    found, thick = [], []
+    for text in path.read_text().splitlines():
+        e = json.loads(text)
+        fine, coarse = e["fine"], e["coarse"]
+        if fine["flooded"] is None or coarse["flooded"] is None:
+            continue
+        place = place_of_contact(e["M"], e["L"], e["ratio"])
+        for r, one, other in zip(e["layers"], fine["starved"], coarse["starved"], strict=True):
+            if one is None or other is None:
+                continue
+            share, before = one[1] / fine["flooded"][1], other[1] / coarse["flooded"][1]
+            noise = np.hypot(DAMPING_FLOOR, DAMPING_STEP_SHARE * (share - before))
+            row = (
+                e["kind"],
+                e["number"],
+                np.array([*place, np.log(r)]),
+                share + DAMPING_STEP * (share - before),
+                noise,
+            )
+            (thick if place[0] > np.log(THICK_DAMPING) else found).append(row)
+    return [[np.array(column) for column in zip(*rows, strict=True)] for rows in (found, thick)]
+
+
 def shares(one, flooded):
     """R, R_min, T/T_0."""
     films = [s[0] / f[0] for s, f in zip(one["films"], flooded["films"], strict=True)]
@@ -75,6 +107,8 @@ def models(k, x, y):
     if k == 1:
         missing = -np.expm1(y[:, 0])
         return lambda f: (y[:, 0] + missing * f, missing)
+    if k == 3:
+        return lambda f: (f, np.ones_like(f))
 
     def sigmoid(f):
         s = 1.0 / (1.0 + np.exp(-f))
@@ -199,34 +233,72 @@ def quantile_map(error, x):
     return found
 
 
+def fitted(k, x, y, noise, numbers, start):
+    """Function k as scales, trend and weights, and its errors at contacts left out."""
+    model = models(k, x, y)
+    observed = y[:, k] if y.ndim > 1 else y
+    one = Fit(x, observed, noise, model, start)
+    p = one.optimise(PRIOR.copy(), numbers, ROUNDS, STEPS)
+    print("scales, amplitude, noise", np.exp(p).round(3))
+    trend, weight = one.weights(p)
+    return (np.exp(p[:4]), trend, weight), model(one.left_out(p, numbers))[0] - observed
+
+
+def report(k, left, judged, x_fit, x_held):
+    """Print both kinds of errors; their quantiles around places."""
+    for text, error, x in ((f"left out {k}", left, x_fit), (f"held {k}", judged, x_held)):
+        quantiles(text, error, x)
+        worst = np.argsort(-np.abs(error))[:4]
+        print("   worst", [(np.exp(x[i]).round(3).tolist(), round(float(error[i]), 4)) for i in worst])
+    found = quantile_map(np.concatenate([left, judged]), np.concatenate([x_fit, x_held]))
+    print(np.round(found, 4))
+    return found
+
+
 def main():
     """Fit, judge, write."""
+    {"films": films, "damping": damping}[sys.argv[1]]()
+
+
+def films():
+    """Films and rolling moment."""
     kinds, numbers, x, y, noise = rows(SOLVES)
     fit, held = kinds == "fit", kinds == "held"
     counts = [(len(np.unique(numbers[part])), part.sum()) for part in (fit, held)]
     print("contacts and layers to fit, to judge:", *counts)
     functions, errors = [], []
     for k in range(3):
-        model = models(k, x[fit], y[fit])
-        one = Fit(x[fit], y[fit, k], noise[fit, k], model, STARTS[k])
-        p = one.optimise(PRIOR.copy(), numbers[fit], ROUNDS, STEPS)
-        print("scales, amplitude, noise", np.exp(p).round(3))
-        trend, weight = one.weights(p)
-        scales = np.exp(p[:4])
-        left = model(one.left_out(p, numbers[fit]))[0] - y[fit, k]
-        quantiles(f"left out {k}", left, x[fit])
-        of_held = predicted(scales, trend, weight, x[held], x[fit])
+        function, left = fitted(k, x[fit], y[fit], noise[fit, k], numbers[fit], STARTS[k])
+        of_held = predicted(*function, x[held], x[fit])
         judged = models(k, x[held], y[held])(of_held)[0] - y[held, k]
-        quantiles(f"held {k}", judged, x[held])
-        worst = np.argsort(-np.abs(judged))[:4]
-        print("   worst", [(np.exp(x[held][i]).round(3).tolist(), round(float(judged[i]), 4)) for i in worst])
-        worst = np.argsort(-np.abs(left))[:4]
-        print("   worst", [(np.exp(x[fit][i]).round(3).tolist(), round(float(left[i]), 4)) for i in worst])
-        functions.append((scales, trend, weight))
-        error = np.concatenate([left, judged])
-        errors.append(quantile_map(error, np.concatenate([x[fit], x[held]])))
-        print(np.round(errors[-1], 4))
+        functions.append(function)
+        errors.append(report(k, left, judged, x[fit], x[held]))
     write(SOLVES, x[fit], functions, errors)
+
+
+def damping():
+    """Damping at the higher frequency; contacts too thick to fit have bars as wide as their distance."""
+    known, thick = damping_rows(DAMPING)
+    kinds, numbers, x, y, noise = known
+    fit, held = kinds == "fit", kinds == "held"
+    counts = [(len(np.unique(numbers[part])), part.sum()) for part in (fit, held)]
+    print("contacts and layers to fit, to judge:", *counts)
+    function, left = fitted(3, x[fit], y[fit], noise[fit], numbers[fit], 0.5)
+    judged = predicted(*function, x[held], x[fit]) - y[held]
+    errors = report(3, left, judged, x[fit], x[held])
+    at = thick[2].copy()
+    at[:, 0] = np.log(THICK_DAMPING)
+    beyond = predicted(*function, at, x[fit]) - thick[3]
+    errors[-1] = quantile_map(beyond, thick[2])[-1]
+    print("thick", errors[-1].round(2))
+    np.savez_compressed(
+        DAMPING_FILE,
+        places=x[fit].astype(np.float32),
+        scales=function[0],
+        trend=function[1],
+        weights=function[2],
+        errors=errors,
+    )
 
 
 def write(path, x, functions, errors):

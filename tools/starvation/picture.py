@@ -6,6 +6,7 @@ import json
 from pathlib import Path
 
 import numpy as np
+from damping import DAMPING
 from matplotlib.figure import Figure
 from solves import SOLVES
 
@@ -78,21 +79,33 @@ def gap_at_meniscus(e, meniscus, film):
     return 1.0 + (0.5 * meniscus**2 + contact.deformation * contact.load * sunk) / film
 
 
+def solved_damping(e):
+    """r and the solved share of damping of a contact's layers."""
+    for text in DAMPING.read_text().splitlines():
+        one = json.loads(text)
+        if (one["kind"], one["number"]) == (e["kind"], e["number"]):
+            fine = one["fine"]
+            pairs = zip(one["layers"], fine["starved"], strict=True)
+            return [(r, found[1] / fine["flooded"][1]) for r, found in pairs if found is not None]
+    return []
+
+
 def main():
     """Print errors, draw the curves."""
     known = list(points())
     print_errors(known)
-    figure = Figure(figsize=(12.0, 4.2), layout="constrained")
-    panels = figure.subplots(1, 3)
+    figure = Figure(figsize=(11.0, 8.4), layout="constrained")
+    panels = figure.subplots(2, 2).ravel()
     r = np.geomspace(0.05, 30.0, 120)
-    titles = ("central film", "minimum film", "rolling moment")
+    titles = ("central film", "minimum film", "rolling moment", "damping at 0.3 $u_m/a$")
     contacts = {(e["M"], e["ratio"]): e for e, *_ in known}
     nearest = [min(contacts, key=lambda c: abs(np.log(c[0] / m)) + abs(np.log(c[1] / d))) for m, d in DRAWN]
     for colour, key in enumerate(nearest):
         e = contacts[key]
         shares = [law(e, ratio) for ratio in r]
         own = [(ratio, solved) for one, ratio, solved, *_ in known if one is e]
-        for k, name in enumerate(("central", "minimum", "rolling_moment")):
+        panels[3].plot(*np.array(solved_damping(e)).T, "o", color=f"C{colour}", ms=5)
+        for k, name in enumerate(("central", "minimum", "rolling_moment", "damping")):
             values = np.array([getattr(s, name).value for s in shares])
             bars = np.array([getattr(s, name).uncertainty for s in shares])
             label = f"M {e['M']:.0f}, L {e['L']:.0f}, $R_x/R_y$ {e['ratio']:.2g}"
@@ -100,13 +113,15 @@ def main():
             panels[k].fill_between(
                 r, values - bars, np.minimum(values + bars, 1.0), color=f"C{colour}", alpha=0.2, lw=0
             )
-            panels[k].plot([p[0] for p in own], [p[1][k] for p in own], "o", color=f"C{colour}", ms=5)
+            if k < len(own[0][1]):
+                panels[k].plot([p[0] for p in own], [p[1][k] for p in own], "o", color=f"C{colour}", ms=5)
     line = r[r >= 2.0]
     panels[2].plot(line, [rolling_share_biboulet_houpert(s) for s in line], "k--", label="Biboulet, Houpert: lines")
     for panel, title in zip(panels, titles, strict=True):
         panel.set(xscale="log", xlabel="layer over the oil of the flooded film, r [-]", title=title, ylim=(0.0, 1.05))
+        panel.set_ylabel("share of flooded [-]")
         panel.grid(alpha=0.3)
-    panels[0].set_ylabel("share of flooded [-]")
+    panels[3].set_ylim(-0.2, 1.05)
     panels[0].legend(fontsize=8, loc="lower right")
     panels[2].legend(fontsize=8, loc="upper left")
     figure.savefig(PICTURE, dpi=120)

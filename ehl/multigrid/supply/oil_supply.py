@@ -5,7 +5,7 @@ from numpy.typing import NDArray
 
 from ...grid import unfolded
 from ...oil.lubricant import density
-from ...scaling import ScaledContact
+from ...scaling import ScaledContact, contact_shares, scale_contact
 from ...solution import ContactSolution, OilSupply
 from ..cycle import log_viscosity
 from ..levels import Multigrid
@@ -72,12 +72,14 @@ def oil_supply(
             values[0] = values[1]
     if grid.symmetric:
         outlet, filled = unfolded(outlet), unfolded(filled)
+    along = scale_contact(starved.conditions, along_entrainment=True)
     return OilSupply(
         flooded_central=flooded.film_central_dimensionless,
         flooded_minimum=flooded.film_minimum_dimensionless,
         inlet_ratio=ratio,
         meniscus=_meniscus(starved, fill.empty[0 if grid.symmetric else grid.ny // 2]),
         rolling_moment_ratio=_moment(starved, levels) / _moment(flooded, levels),
+        damping=contact_shares(along, ratio).damping,
         flooded_fft_equivalents=flooded.record.fft_equivalents * flooded.P.size / starved.P.size,
         outlet_layer=outlet,
         filled=filled.T,

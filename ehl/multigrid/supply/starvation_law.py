@@ -49,6 +49,7 @@ def behind_layer(
         inlet_ratio=ratio,
         meniscus=None,
         rolling_moment_ratio=shares.rolling_moment.value,
+        damping=shares.damping,
         law=shares,
         flooded_moment=pressure_moment(flooded, contact),
         flooded_fft_equivalents=flooded.record.fft_equivalents,

@@ -24,7 +24,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
-from ...multigrid.bordered import Border, solve_bordered
+from ...multigrid.bordered import Border, LinearSolverError, solve_bordered
 from ...multigrid.cycle import layer_at_centre
 from ...multigrid.far_field import squeeze_load
 from ...multigrid.jacobian import Linearisation, deflected, poiseuille_change, product
@@ -160,9 +160,12 @@ def linear_contact(state: Multigrid) -> LinearContact:
     Raises
     ------
     LinearSolverError
-        If the steps do not lead to a solution.
+        If the steps do not lead to a solution, or oil flows across the lines behind a layer.
     """
     index = len(state.levels) - 1
+    fill = state.levels[index].fill
+    if fill is not None and fill.across.size:
+        raise LinearSolverError("behind a layer no oil may flow across the lines of the grid")
     lin, factored = polished(state, index)
     squeeze = np.zeros_like(lin.P)
     load = 0.0

@@ -9,13 +9,14 @@ from ...multigrid.bordered import LinearSolverError
 from ...multigrid.newton import MOST_NODES
 from ...options import SolverOptions
 from ...scaling import scale_contact
-from ...solver import solve_attempts
+from ...solver import solve_attempts, solve_behind_layer
 from .linear import LinearContact, SlowResponse, linear_contact
 
 POINTS = (257, 513)  # the first that resolves the film, and half of them
 COARSEST = 65
 # error of the extrapolated value over the step between the meshes; a third is what order 2 adds
 MESH_SHARE = 0.5
+LAYER_SHARE = 2.0  # behind a layer, whose values go on with the meniscus' place in its cell
 # angular frequency times a/u_m, below which movement is slow: damping differs by 0.02 % at most
 # there, and is too small a part of the reaction to be told from it
 SLOWEST = 0.02
@@ -51,24 +52,26 @@ def normal_response(
     options: SolverOptions | None = None,
     frequencies: Sequence[float] = (),
 ) -> NormalResponse:
-    """Stiffness [N/m] and damping [N s/m] of a flooded, Newtonian, isothermal contact, slow and at
-    frequencies [Hz].
+    """Stiffness [N/m] and damping [N s/m] of a Newtonian, isothermal contact, slow and at
+    frequencies [Hz]; with a layer at the inlet as solved behind it.
 
     The contact is solved on 257 points along x (513 if those do not resolve the film), or those of
     the options, and on half as many; both values are extrapolated with order 2. The error bar
     holds a part of that step and what is not known of the squeeze beyond an open box: half of what
-    it adds at most.
+    it adds at most. Behind a layer nothing is extrapolated and the bar is twice the step. There
+    the damping of slow movement may be negative: bodies that close
+    in feed the meniscus, at the cost of the film; faster than the meniscus follows it is positive.
+    Where oil flows across the lines of the grid, as with an entrainment that turns, a layer's
+    response is not known.
 
     Raises
     ------
     ValueError
-        If the conditions have no lengths or a layer at the inlet, or a frequency is not above
-        zero or beyond 10 u_m/(2 pi a).
+        If the conditions have no lengths, or a frequency is not above zero or beyond 10 u_m/(2 pi
+        a).
     """
     if isinstance(conditions, MoesConditions):
         raise ValueError("conditions: stiffness and damping need lengths")
-    if conditions.inlet_layer is not None:
-        raise ValueError("inlet_layer: stiffness and damping are those of flooded contacts")
     limit = highest_frequency(conditions)
     if wrong := [frequency for frequency in frequencies if not 0.0 < frequency <= limit]:
         raise ValueError(f"frequencies: above 0 and at most {limit:.4g} Hz, got {wrong[0]}")
@@ -89,7 +92,8 @@ def normal_response(
             break
     if not meshes or meshes[-1].points < finest[0]:
         return _none(fault)
-    return _extrapolated(meshes[-2:], tuple(frequencies))
+    starved = conditions.inlet_layer is not None
+    return _extrapolated(meshes[-2:], tuple(frequencies), starved)
 
 
 def highest_frequency(conditions: ContactConditions) -> float:
@@ -115,7 +119,8 @@ def _mesh(
     conditions: ContactConditions, options: SolverOptions, frequencies: Sequence[float]
 ) -> _Mesh:
     """The response on the points of the options; `LinearSolverError` where there is none."""
-    solution, state = solve_attempts(conditions, options)
+    starved = conditions.inlet_layer is not None
+    solution, state = (solve_behind_layer if starved else solve_attempts)(conditions, options)
     if not solution.converged:
         raise LinearSolverError(solution.message)
     if state.levels[-1].P.size > MOST_NODES:
@@ -133,7 +138,7 @@ def _mesh(
         at_rest = (slow.stiffness, slow.damping)
         stiffness, damping = contact.at(turns) if turns > SLOWEST else at_rest
         samples.append((unit * stiffness, unit * time * damping))
-    if not (slow.stiffness > 0.0 and slow.damping > 0.0):
+    if not (slow.stiffness > 0.0 and (starved or slow.damping > 0.0)):
         raise LinearSolverError("stiffness or damping is not positive")
     return _Mesh(
         stiffness=unit * slow.stiffness,
@@ -145,8 +150,12 @@ def _mesh(
     )
 
 
-def _extrapolated(meshes: list[_Mesh], frequencies: tuple[float, ...]) -> NormalResponse:
-    """Values without mesh; of a single mesh their bars are as wide as the values."""
+def _extrapolated(
+    meshes: list[_Mesh], frequencies: tuple[float, ...], starved: bool
+) -> NormalResponse:
+    """Values without mesh, behind a layer those of the finer one; of a single mesh their bars are
+    as wide as the values.
+    """
     coarse = meshes[0]
     fine = meshes[-1]
     single = coarse is fine
@@ -158,8 +167,9 @@ def _extrapolated(meshes: list[_Mesh], frequencies: tuple[float, ...]) -> Normal
         if single:
             return ResponseValue(value=after - shift, uncertainty=abs(after))
         step = after - before
-        bar = hypot(MESH_SHARE * step, shift)
-        return ResponseValue(value=after + step / 3.0 - shift, uncertainty=bar)
+        bar = hypot((LAYER_SHARE if starved else MESH_SHARE) * step, shift)
+        without_mesh = after if starved else after + step / 3.0
+        return ResponseValue(value=without_mesh - shift, uncertainty=bar)
 
     samples = list(zip(coarse.over_frequency, fine.over_frequency, strict=True))
     return NormalResponse(

@@ -44,12 +44,24 @@ def test_values_with_bars_and_over_frequency():
     assert "N/µm" in response_row(results.response)
 
 
-def test_null_behind_a_layer_with_its_reason():
-    """A starved film has no linear response, and the messages say so."""
-    results, found = summary(oil="inlet_film_um = 0.5", ehl='starvation = "tabulated"')
+@pytest.mark.parametrize("starvation", ["tabulated", "solved"])
+def test_behind_a_layer_slow_movement_is_excited(starvation):
+    """Stiffer than flooded; a damping below zero is said, at 3 kHz it is above."""
+    ehl = f'starvation = "{starvation}"\nresponse_frequencies_Hz = [3e3]'
+    found = summary(oil="inlet_film_um = 0.5", ehl=ehl)[1]
+    assert 69.5 < found["stiffness_N_um"] < 72.0
+    assert found["damping_N_s_m"] < 0.0 < found["response"]["damping_N_s_m"][0] < 131.1
+    assert any(text.startswith("damping_N_s_m: negative") for text in found["messages"])
+
+
+def test_null_with_shear_thinning_with_its_reason():
+    """A film with shear has no linear response, and the messages say so."""
+    oil = 'rheology = "ree-eyring"\neyring_stress_MPa = 5.0'
+    results, found = summary(oil=oil, ehl='film_model = "shear-thinning"')
     assert results.response is None
     assert found["stiffness_N_um"] is None and found["response"] is None
-    assert "stiffness_N_um, damping_N_s_m, response: null, the film stands behind a layer" in found["messages"]
+    reason = "stiffness_N_um, damping_N_s_m, response: null, the film was solved with shear or heat"
+    assert reason in found["messages"]
     assert response_row(results.response) == ""
 
 

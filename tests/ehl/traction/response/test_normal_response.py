@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 from math import pi
 
-import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
@@ -13,11 +12,10 @@ from ehl import ContactConditions, Lubricant, SolverOptions, ViscosityLaw
 from ehl.multigrid.bordered import LinearSolverError
 from ehl.multigrid.cycle import cycle, start_level
 from ehl.multigrid.newton import certify
-from ehl.oil.inlet_layer import InletLayer
 from ehl.solver import solve_attempts
 from ehl.traction import normal_response
 from ehl.traction.response import normal
-from ehl.traction.response.linear import linear_contact
+from ehl.traction.response.linear import _Right, linear_contact
 from verification.contacts import DEGREE
 from verification.contacts import moes as groups
 
@@ -73,7 +71,7 @@ def test_damping_is_the_slope_of_full_solves():
     state = levels(groups(20.0, 10.0), 65, BOXES["M 20"])
     contact = linear_contact(state)
     answer = contact.slow()
-    p, h = contact._solved(np.zeros_like(contact.lin.P), 1.0)
+    p, h = contact._solved(_Right(load=1.0))
     follow = contact._content(p, h) / h  # of the oil with H0
     start, pressure = state.approach, state.levels[-1].P.copy()
     found = []
@@ -134,12 +132,9 @@ def test_frequencies_in_hertz_have_a_limit():
 
 
 def test_what_has_no_response_is_refused():
-    """Moes' groups have no lengths, a layer at the inlet no linear equations here."""
+    """Moes' groups have no lengths."""
     with pytest.raises(ValueError, match="need lengths"):
         normal_response(groups(20.0, 10.0))
-    layer = InletLayer(thickness=(1e-7,))
-    with pytest.raises(ValueError, match="inlet_layer"):
-        normal_response(replace(STEEL, inlet_layer=layer))
 
 
 def test_rigid_sphere_far_from_rest():
