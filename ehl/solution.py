@@ -71,9 +71,7 @@ class OilSupply:
     and the law of starvation; all [-].
     """
 
-    # films without limit of the supply, as those of the solution
-    flooded_central: FilmValue
-    flooded_minimum: FilmValue
+    flooded: "ContactSolution"  # without limit of the supply, in the same box
     # layer at the middle of the track over the oil that the flooded film takes along,
     # rho(P(0, 0)) H_c
     inlet_ratio: float
@@ -94,12 +92,23 @@ class OilSupply:
     # with its own, as it has the time of both
     flooded_fft_equivalents: float = 0.0
 
-    def thinned(self, step: int) -> "OilSupply":
-        """The same on every `step`-th node."""
+    @property
+    def flooded_central(self) -> FilmValue:
+        """Central film without limit of the supply."""
+        return self.flooded.film_central_dimensionless
+
+    @property
+    def flooded_minimum(self) -> FilmValue:
+        """Minimum film without limit of the supply."""
+        return self.flooded.film_minimum_dimensionless
+
+    def thinned(self, points: int, step: int) -> "OilSupply":
+        """The same on every `step`-th node, and flooded on as many as leave `points` along x."""
+        thin = replace(self, flooded=self.flooded.thinned(points))
         if self.outlet_layer is None or self.filled is None:
-            return self
+            return thin
         return replace(
-            self, outlet_layer=self.outlet_layer[::step], filled=self.filled[::step, ::step]
+            thin, outlet_layer=self.outlet_layer[::step], filled=self.filled[::step, ::step]
         )
 
 
@@ -165,7 +174,7 @@ class ContactSolution:
             P=self.P[::step, ::step],
             H=self.H[::step, ::step],
             state=None if self.state is None else self.state.thinned(step),
-            supply=None if self.supply is None else self.supply.thinned(step),
+            supply=None if self.supply is None else self.supply.thinned(points, step),
         )
 
     def _dimensional(self, value: float) -> float | None:

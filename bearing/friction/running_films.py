@@ -8,6 +8,7 @@ moment, starvation on that and on the gap that shears, asperities on the load th
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
+from ehl.closed_form.starvation import FLOODED
 from ehl.solution import ContactSolution
 from ehl.traction.rolling_moment import rolling_moment
 
@@ -84,19 +85,19 @@ def running_films(
         for film in films
         if film is not None and not isinstance(film, FormulaFilm) and film.converged
     }
-    solved = {name: rolling_moment(film).value for name, film in distinct.items()}
+    solved = {name: _solved(film) for name, film in distinct.items()}
     found: list[RunningFilm | None] = []
     for contact, film in zip(contacts, films, strict=True):
         if isinstance(film, FormulaFilm):
             running = _by_formula(film)
         elif film is not None and film.converged:
-            running = _solved(film, solved[id(film)])
+            running = solved[id(film)]
         else:
             running = _by_formula(formula_film(contact))
         if running is not None:
-            running = replace(running, rolling_factor=rolling_factor)
             if supply is not None:
                 running = _supplied(running, contact, supply)
+            running = replace(running, rolling_factor=rolling_factor * running.rolling_factor)
             running = _with_asperities(running, contact, asperities)
         found.append(running)
     return tuple(found)
@@ -107,17 +108,20 @@ def film_is_flooded(film: ContactSolution) -> bool:
     return film.supply is None
 
 
-def _solved(film: ContactSolution, moment: float) -> RunningFilm | None:
-    """A film that converged, with its rolling moment [N m]."""
-    central = film.film_central
-    assert central is not None
+def _solved(film: ContactSolution) -> RunningFilm:
+    """A film that converged, flooded or behind a layer."""
+    whole = film if film.supply is None else film.supply.flooded
+    moment = rolling_moment(whole).value
+    left = 1.0 if film.supply is None else rolling_moment(film).value / moment
+    assert film.film_central is not None and whole.film_central is not None
     return RunningFilm(
         film=film,
-        whole=film,
-        central=central,
+        whole=whole,
+        central=film.film_central,
         minimum=film.film_minimum,
         flooded_moment=moment,
-        flooded_central=film.flooded_central or central,
+        flooded_central=whole.film_central,
+        rolling_factor=left,
     )
 
 
@@ -150,6 +154,8 @@ def _supplied(film: RunningFilm, contact: BearingContact, supply: OilAtInlets) -
         minimum = film.film.film_minimum_dimensionless.value / layer.flooded_minimum.value
         moment = layer.rolling_moment_ratio
     left = supplied_shares(contact, film.flooded_central, supply.oil, supply.balls)
+    if left == FLOODED and layer is not None:
+        return _solved(film.whole)
     share = left.central.value / central
     thick = share * film.central
     least = film.minimum

@@ -65,13 +65,16 @@ class ContactRecord(FilmRecord):
 
     def kappa_at(self, end: float) -> float | None:
         """kappa = lambda^1.3, or the exponent of the case, of the solved film moved by a share of
-        its uncertainty, -1 to 1, and starved where a supply is given [-]; None if not resolved.
+        its uncertainty, -1 to 1, and starved where a supply is given that it was not solved
+        behind [-]; None if not resolved.
         """
         film = self.film
         if film is None or not (film.converged and film.resolved) or film.film_minimum is None:
             return None
         error = film.film_minimum_uncertainty or 0.0
-        share = 1.0 if self.starved is None else self.starved.share
+        share = 1.0
+        if self.starved is not None and film.supply is None:
+            share = self.starved.minimum / self.starved.flooded_minimum
         moved = share * max(0.0, film.film_minimum + end * error)
         ratio = lambda_ratio(self.contact, moved, self.surface)
         exponent = (self.surface or {}).get("kappa_exponent")

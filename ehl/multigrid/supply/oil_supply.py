@@ -74,8 +74,7 @@ def oil_supply(
         outlet, filled = unfolded(outlet), unfolded(filled)
     along = scale_contact(starved.conditions, along_entrainment=True)
     return OilSupply(
-        flooded_central=flooded.film_central_dimensionless,
-        flooded_minimum=flooded.film_minimum_dimensionless,
+        flooded=flooded,
         inlet_ratio=ratio,
         meniscus=_meniscus(starved, fill.empty[0 if grid.symmetric else grid.ny // 2]),
         rolling_moment_ratio=_moment(starved, levels) / _moment(flooded, levels),

@@ -44,8 +44,7 @@ def behind_layer(
     if minimum.value > central.value:
         minimum = replace(minimum, value=central.value)
     supply = OilSupply(
-        flooded_central=flooded.film_central_dimensionless,
-        flooded_minimum=flooded.film_minimum_dimensionless,
+        flooded=flooded,
         inlet_ratio=ratio,
         meniscus=None,
         rolling_moment_ratio=shares.rolling_moment.value,
