@@ -197,9 +197,15 @@ TERMINAL_COLUMNS = {  # with the format of their numbers; films have that of the
     "film_minimum_um": "",
     "lambda_ratio": ".3g",
 }
+AT_SUPPLY = {  # in place of films that were solved flooded, or taken from the atlas
+    "film_central_um": "starved_film_central_um",
+    "film_minimum_um": "starved_film_minimum_um",
+    "lambda_ratio": "starved_lambda_ratio",
+}
 REPORT_COLUMNS = (
     *("load_N", "contact_angle_deg", "hertz_pressure_GPa"),
     *("film_central_um", "film_minimum_um", "lambda_ratio"),
+    *AT_SUPPLY.values(),
     *("traction_coefficient", "pressure_maximum_GPa"),
     *("entrainment_speed_m_s", "slide_roll_ratio", "spin_roll_ratio"),
     *("semi_axis_rolling_mm", "semi_axis_transverse_mm", "moes_M", "moes_L"),
@@ -230,6 +236,15 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
         )
         for i, contact in enumerate(results.contacts)
     ]
+
+
+def at_supply(record: ContactRecord) -> dict[str, str]:
+    """Keys of the films as a supply leaves them, by those of the flooded ones; none where the film
+    stands behind its layer, or all is flooded.
+    """
+    scarce = record.starved is not None and record.starved.share < 1.0
+    behind = record.film is not None and record.film.supply is not None
+    return AT_SUPPLY if scarce and not behind else {}
 
 
 def contact_values(record: ContactRecord) -> dict[str, Any]:

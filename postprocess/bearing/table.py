@@ -16,7 +16,14 @@ from ..quantities import CAGE_SPEED, values_of
 from ..results import STIFFNESS_HEADLINES
 from ..table import facts_table, number_table
 from ..text import NOTHING, number, value_with_error
-from .contacts import CONTACT_QUANTITY, TERMINAL_COLUMNS, ContactRecord, contact_records
+from .contacts import (
+    CONTACT_QUANTITY,
+    TERMINAL_COLUMNS,
+    ContactRecord,
+    at_supply,
+    contact_records,
+    contact_values,
+)
 from .duty_cycle import duty_cycle_rows
 from .quantities import RING
 from .ratings import rating_rows
@@ -113,15 +120,20 @@ def _contact_rows(results: BearingResults, keys: list[str], most: int) -> Iterat
 
 
 def _contact_cell(record: ContactRecord, key: str, most: int) -> str:
-    """A quantity of a contact; a film with its uncertainty, at most so many decimals."""
-    value = CONTACT_QUANTITY[key].value(record)
+    """A quantity of a contact, films as they are at a supply; a film with its uncertainty, at most
+    so many decimals.
+    """
     if key == "load_N" and not record.loaded:
         return "0"
+    known = contact_values(record)
+    supplied = at_supply(record)
+    value = known[supplied.get(key, key)]
     if value is None or not record.loaded:
         return NOTHING
     if key.startswith("film_"):
-        error = CONTACT_QUANTITY[key.replace("_um", "_uncertainty_um")].value(record)
-        return value_with_error(value, error, most=most)
+        if key in supplied:
+            return number(value, ".3g")
+        return value_with_error(value, known[key.replace("_um", "_uncertainty_um")], most=most)
     text = number(value, TERMINAL_COLUMNS[key])
     return text if text.strip("-0.") else text.removeprefix("-")  # no minus before a zero
 
@@ -135,4 +147,7 @@ def _flags(solution: ContactSolution | None) -> str:
 def _legend(results: BearingResults) -> list[str]:
     flags = "".join(_flags(s) for s in results.solutions)
     meanings = {"!": "! not converged", "?": "? film not resolved on this grid"}
-    return ["  ".join(text for flag, text in meanings.items() if flag in flags)] if flags else []
+    lines = ["  ".join(text for flag, text in meanings.items() if flag in flags)] if flags else []
+    if any(at_supply(record) for record in contact_records(results)):
+        lines.append("films: what the oil supply leaves of flooded ones, which contacts.csv has")
+    return lines

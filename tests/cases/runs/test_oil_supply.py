@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from io import StringIO
 from math import pi
 
 import pytest
+from rich.console import Console
 
 from cases import load_case
 from cases.batch.sweep import read_sweep
@@ -16,6 +18,7 @@ from cases.runs.contact import run_contact
 from cases.runs.heating import self_heated
 from ehl.closed_form.starvation import starvation_shares
 from postprocess import summary
+from postprocess.bearing.table import bearing_table
 
 SURFACE = "[surface]\ninner_ring_roughness_um = 0.2\nouter_ring_roughness_um = 0.2\nball_roughness_um = 0.02\n"
 TEXT = (
@@ -389,6 +392,39 @@ def test_films_of_a_bearing_solved_behind_a_layer():
     assert flooded_films["torque_N_mm"]["flooded_isothermal"] > document["torque_N_mm"]["total"]
     # films and rolling moments by the formulas of starvation
     assert flooded_films["torque_N_mm"]["total"] == pytest.approx(document["torque_N_mm"]["total"], rel=0.15)
+
+
+def test_the_same_layer_three_ways():
+    """Films solved behind it, by the law, and flooded with the law's beside: one bound, one kappa, one film shown."""
+    ways = [solved(0.2, points=129).replace('"solved"', f'"{how}"') for how in ("solved", "tabulated", "none")]
+    results = [run_case(case_from_text(way, "case.toml")) for way in ways]
+    documents = [summary(one) for one in results]
+    behind, by_law, beside = documents
+    torques = [document["torque_N_mm"] for document in documents]
+    flooded = beside["torque_N_mm"]["flooded_isothermal"]
+    assert [one["flooded_isothermal"] for one in torques] == pytest.approx([flooded] * 3)
+    assert [one["total"] for one in torques] == pytest.approx([by_law["torque_N_mm"]["total"]] * 3, rel=0.1)
+    flooded = beside["supply"]["flooded_torque_N_mm"]
+    assert [one["supply"]["flooded_torque_N_mm"] for one in documents] == pytest.approx([flooded] * 3)
+    assert behind["supply"]["torque_N_mm"] == behind["torque_N_mm"]["total"] < 0.5 * flooded
+    for own, other in zip(by_law["contacts"], beside["contacts"], strict=True):
+        if own["film_central_um"] is not None and own["resolved"]:
+            assert own["film_central_um"] == pytest.approx(other["starved_film_central_um"], rel=1e-3)
+            assert own["kappa"] == pytest.approx(own["lambda_ratio"] ** 1.3)  # not starved a second time
+            assert other["kappa"] == pytest.approx(other["starved_lambda_ratio"] ** 1.3)
+            assert abs(own["damping_ratio"]) < 0.1 and own["damping_ratio_uncertainty"] < 0.2
+    shown = printed(results[2])
+    assert "films: what the oil supply leaves of flooded ones" in shown
+    assert "films: what" not in printed(results[1])
+    least = min(contact["starved_lambda_ratio"] for contact in beside["contacts"] if contact["starved_film_share"])
+    assert f"{least:.3g}" in shown
+
+
+def printed(results):
+    """The terminal's table."""
+    console = Console(width=80, record=True, file=StringIO())
+    console.print(bearing_table(results))
+    return console.export_text()
 
 
 @pytest.mark.parametrize(
