@@ -3,7 +3,7 @@
 atlas         - films of the film atlas of all contacts, as summary and in the terminal
 contacts      - contacts of a bearing: their quantities, and why some are null
 duty_cycle    - a duty cycle: blocks of the summary, lines of the terminal
-finite_bodies - the block `finite_bodies` of the summary: changes beside half-spaces
+finite_bodies - the block `finite_bodies`: changes beside half-spaces; ellipses that shoulders cut
 heating       - the block `self_heating` of the summary
 plots         - figures of the whole bearing: film or pressure of every ball over the azimuth
 plots_torque  - figures of the friction torque: all models side by side in their components

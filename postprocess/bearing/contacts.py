@@ -6,19 +6,17 @@ from math import hypot, isfinite
 from typing import Any
 
 from bearing.contacts.contact import BearingContact
-from bearing.contacts.shoulder import Truncation, truncation
 from bearing.contacts.stress import ContactStress, contact_stress
 from bearing.contacts.surface_tension import SurfaceTension, edge_tension
 from bearing.friction.formula_films import FormulaFilm
 from bearing.friction.resolvable import too_thick
-from bearing.geometry import Race
 from bearing.heating.conductances import Conductance
-from bearing.shoulder_diameter import ESTIMATED_HEIGHT, shoulder_diameter
 from bearing.supply.starved_films import StarvedFilm
 from ehl.units import from_si, to_si
 
 from ..contact.quantities import FILM_QUANTITIES, FilmRecord, film_values, formula_films
 from ..quantities import by_key, quantities, values_of
+from .finite_bodies import shoulder_messages
 from .quantities import CONTACT_CONDUCTANCE
 from .results import BearingResults, balls_text
 
@@ -306,7 +304,7 @@ def contact_messages(results: BearingResults) -> Iterator[str]:
             "contacts: Hertz, speed and formula values null where a contact carries no load or no "
             "oil is entrained"
         )
-    yield from _shoulder_messages(results)
+    yield from shoulder_messages(results)
     yield from _ratio_messages(results)
 
 
@@ -359,60 +357,3 @@ def _ratio_messages(results: BearingResults) -> Iterator[str]:
                 f"contacts.lambda_ratio: null at the {race} race, race and ball have no roughness "
                 "in [surface]"
             )
-
-
-def _shoulder_messages(results: BearingResults) -> Iterator[str]:
-    """Where the diameters of shoulders are from, and ellipses that they cut."""
-    estimates = []
-    for race in Race:
-        name = race.value
-        shoulder = shoulder_diameter(results.quasistatic.bearing, race)
-        if shoulder is None:
-            yield (
-                f"contacts: shoulder and truncation null at the {name} race, no "
-                f"{name}_shoulder_diameter_mm is given, and shoulders of angular contact bearings "
-                "are not estimated"
-            )
-        elif shoulder[1]:
-            estimates.append(f"{name} {from_si('diameter_mm', shoulder[0]):.4g} mm")
-    if estimates:
-        yield (
-            f"contacts: shoulder diameters are estimated, {', '.join(estimates)} "
-            f"({ESTIMATED_HEIGHT:g} of the ball diameter above the raceway); distance to the "
-            "shoulder and cut of ellipses follow from them"
-        )
-    for race in Race:
-        yield from _cut_messages(results, race)
-
-
-def _cut_messages(results: BearingResults, race: Race) -> Iterator[str]:
-    """Balls whose ellipses a shoulder cuts, the worst of them in numbers."""
-    cut = {}
-    for contact in results.contacts:
-        if contact.race is race and contact.hertz is not None:
-            found = truncation(
-                results.quasistatic.bearing, race, contact.contact_angle, contact.hertz
-            )
-            if found is not None and found.truncated:
-                cut[str(contact.ball)] = (contact.hertz.pressure, found)
-    if cut:
-        ball = min(cut, key=lambda name: cut[name][1].distance_ratio)
-        pressure, worst = cut[ball]
-        kind = "estimated shoulder" if worst.estimated else "shoulder"
-        yield (
-            f"contacts: the {kind} of the {race.value} ring cuts the ellipse of "
-            f"{balls_text(list(cut))}, at ball {ball} {worst.length_share:.1%} of its length and "
-            f"{worst.load_share:.1%} of its load; film, pressure and stresses of these contacts "
-            f"are those of the uncut ellipse. {_what_is_left(worst, pressure)}"
-        )
-
-
-def _what_is_left(cut: Truncation, hertz_pressure: float) -> str:
-    """Pressure of a cut ellipse over that of the whole one, p_h [Pa], in words."""
-    if cut.cut_pressure is None or cut.cut_edge_pressure is None:
-        return "The middle of the ellipse lies beyond the edge: there the equilibrium fails"
-    largest, edge = (p / hertz_pressure for p in (cut.cut_pressure, cut.cut_edge_pressure))
-    return (
-        f"What is left carries the load at about {largest:.3g} of Hertz' pressure, {edge:.3g} at "
-        "the edge (by slices), and more where the edge is sharp: its blend decides"
-    )
