@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import NullFormatter
+from matplotlib.ticker import LogLocator, NullFormatter
 
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactSolution
@@ -324,6 +324,7 @@ def _logarithmic_film(axes: Axes, results: BearingResults) -> None:
         return
     axes.set_yscale("log")
     axes.set_ylim(0.5 * min(known), 2.0 * max(known))
+    axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     axes.yaxis.set_major_formatter("{x:.3g}")
     axes.yaxis.set_minor_formatter(NullFormatter())
 

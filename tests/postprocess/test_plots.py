@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -10,7 +11,7 @@ from numpy.testing import assert_allclose
 
 from ehl import FilmValue
 from postprocess import summary
-from postprocess.bearing.plots import _chosen, _limits, ball_columns, write_bearing_plots
+from postprocess.bearing.plots import _chosen, _limits, _logarithmic_film, ball_columns, write_bearing_plots
 from postprocess.bearing.table import bearing_table
 from postprocess.contact import plots
 from postprocess.contact.frame import refined
@@ -88,6 +89,16 @@ def test_balls_without_films_take_no_room(bearing_results):
 
 def pair_up(results):
     return zip(results.contacts, results.solutions, strict=True)
+
+
+def test_films_that_differ_many_times_stand_on_an_axis_with_several_numbers():
+    from matplotlib.figure import Figure
+
+    films = [SimpleNamespace(film_central=h, film_minimum=0.9 * h) for h in (0.4e-6, 2.2e-6)]
+    axes = Figure().subplots()
+    _logarithmic_film(axes, SimpleNamespace(solutions=films))
+    low, high = axes.get_ylim()
+    assert sum(low <= tick <= high for tick in axes.get_yticks()) >= 3
 
 
 def test_view_is_cropped_to_the_contact(bearing_results):
