@@ -18,13 +18,15 @@ def value_with_error(value: float, error: float, most: int = 5) -> str:
     """Text of a value and its uncertainty, both in one unit, such as [um].
 
     To the error's first digit (second after a 1), with at most `most` decimals [-]; a smaller
-    error is rounded up.
+    error is rounded up, and left out where the value has no two digits then.
     """
     digits = 3
     if 0.0 < error < inf:
         exponent = floor(log10(error))
         wanted = max(-exponent + (error < 1.95 * 10.0**exponent), 0)
         digits = min(wanted, most)
+        if wanted > most and error < abs(value) < 10.0 ** (1 - most):
+            return f"{value:.2g}"
         if wanted > most:
             error = ceil(error * 10.0**most) / 10.0**most
     return f"{value:.{digits}f} ± {error:.{digits}f}"

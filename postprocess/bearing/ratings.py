@@ -5,7 +5,7 @@ from typing import Any
 
 from bearing.library.bearings import named_designation
 from bearing.rating.film_life import ContactKappa, FilmLife, film_life
-from bearing.rating.life import LARGEST_A_ISO, LARGEST_KAPPA
+from bearing.rating.life import LARGEST_A_ISO, LARGEST_KAPPA, SMALLEST_KAPPA
 from bearing.rating.relubrication import relubrication_interval
 from ehl.units import from_si, to_si
 
@@ -185,7 +185,13 @@ def _why_none(messages: Iterable[str]) -> str:
 
 
 def film_row(known: dict[str, Any]) -> dict[str, str]:
-    """A line of the terminal's table: the life with the film of each contact, and its ends."""
+    """A line of the terminal's table: the life with the film of each contact, and its ends; or
+    that ISO 281 has none for so thin a film.
+    """
+    thinnest = known["kappa_film"]
+    if thinnest is not None and thinnest < SMALLEST_KAPPA:
+        below = f"below {SMALLEST_KAPPA:g}, the least of ISO 281"
+        return {"life by the films": f"none: κ of the thinnest film {thinnest:.2g} is {below}"}
     ends = [known[f"modified_reference_rating_contacts_{end}h"] for end in ("", "low_", "high_")]
     if ends[0] is None:
         return {}

@@ -166,6 +166,14 @@ def test_digits_follow_the_uncertainty(value, error, text):
 
 
 @pytest.mark.parametrize(
+    ("value", "error", "text"),
+    [(0.71, 0.001, "0.71 ± 0.01"), (0.0037, 0.0001, "0.0037"), (0.0037, 0.0071, "0.00 ± 0.01")],
+)
+def test_a_thin_film_keeps_two_digits_in_a_narrow_table(value, error, text):
+    assert value_with_error(value, error, most=2) == text
+
+
+@pytest.mark.parametrize(
     ("low", "high", "most", "expected"),
     [
         (-0.0945, 0.0555, 3.2, [-0.05, 0.0, 0.05]),

@@ -121,6 +121,14 @@ def test_the_life_at_a_limit_says_so_in_place_of_a_band():
     assert "(1200000 h to 1440000 h)" in rating_lines(known | {"a_iso_contacts": 20.4, "kappa_film": 0.8})
 
 
+def test_films_too_thin_for_a_life_say_so():
+    """Where the viscosity alone gives the largest factor, but the film has no oil."""
+    known = dict.fromkeys([f"modified_reference_rating_contacts_{end}h" for end in ("", "low_", "high_")])
+    line = rating_lines(known | {"kappa_film": 0.0077})
+    assert line == "none: κ of the thinnest film 0.0077 is below 0.1, the least of ISO 281"
+    assert film_row(known | {"kappa_film": None}) == {}
+
+
 def rating_lines(known):
     return film_row(known)["life by the films"]
 
