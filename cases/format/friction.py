@@ -223,8 +223,11 @@ def friction(
     """What the friction models take: ratings [N], lengths [m]; `angular`: of angular contact."""
     si = bearing.si()
     if table.lubrication in WITH_LEVEL and table.oil_level_mm == 0.0:
-        text = f"no oil_level_mm with lubrication = {shown(table.lubrication)}"
-        warnings.warn(f"friction.oil_level_mm: {text}: SKF's model has no drag", stacklevel=2)
+        text = f"not given with lubrication = {shown(table.lubrication)}"
+        warnings.warn(
+            f"friction.oil_level_mm: {text}, SKF's model leaves the churning of the oil out",
+            stacklevel=2,
+        )
     return FrictionInput(
         **table.si(*OF_ONE_NAME),
         sealed=_sealed(table, bearing),
