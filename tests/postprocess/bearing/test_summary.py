@@ -188,9 +188,9 @@ def test_a_wide_error_bar_is_told(bearing_results):
     film = replace(solution.film_minimum_dimensionless, uncertainty=0.4 * solution.film_minimum_dimensionless.value)
     doubtful = replace(solution, film_minimum_dimensionless=film)
     solutions = (doubtful, *bearing_results.solutions[1:])
-    told = [m for m in summary(replace(bearing_results, solutions=solutions))["messages"] if "error bar" in m]
+    told = [m for m in summary(replace(bearing_results, solutions=solutions))["messages"] if "error bar of" in m]
     assert told == ["inner race, ball 1 (ψ = 0°): error bar of the minimum film is 40% of it; try more points"]
-    assert not any("error bar" in m for m in summary(bearing_results)["messages"])
+    assert not any("error bar of" in m for m in summary(bearing_results)["messages"])
 
 
 def test_nan_never_appears(bearing_results):
