@@ -4,15 +4,18 @@ from .oil.lubricant import DensityLaw, Lubricant, ViscosityLaw
 from .options import SolverOptions
 from .solution import ContactSolution, ConvergenceRecord, FilmValue, OilSupply
 from .solver import solve_contact
+from .traction.atlas.arrays import ContactArrays, FilmArrays, atlas_arrays
 from .traction.atlas.films import AtlasFilms, AtlasValue, atlas_films
 
 __all__ = [
     "AtlasFilms",
     "AtlasValue",
+    "ContactArrays",
     "ContactConditions",
     "ContactSolution",
     "ConvergenceRecord",
     "DensityLaw",
+    "FilmArrays",
     "FilmValue",
     "InletLayer",
     "Lubricant",
@@ -20,6 +23,7 @@ __all__ = [
     "OilSupply",
     "SolverOptions",
     "ViscosityLaw",
+    "atlas_arrays",
     "atlas_films",
     "solve_contact",
 ]

@@ -115,10 +115,11 @@ def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[
     assert case.rheology is not None  # of every bearing case
     oil = (case.lubricant, case.rheology)
     fitting_tables(tables, "the traction table", case.bearing, *oil, case.films.solids)
-    resistance = NO_RESISTANCE if case.traction is None else case.traction.resistance
-    traction = BallTraction(
-        source=LawTraction(laws=dict(tables)), lubricant=case.lubricant, resistance=resistance
-    )
+    resistance = NO_RESISTANCE
+    if case.friction is not None:
+        resistance = case.friction.resistance(case.bearing, case.lubricant)
+    source = LawTraction(laws=dict(tables), rolling_factor=case.inlet.rolling)
+    traction = BallTraction(source=source, lubricant=case.lubricant, resistance=resistance)
     results = run_case(replace(case, film_maps="none", traction=traction), 1)
     return results, () if results.torque is None else _notes(results.contacts, tables)
 

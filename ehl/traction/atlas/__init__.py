@@ -1,5 +1,6 @@
 """Films of flooded contacts from a table of solved ones.
 
+arrays - films of many contacts at once
 check - a solved film beside that of the atlas
 films - central and minimum film, approach, stiffness, rolling moment of a contact
 table - the table: functions of (ln A, sqrt L, ln D), and what another oil changes
