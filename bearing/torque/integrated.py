@@ -27,6 +27,7 @@ from ..friction.law import ContactLaw
 from ..friction.resistance import NO_RESISTANCE, Resistance
 from ..friction.running_films import RunningFilm, RunningFilms
 from ..geometry import Array
+from ..operation import BallKinematics
 from ..quasistatic.solution import QuasistaticSolution
 from .shear_torque import (
     IntegratedTorque,
@@ -189,8 +190,12 @@ def _balanced_shear(
     torque: IntegratedTorque,
     balance: BalancedFriction,
 ) -> SolvedShear:
-    """Both torques, with what the drag takes from the balls in balance."""
+    """Both torques, with what the drag takes from the balls in balance; so does the hypothesis
+    where it is that balance, as only it knows what presses the pockets.
+    """
     balanced = _as_balanced(torque, balance)
+    if solution.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
+        hypothesis = replace(hypothesis, resistance=balance.resisted)
     return SolvedShear(
         hypothesis=hypothesis,
         balanced=balanced,

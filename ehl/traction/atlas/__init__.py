@@ -1,7 +1,8 @@
 """Films of flooded contacts from a table of solved ones.
 
-arrays - films of many contacts at once
-check - a solved film beside that of the atlas
-films - central and minimum film, approach, stiffness, rolling moment of a contact
-table - the table: functions of (ln A, sqrt L, ln D), and what another oil changes
+_lookup_kernels - compiled: films of many contacts on a lattice
+arrays          - films of many contacts at once
+check           - a solved film beside that of the atlas
+films           - central and minimum film, approach, stiffness, rolling moment of a contact
+table           - the table: functions of (ln A, sqrt L, ln D), and what another oil changes
 """

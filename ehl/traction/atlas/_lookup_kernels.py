@@ -43,6 +43,16 @@ def axis_ratios(log_ratio, low, step, sizes):
 
 
 @compiled
+def _oil_powers(dz, a, own):
+    """z', a, z' a, a^2 and z'^2 of an oil, `own`."""
+    own[0] = dz
+    own[1] = a
+    own[2] = dz * a
+    own[3] = a * a
+    own[4] = dz * dz
+
+
+@compiled
 def look_up(x, dz, a, low, step, lattice, oils, out):
     """ln(Hc A), ln(Hmin A), H0 and dH0/dlnA of contacts, shape (n, 4) `out`, at x of shape (n, 3):
     a cubic through the lattice, and the terms of another oil, dz of Roelands' z and a =
@@ -72,11 +82,7 @@ def look_up(x, dz, a, low, step, lattice, oils, out):
                     approach += weight * node[2]
                     rise += steep * weights[2, k] * node[2]
         rise /= step[0]
-        own[0] = dz[n]
-        own[1] = a[n]
-        own[2] = dz[n] * a[n]
-        own[3] = a[n] * a[n]
-        own[4] = dz[n] * dz[n]
+        _oil_powers(dz[n], a[n], own)
         for m in range(5):
             if own[m] != 0.0:
                 strength = own[m] * x[n, 1]

@@ -53,7 +53,7 @@ class FilmArrays:
     central_error: Array
     minimum_error: Array
     approach_error: Array
-    stiffness_error: float
+    stiffness_error: float  # likewise [-]
     inside: NDArray[np.bool_]
 
 
@@ -74,54 +74,78 @@ def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
     ValueError
         If the arrays cannot be brought to one shape.
     """
-    c = contacts
-    given = (c.load, c.radius_x, c.radius_y, c.reduced_modulus, c.entrainment_speed, c.viscosity)
-    arrays = np.broadcast_arrays(*given, c.pressure_viscosity, c.roelands_z)
-    shape = arrays[0].shape
-    force, along, across, modulus, speed, eta, alpha, z = (
-        np.asarray(values, dtype=np.float64).ravel() for values in arrays
-    )
+    shape, columns = _columns(contacts)
     lattice = _lattice()
-    with np.errstate(all="ignore"):  # what is not positive is outside
-        # 1. L, D and A = f^2 M^(2/3) = f^2 (F/(E' Rx^2))^(2/3)/sqrt(2U)
-        twice = 2.0 * eta * speed / (modulus * along)
-        x = np.empty((len(force), 3))
-        thick = alpha * modulus * twice**0.25
-        ratio = along / across
-        x[:, 1] = np.sqrt(thick)
-        x[:, 2] = np.log(ratio)
-        size = _axes(x[:, 2], lattice)
-        unit = size**2 * (force / (modulus * along**2)) ** (2.0 / 3.0)  # a^2/Rx^2
-        heavy = unit / np.sqrt(twice)
-        x[:, 0] = np.log(heavy)
-        inside = _inside((heavy, thick, ratio, z, alpha))
-    x[~inside] = lattice.low + 2.0 * lattice.step
+    # 1. places in the table, those of contacts outside anywhere
+    place = _places(columns, lattice)
+    x = place.x
+    x[~place.inside] = lattice.low + 2.0 * lattice.step
     # 2. functions, films in a^2/Rx
-    found = np.empty((len(force), FUNCTIONS + 1))
-    of_oil = (np.where(inside, z - BASE_Z, 0.0), np.log(np.where(inside, alpha / BASE_ALPHA, 1.0)))
-    place = (lattice.low, lattice.step, lattice.values, table().oils)
-    _lookup_kernels.look_up(x, *of_oil, *place, found)
+    found = np.empty((len(x), FUNCTIONS + 1))
+    of_oil = (place.exponent, place.coefficient)
+    grid = (lattice.low, lattice.step, lattice.values, table().oils)
+    _lookup_kernels.look_up(x, *of_oil, *grid, found)
     # 3. scales
-    base = (of_oil[0] == 0.0) & (of_oil[1] == 0.0)
-    bars = _bars(ratio, base)
-    height = np.where(inside, unit * along, 1.0)
+    bars = _bars(x[:, 2], (of_oil[0] == 0.0) & (of_oil[1] == 0.0))
+    height = place.height
     films = np.exp(found[:, :2] - x[:, :1]) * height[:, None]
-    approach = found[:, 2] * height
-    stiffness = -1.5 * force / (height * (found[:, 2] + found[:, 3]))
+    stiffness = -1.5 * columns[0] / (height * (found[:, 2] + found[:, 3]))
 
     def known(values: Array) -> Array:
-        return np.where(inside, values, np.nan).reshape(shape)
+        return np.where(place.inside, values, np.nan).reshape(shape)
 
     return FilmArrays(
         central=known(films[:, 0]),
         minimum=known(films[:, 1]),
-        approach=known(approach),
+        approach=known(found[:, 2] * height),
         stiffness=known(stiffness),
         central_error=known(bars[:, 0]),
         minimum_error=known(bars[:, 1]),
         approach_error=known(bars[:, 2] * height),
         stiffness_error=STIFFNESS_ERROR,
-        inside=inside.reshape(shape),
+        inside=place.inside.reshape(shape),
+    )
+
+
+def _columns(c: ContactArrays) -> tuple[tuple[int, ...], list[Array]]:
+    """Shape of the contacts, and their numbers in the order of the fields, shape (n,)."""
+    given = (c.load, c.radius_x, c.radius_y, c.reduced_modulus, c.entrainment_speed, c.viscosity)
+    arrays = np.broadcast_arrays(*given, c.pressure_viscosity, c.roelands_z)
+    columns = [np.asarray(values, dtype=np.float64).ravel() for values in arrays]
+    return arrays[0].shape, columns
+
+
+class _Places(NamedTuple):
+    """Where contacts lie in the table, shape (n,) but for x of (n, 3); all [-] but the height."""
+
+    x: Array
+    exponent: Array  # z - z_0
+    coefficient: Array  # ln(alpha/alpha_0)
+    height: Array  # a^2/Rx [m]
+    inside: NDArray[np.bool_]
+
+
+def _places(columns: list[Array], lattice: _Lattice) -> _Places:
+    """L = alpha E' (2U)^(1/4), D and A = f^2 M^(2/3) = f^2 (F/(E' Rx^2))^(2/3)/sqrt(2U)."""
+    force, along, across, modulus, speed, eta, alpha, z = columns
+    x = np.empty((len(force), 3))
+    with np.errstate(all="ignore"):  # what is not positive is outside
+        twice = 2.0 * eta * speed / (modulus * along)
+        thick = alpha * modulus * twice**0.25
+        ratio = along / across
+        x[:, 1] = np.sqrt(thick)
+        x[:, 2] = np.log(ratio)
+        size = _axes(x[:, 2], lattice)
+        unit = size**2 * (force / (modulus * along**2)) ** (2.0 / 3.0)
+        heavy = unit / np.sqrt(twice)
+        x[:, 0] = np.log(heavy)
+        inside = _inside((heavy, thick, ratio, z, alpha))
+    return _Places(
+        x=x,
+        exponent=np.where(inside, z - BASE_Z, 0.0),
+        coefficient=np.log(np.where(inside, alpha / BASE_ALPHA, 1.0)),
+        height=np.where(inside, unit * along, 1.0),
+        inside=inside,
     )
 
 
@@ -163,8 +187,8 @@ def _inside(values: tuple[Array, ...]) -> NDArray[np.bool_]:
     return found
 
 
-def _bars(ratio: Array, base: NDArray[np.bool_]) -> Array:
-    """Errors of the functions of contacts, shape (n, 3) [-]."""
+def _bars(log_ratio: Array, base: NDArray[np.bool_]) -> Array:
+    """Errors of the functions of contacts by ln D, shape (n, 3) [-]."""
     slim, wide, oils = table().bars[:, :FUNCTIONS]
-    own = np.where(ratio[:, None] > 1.0, wide, slim)
+    own = np.where(log_ratio[:, None] > 0.0, wide, slim)
     return np.where(base[:, None], own, np.maximum(own, oils))
