@@ -107,7 +107,7 @@ class Pair:
 
 def elements(quick: bool = False) -> Section:
     """Films of both discretisations: named contacts, races of a 6208, random ones of the day."""
-    seed = int(date.today().strftime("%Y%m%d"))
+    seed = seed_of_today()
     points = (129, 129) if quick else (513, 257)
     named = CONTACTS[:1] if quick else CONTACTS
     others = () if quick else (*RACES, *random_contacts(seed))
@@ -139,6 +139,11 @@ def elements(quick: bool = False) -> Section:
         checks=tuple(checks),
         tables=(Table(caption, head, tuple(pair.cells for pair in pairs)),),
     )
+
+
+def seed_of_today() -> int:
+    """Year, month and day in one number."""
+    return int(date.today().strftime("%Y%m%d"))
 
 
 def random_contacts(seed: int) -> tuple[Named, ...]:
