@@ -233,16 +233,20 @@ def test_a_film_without_temperatures_is_refused():
 
 @pytest.mark.slow
 def test_table_with_heat():
-    """Its lookups against the film it would shear at a load and speed that are not nodes."""
+    """Its lookups against the film it would shear at a load and speed that are not nodes.
+
+    On 33 points the mesh is too coarse for the thin film: neighbouring nodes are reached by different attempts of the
+    solver, with other meshes and films that do not follow one another; on 65 all are plain.
+    """
     limits = TableRange(load=(40.0, 80.0), speed=(3.0, 5.0), slide_x=0.5, slide_y=0.3, spin=0.3)
     options = TableOptions(
-        points=33, tolerance=0.03, check_films=2, check_motions=40, rounds=1, nodes=(4, 4, 25, 7, 9), workers=2
+        points=65, tolerance=0.03, check_films=2, check_motions=40, rounds=1, nodes=(4, 4, 25, 7, 9), workers=2
     )
     table = build_table(CONTACT, limits, options)
-    assert table.error.quantile < 0.03
-    film = table_film(CONTACT, 57.0, 4.1, 0.5 * 4.1, SolverOptions(points=33))
+    assert table.error.quantile < 0.015
+    film = table_film(CONTACT, 57.0, 4.1, 0.5 * 4.1, SolverOptions(points=65))
     ratio = np.geomspace(1e-3, 0.5, 9)
     none = np.zeros(9)
     wanted = film.forces((4.1 * ratio, none, none), np.full(9, 4.1 / 8e-3), 50.0)[:, 0]
     found = np.array([table.forces(57.0, 4.1, 4.1 * one, 0.0, 0.0).force_x for one in ratio])
-    assert_allclose(found, wanted, atol=0.03 * table.largest(57.0, 4.1)[0])
+    assert_allclose(found, wanted, atol=0.01 * table.largest(57.0, 4.1)[0])
