@@ -31,7 +31,7 @@ CUT = "the map ends with the computed box"
 LEFT = (0.085, 0.585)
 MAP_WIDTH = 0.41
 STRETCHED_WIDTH = 0.33
-LINE_WIDTH = 0.345
+LINE_WIDTH = 0.325
 MAP_BOTTOM = 0.49
 MAP_HEIGHT = 0.31
 BAR_BOTTOM = 0.835
@@ -182,9 +182,13 @@ def centre_line(axes: Axes, view: ContactView, along: bool) -> None:
     axes.set_ylabel(f"pressure [{view.pressure_unit}]", color=PRESSURE_COLOUR)
     film: Any = axes.twinx()
     _film_line(film, view, *_on_centre_line(view, view.film, along))
+    if view.outlet is not None and not along:
+        style = {"color": FILM_COLOUR, "linestyle": "-.", "linewidth": 0.8}
+        film.plot(view.y, view.outlet, label="oil left behind", **style)
     handles = [*axes.get_legend_handles_labels()[0], *film.get_legend_handles_labels()[0]]
     style = {"loc": "lower center", "bbox_to_anchor": (0.5, 0.99), "handlelength": 1.6}
-    axes.legend(handles=handles, ncols=4, columnspacing=1.0, **style)
+    columns = 4 if len(handles) <= 4 else 3
+    axes.legend(handles=handles, ncols=columns, columnspacing=0.8, **style)
 
 
 def _on_centre_line(view: ContactView, field: Array, along: bool) -> tuple[Array, Array]:

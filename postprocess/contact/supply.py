@@ -1,6 +1,7 @@
 """Oil supply of a single contact: its film where the inlet layer starves it."""
 
 from collections.abc import Iterator
+from typing import Any
 
 from bearing.supply.supply import compression, starvation_law
 from ehl import ContactConditions, ContactSolution
@@ -9,12 +10,16 @@ from ehl.units import from_si, to_si
 from .results import ContactResults
 
 KEYS = ("starved_film_share", "starved_film_central_um", "starved_film_minimum_um")
-SOLVED = ("inlet_ratio", "meniscus_position", "rolling_moment_ratio", "damping_ratio")
+SOLVED = (
+    *("inlet_ratio", "meniscus_position", "rolling_moment_ratio", "damping_ratio"),
+    "outlet_layer",
+)
 NAMES = ("central", "minimum")
+OUTLET_POINTS = 64  # of the layer left behind in the summary, at least
 LAW_MESSAGE = (
     "supply: inlet film, by the law of starvation: film_... are the films that it leaves of "
     "flooded_film_..., their error bars hold its own; pressure and shear are those of the flooded "
-    "pressure; meniscus_position: null, the law knows none"
+    "pressure; meniscus_position, outlet_layer: null, the law knows none"
 )
 OUTSIDE_MESSAGE = (
     "the contact lies outside those that the law of starvation was solved for; it takes the "
@@ -22,11 +27,29 @@ OUTSIDE_MESSAGE = (
 )
 
 
-def contact_starved_values(results: ContactResults) -> dict[str, float | None]:
+def contact_starved_values(results: ContactResults) -> dict[str, Any]:
     """Share of the flooded film [-] and the films left [um], solved or by the law of starvation,
     and what the solution says of the layer; None without an inlet film.
     """
-    return {**_films_left(results), **_flooded_films(results.solution)}
+    left = {"outlet_layer": _outlet_layer(results.solution)}
+    return {**_films_left(results), **_flooded_films(results.solution), **left}
+
+
+def _outlet_layer(solution: ContactSolution) -> dict[str, Any] | None:
+    """Oil that leaves the box over the axis across, at ambient density; in Moes' groups over the
+    semi-axis along x; None where no film was solved behind a layer.
+    """
+    supply = solution.supply if solution.converged else None
+    if supply is None or supply.outlet_layer is None:
+        return None
+    step = max(solution.Y.size // OUTLET_POINTS, 1)
+    y, layer = solution.Y[::step], supply.outlet_layer[::step]
+    if solution.semi_axis_x is None or solution.film_scale is None:
+        return {"y_dimensionless": y.tolist(), "layer_dimensionless": layer.tolist()}
+    return {
+        "y_mm": [from_si("y_mm", value) for value in y * solution.semi_axis_x],
+        "layer_um": [from_si("film_um", value) for value in layer * solution.film_scale],
+    }
 
 
 def _films_left(results: ContactResults) -> dict[str, float | None]:

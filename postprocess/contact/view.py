@@ -6,7 +6,7 @@ from math import cos, degrees, hypot, inf, pi, sin
 import numpy as np
 
 from ehl import ContactSolution
-from ehl.solution import Array
+from ehl.solution import Array, OilSupply
 
 from ..plot_style import (
     QUIET_PRESSURE,
@@ -48,6 +48,8 @@ class ContactView:
     doubt: str  # "not converged" or "not resolved"; empty for a sound solution
     oblique: float = 0.0  # angle of the entrainment to the axis x, towards y [deg]
     filled: Array | None = None  # shape (nx, ny), share of the gap [-]; None: flooded
+    # shape (ny,), oil that leaves the box on both surfaces, at ambient density; in film_unit
+    outlet: Array | None = None
 
     @property
     def names(self) -> tuple[str, str]:
@@ -114,7 +116,6 @@ def contact_view(
     columns = around(y, -side, side)
     central, minimum = solution.film_central_dimensionless, solution.film_minimum_dimensionless
     doubt = "" if solution.resolved else "not resolved"
-    filled = None if solution.supply is None else solution.supply.filled
     return ContactView(
         x=x[rows],
         y=y[columns],
@@ -137,8 +138,17 @@ def contact_view(
         window=(float(x_in), float(x_out), -float(side), float(side)),
         oblique=oblique_angle(solution),
         doubt=doubt if solution.converged else "not converged",
-        filled=None if filled is None else filled[rows, columns],
+        **_behind_layer(solution.supply, rows, columns, h),
     )
+
+
+def _behind_layer(
+    supply: OilSupply | None, rows: slice, columns: slice, h: float
+) -> dict[str, Array]:
+    """Share of the gap filled, and oil left behind in the unit of films, of the part shown."""
+    if supply is None or supply.filled is None or supply.outlet_layer is None:
+        return {}
+    return {"filled": supply.filled[rows, columns], "outlet": h * supply.outlet_layer[columns]}
 
 
 def oblique_angle(solution: ContactSolution) -> float:
