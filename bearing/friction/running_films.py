@@ -155,7 +155,14 @@ def _supplied(film: RunningFilm, contact: BearingContact, supply: OilAtInlets) -
         moment = layer.rolling_moment_ratio
     left = supplied_shares(contact, film.flooded_central, supply.oil, supply.balls)
     if left == FLOODED and layer is not None:
-        return _solved(film.whole)
+        whole = film.whole
+        return replace(
+            film,
+            film=whole,
+            central=film.flooded_central,
+            minimum=whole.film_minimum,
+            rolling_factor=1.0,
+        )
     share = left.central.value / central
     thick = share * film.central
     least = film.minimum

@@ -6,9 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from bearing.contacts.contact import BearingContact
-from bearing.friction.law import BallTraction
 from bearing.friction.race_tables import Tables
-from bearing.friction.resistance import NO_RESISTANCE
 from bearing.friction.sources import LawTraction
 from bearing.friction.table_files import save_race_tables
 from postprocess import summary
@@ -22,7 +20,7 @@ from postprocess.slip.summary import slip_summary
 from postprocess.traction.summary import traction_summary
 
 from ..format.case import Case, ContactCase
-from ..format.traction import fitting_tables
+from ..format.traction import fitting_tables, resisted_traction
 from ..runs.bearing import run_case
 from ..runs.contact import run_contact
 from ..runs.dynamics import run_dynamics
@@ -112,14 +110,11 @@ def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[
 
     `ValueError` if the tables were made for other bodies or another oil.
     """
-    assert case.rheology is not None  # of every bearing case
+    assert case.rheology is not None and case.friction is not None  # of every bearing case
     oil = (case.lubricant, case.rheology)
     fitting_tables(tables, "the traction table", case.bearing, *oil, case.films.solids)
-    resistance = NO_RESISTANCE
-    if case.friction is not None:
-        resistance = case.friction.resistance(case.bearing, case.lubricant)
-    source = LawTraction(laws=dict(tables), rolling_factor=case.inlet.rolling)
-    traction = BallTraction(source=source, lubricant=case.lubricant, resistance=resistance)
+    source = LawTraction(laws=dict(tables))
+    traction = resisted_traction(source, case.friction, case.bearing, case.lubricant, case.inlet)
     results = run_case(replace(case, film_maps="none", traction=traction), 1)
     return results, () if results.torque is None else _notes(results.contacts, tables)
 

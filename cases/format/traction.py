@@ -45,6 +45,17 @@ def ball_traction(
     cannot be read, or is of another bearing or oil.
     """
     source = _law(table, bearing, oil, films.films) or _films(friction, films)
+    return resisted_traction(source, friction, bearing, oil, inlet)
+
+
+def resisted_traction(
+    source: TractionLaw,
+    friction: FrictionInput,
+    bearing: Bearing,
+    oil: Lubricant,
+    inlet: InletFactors,
+) -> BallTraction:
+    """A source of friction with what the inlets leave of its rolling moment, and drag and cage."""
     if isinstance(source, LawTraction | FilmTraction):
         source = replace(source, rolling_factor=inlet.rolling)
     resistance = friction.resistance(bearing, oil)

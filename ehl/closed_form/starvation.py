@@ -42,8 +42,8 @@ class StarvationShares:
     central: Share  # film at the centre
     minimum: Share  # smallest film
     rolling_moment: Share  # of the pressure in the solver's own box
-    # along the normal, of an oscillation with 0.3 u_m/a rad/s, both contacts'; slower ones follow
-    # the meniscus and may be excited
+    # along the normal, of an oscillation with 0.3 u_m/a rad/s over the flooded one at the same;
+    # of slower ones, which the meniscus follows, it may be negative
     damping: Share
     inside: bool  # whether the contact lies among those that were solved for the law
 

@@ -193,7 +193,7 @@ def product(lin: Linearisation, change: Array, film: Array) -> Array:
     """
     content = film + lin.content_by_pressure * change
     if lin.starved is None:
-        rows = poiseuille_change(lin, change, film, lin.couette, content)
+        rows = poiseuille_change(lin, change, film, content)
     else:
         gained = poiseuille_change(lin, change, film)
         rows = flux_change(lin.starved, lin.grid, gained, lin.density * content).rows
@@ -201,11 +201,7 @@ def product(lin: Linearisation, change: Array, film: Array) -> Array:
 
 
 def poiseuille_change(
-    lin: Linearisation,
-    change: Array,
-    film: Array,
-    couette: tuple[Array, Array, bool] | None = None,
-    content: Array | None = None,
+    lin: Linearisation, change: Array, film: Array, content: Array | None = None
 ) -> Array:
     """Derivative of the Poiseuille term inside along a change of pressure and film, shape (ny,
     nx), real; less that of the flow of a content where one is given [-].
@@ -215,9 +211,10 @@ def poiseuille_change(
     still = np.zeros_like(change)
     eps = lin.eps_by_pressure * change + lin.eps_by_film * film
     standing = (still, still, False)
-    carried = (still if content is None else content, eps, *(couette or standing))
+    couette = standing if content is None else lin.couette
+    carried = still if content is None else content
     _kernels.reynolds_operator(change, still, lin.eps, *standing, *lin.mesh, by_pressure)
-    _kernels.reynolds_operator(lin.P, *carried, *lin.mesh, by_flow)
+    _kernels.reynolds_operator(lin.P, carried, eps, *couette, *lin.mesh, by_flow)
     return by_pressure + by_flow
 
 

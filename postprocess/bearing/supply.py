@@ -131,7 +131,7 @@ def _band_messages(results: BearingResults) -> Iterator[str]:
         f"supply: a band, {low.film_share:.3g} to {high.film_share:.3g} of the flooded films for "
         f"{low.track_share:g} to {high.track_share:g} of the flow on the tracks, which is not "
         "known; all else is at supply_track_share. supply_loss, the share lost between two "
-        "balls, is as little known: the less, the thicker the layer of little oil"
+        "balls, is as little known: the smaller it is, the thicker the layer"
     )
 
 

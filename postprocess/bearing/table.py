@@ -1,6 +1,6 @@
 """A bearing in the terminal."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from math import degrees
 from typing import Any
 
@@ -95,19 +95,22 @@ def _contacts_table(results: BearingResults) -> Table:
         for key in ("ball", "azimuth_deg", "race", *keys)
     ]
     style: dict[str, Any] = {"padding": (0, 1, 0, 0), "collapse_padding": True}
+    known = [(record, contact_values(record)) for record in contact_records(results)]
     for decimals in range(DECIMALS, 0, -1):
-        rows = _contact_rows(results, keys, decimals)
+        rows = _contact_rows(known, keys, decimals)
         table = number_table((*headers, ""), rows, ("race", ""), **style)
         if Console(width=2 * WIDTH).measure(table).maximum <= WIDTH:
             break
     return table
 
 
-def _contact_rows(results: BearingResults, keys: list[str], most: int) -> Iterator[list[str]]:
+def _contact_rows(
+    known: Sequence[tuple[ContactRecord, dict[str, Any]]], keys: list[str], most: int
+) -> Iterator[list[str]]:
     """Cells of every contact, films with at most so many decimals, and a line for each row."""
-    several = len({contact.row for contact in results.contacts}) > 1
-    row = None if several else results.contacts[0].row
-    for record in contact_records(results):
+    several = len({record.contact.row for record, _ in known}) > 1
+    row = None if several else known[0][0].contact.row
+    for record, values in known:
         contact = record.contact
         if contact.row != row:
             row = contact.row
@@ -115,17 +118,16 @@ def _contact_rows(results: BearingResults, keys: list[str], most: int) -> Iterat
         is_inner = contact.race.value == "inner"
         azimuth = f"{degrees(contact.azimuth) % 360.0:.0f}"
         place = [str(contact.ball), azimuth] if is_inner else ["", ""]
-        cells = [_contact_cell(record, key, most) for key in keys]
+        cells = [_contact_cell(record, values, key, most) for key in keys]
         yield [*place, contact.race.value, *cells, _flags(record.film)]
 
 
-def _contact_cell(record: ContactRecord, key: str, most: int) -> str:
+def _contact_cell(record: ContactRecord, known: dict[str, Any], key: str, most: int) -> str:
     """A quantity of a contact, films as they are at a supply; a film with its uncertainty, at most
     so many decimals.
     """
     if key == "load_N" and not record.loaded:
         return "0"
-    known = contact_values(record)
     supplied = at_supply(record)
     value = known[supplied.get(key, key)]
     if value is None or not record.loaded:

@@ -53,8 +53,9 @@ def response_messages(results: ContactResults) -> Iterator[str]:
             yield f"stiffness_N_um, damping_N_s_m: {response.message}"
         if response.damping.value < 0.0:
             yield (
-                "damping_N_s_m: negative, oil that fills the inlet of bodies closing in slowly is "
-                "missing behind; `response` tells it over frequency"
+                "damping_N_s_m: negative, as in slow movement the oil that fills the inlet of "
+                "closing bodies is missing from the film; ehl.response_frequencies_Hz gives the "
+                "damping over frequency"
             )
         if not response.frequencies:
             yield "response: null, no ehl.response_frequencies_Hz"

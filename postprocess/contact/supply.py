@@ -11,7 +11,10 @@ from .results import ContactResults
 
 KEYS = ("starved_film_share", "starved_film_central_um", "starved_film_minimum_um")
 SOLVED = (
-    *("inlet_ratio", "meniscus_position", "rolling_moment_ratio", "damping_ratio"),
+    "inlet_ratio",
+    "meniscus_position",
+    "rolling_moment_ratio",
+    "damping_ratio",
     "outlet_layer",
 )
 NAMES = ("central", "minimum")

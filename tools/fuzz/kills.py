@@ -122,16 +122,21 @@ def alive(group: int) -> list[int]:
     return found
 
 
-def kill_once(words: str, kind: str, after: float, folder: Path) -> Ended:
-    """Start a command, signal it `after` so many seconds, and look how it ends."""
-    process = subprocess.Popen(
+def started(words: str, folder: Path, errors: int) -> subprocess.Popen[bytes]:
+    """A command in a group of its own; `errors`: where its standard error goes."""
+    return subprocess.Popen(
         oilfilm(words),
         cwd=folder,
         env=environment(folder / "tmp"),
         stdout=subprocess.DEVNULL,
-        stderr=subprocess.PIPE,
+        stderr=errors,
         start_new_session=True,
     )
+
+
+def kill_once(words: str, kind: str, after: float, folder: Path) -> Ended:
+    """Start a command, signal it `after` so many seconds, and look how it ends."""
+    process = started(words, folder, subprocess.PIPE)
     before = False
     try:
         process.wait(after)
@@ -182,14 +187,7 @@ def faults(ended: Ended, kind: str, within: float) -> list[str]:
 def calm(words: str, folder: Path, longest: float | None = None) -> tuple[float, int | None]:
     """Undisturbed time [s] and exit code; None where it takes longer than that [s]."""
     start = time.monotonic()
-    process = subprocess.Popen(
-        oilfilm(words),
-        cwd=folder,
-        env=environment(folder / "tmp"),
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.DEVNULL,
-        start_new_session=True,
-    )
+    process = started(words, folder, subprocess.DEVNULL)
     try:
         code: int | None = process.wait(longest)
     except subprocess.TimeoutExpired:

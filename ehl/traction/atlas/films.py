@@ -10,12 +10,13 @@ from math import exp, log, pi, sin, sqrt
 
 import numpy as np
 
+from ...arrays import Array
 from ...closed_form.hertz import hertz_coefficients
 from ...conditions import ContactConditions, MoesConditions
-from ...oil.lubricant import DensityLaw, ViscosityLaw
+from ...oil.lubricant import DensityLaw, Lubricant, ViscosityLaw
 from ...scaling import ScaledContact, scale_contact
 from ..kapitza import kapitza_moment
-from .table import BASE_ALPHA, BASE_Z, functions, table
+from .table import BASE_ALPHA, BASE_Z, bars_of, functions
 
 # of A, L, D, Roelands' z [-] and alpha [1/Pa] between which the table was judged
 RANGE = {
@@ -106,7 +107,7 @@ def atlas_films(
     x = np.array([[log(load), sqrt(values[1]), log(values[2])]] * 3)
     x[1:, 0] += (-STEP, STEP)
     found = functions(x, np.full(3, oil.pressure_viscosity), np.full(3, oil.exponent))
-    bars = _bars(values[2], base=oil.exponent == BASE_Z and oil.pressure_viscosity == BASE_ALPHA)
+    bars = _bars(values[2], oil)
     central, minimum = (exp(found[0, k]) / load for k in (0, 1))
     lowered, lobes = _by_rotation(values[2], contact.turning)
     minimum *= lowered
@@ -177,11 +178,10 @@ def _nearest(name: str, value: float) -> float:
     return low * (1.0 + EDGE) if value < low else high * (1.0 - EDGE)
 
 
-def _bars(ratio: float, *, base: bool) -> np.ndarray:
-    """Errors of the six functions of a contact of Rx/Ry [-]."""
-    slim, wide, oils = table().bars
-    own = wide if ratio > 1.0 else slim
-    return own if base else np.maximum(own, oils)
+def _bars(ratio: float, oil: Lubricant) -> Array:
+    """Errors of the six functions at Rx/Ry with an oil, shape (6,) [-]."""
+    base = oil.exponent == BASE_Z and oil.pressure_viscosity == BASE_ALPHA
+    return bars_of(np.array([ratio]), np.array([base]))[0]
 
 
 def _by_rotation(ratio: float, turning: float) -> tuple[float, float]:

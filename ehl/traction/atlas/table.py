@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...arrays import Array
 
@@ -43,6 +44,15 @@ def table() -> Table:
     """The table, read once [-]."""
     with np.load(FILE) as file:
         return Table(**{name: file[name] for name in Table._fields})
+
+
+def bars_of(ratio: Array, base: NDArray[np.bool_]) -> Array:
+    """Errors of the six functions at Rx/Ry of shape (m,), shape (m, 6) [-]; base: whether the oil
+    is that of the solves, shape (m,).
+    """
+    slim, wide, oils = table().bars
+    own = np.where(ratio[:, None] > 1.0, wide, slim)
+    return np.where(base[:, None], own, np.maximum(own, oils))
 
 
 def trend_terms(x: Array) -> Array:

@@ -27,7 +27,7 @@ from ...arrays import Array
 from ...multigrid.bordered import Border, LinearSolverError, solve_bordered
 from ...multigrid.cycle import layer_at_centre
 from ...multigrid.far_field import squeeze_load
-from ...multigrid.jacobian import Linearisation, deflected, poiseuille_change, product
+from ...multigrid.jacobian import Linearisation, deflected, poiseuille_change
 from ...multigrid.levels import Multigrid
 from ...multigrid.newton import Factored, dry_nodes, polished
 from ...multigrid.starved_jacobian import FluxChange, flux_change
@@ -132,9 +132,10 @@ class LinearContact:
     ) -> FluxChange:
         """Change of the equations inside and of the oil that nodes hold."""
         lin = self.lin
-        content = lin.density * (film + lin.content_by_pressure * p)
+        carried = film + lin.content_by_pressure * p
+        content = lin.density * carried
         if lin.starved is None:
-            rows = _by_parts(lambda a, b: product(lin, a, b), p, film)
+            rows = _by_parts(lambda a, b, c: poiseuille_change(lin, a, b, c), p, film, carried)
             return FluxChange(rows=rows - source - turn * content, content=content)
         gained = _by_parts(lambda a, b: poiseuille_change(lin, a, b), p, film)
         return flux_change(lin.starved, lin.grid, gained - source, content, turn)

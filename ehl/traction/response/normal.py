@@ -16,7 +16,7 @@ POINTS = (257, 513)  # the first that resolves the film, and half of them
 COARSEST = 65
 # error of the extrapolated value over the step between the meshes; a third is what order 2 adds
 MESH_SHARE = 0.5
-LAYER_SHARE = 2.0  # behind a layer, whose values go on with the meniscus' place in its cell
+LAYER_SHARE = 2.0  # behind a layer, where values depend on the meniscus' place in its cell
 # angular frequency times a/u_m, below which movement is slow: damping differs by 0.02 % at most
 # there, and is too small a part of the reaction to be told from it
 SLOWEST = 0.02
@@ -59,10 +59,9 @@ def normal_response(
     the options, and on half as many; both values are extrapolated with order 2. The error bar
     holds a part of that step and what is not known of the squeeze beyond an open box: half of what
     it adds at most. Behind a layer nothing is extrapolated and the bar is twice the step. There
-    the damping of slow movement may be negative: bodies that close
-    in feed the meniscus, at the cost of the film; faster than the meniscus follows it is positive.
-    Where oil flows across the lines of the grid, as with an entrainment that turns, a layer's
-    response is not known.
+    the damping of slow movement may be negative: bodies that close in feed the meniscus, at the
+    cost of the film; faster than the meniscus follows it is positive. Where oil flows across the
+    lines of the grid, as with an entrainment that turns, a layer's response is not known.
 
     Raises
     ------

@@ -42,7 +42,7 @@ def one_by_one(given, number):
 
 
 def test_many_at_once_are_those_one_by_one():
-    """To a tenth of the error bars; the errors themselves, and what is refused, to the bit."""
+    """To a fifth of the error bars; the errors themselves, and what is refused, to the bit."""
     given = drawn()
     found = ehl.atlas_arrays(ehl.ContactArrays(**given))
     assert 30 < found.inside.sum() < NUMBER - 20

@@ -10,7 +10,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.optimize import brentq
 
-from ehl import ContactConditions, Lubricant, SolverOptions
+from ehl import SolverOptions
 from ehl.grid import Grid
 from ehl.multigrid.cycle import cycle, start_level
 from ehl.multigrid.starved_jacobian import StarvedFlux, flux_change
@@ -19,6 +19,8 @@ from ehl.solver import solve_attempts, solve_behind_layer
 from ehl.traction import normal_response
 from ehl.traction.response.linear import _Right, linear_contact
 from verification.contacts import moes as groups
+
+from .test_normal_response import STEEL, on_two_meshes
 
 BOX = {1.0: (-6.0, 1.6, 3.5), 0.1: (-4.0, 1.5, 1.22)}
 CONTACTS = {1.0: groups(20.0, 10.0), 0.1: groups(200.0, 10.0, 0.1)}
@@ -183,23 +185,16 @@ def test_a_slider_in_closed_form(layer):
     assert np.all(errors[1].max(axis=0) < 0.3 * errors[0].max(axis=0))
 
 
-STEEL = ContactConditions(
-    load=150.0, radius_x=2.9e-3, radius_y=28.5e-3, reduced_modulus=2.26e11, entrainment_speed=7.0,
-    lubricant=Lubricant(viscosity=0.02, pressure_viscosity=18e-9), inlet_layer=InletLayer(thickness=(4e-7,)),
-)  # fmt: skip
+STARVED_STEEL = replace(STEEL, inlet_layer=InletLayer(thickness=(4e-7,)))
 
 
 def test_error_bars_hold_the_finer_mesh():
-    coarse, fine = (normal_response(STEEL, SolverOptions(points=points)) for points in (129, 257))
-    assert coarse.converged and fine.converged
-    for name in ("stiffness", "damping"):
-        rough, better = getattr(coarse, name), getattr(fine, name)
-        assert abs(rough.value - better.value) <= rough.uncertainty
+    on_two_meshes(STARVED_STEEL)
 
 
 def test_oil_across_the_lines_is_refused():
     """An entrainment that turns has no response behind a layer, and says so."""
-    turning = replace(STEEL, mean_spin=0.1 * STEEL.entrainment_speed / 1e-3)
+    turning = replace(STARVED_STEEL, mean_spin=0.1 * STEEL.entrainment_speed / 1e-3)
     answer = normal_response(turning, SolverOptions(points=65))
     assert not answer.converged
     assert "across the lines" in answer.message
