@@ -76,6 +76,9 @@ def exit_code(command: Callable[[], int | None]) -> int:
     except typer.Exit as stop:
         return stop.exit_code
     except Exception as error:
+        if _is_of_an_interrupt(error):
+            say("oilfilm: interrupted")
+            return INTERRUPTED
         say(f"oilfilm: {_machine_failure(error)}; details: {_log(error)}")
         return FAILED
     finally:
@@ -89,6 +92,13 @@ def _say_errors(messages: Iterable[str]) -> None:
         say(line)
     if len(lines) > MOST_MESSAGES:
         say(f"... and {len(lines) - MOST_MESSAGES} more errors")
+
+
+def _is_of_an_interrupt(error: BaseException | None) -> bool:
+    """Whether an interrupt led to the error, as where a compiled library takes it for its own."""
+    while error is not None and not isinstance(error, KeyboardInterrupt):
+        error = error.__cause__ or error.__context__
+    return error is not None
 
 
 def _machine_failure(error: Exception) -> str:

@@ -2,6 +2,7 @@
 finish.
 """
 
+import _thread
 import os
 import signal
 import socket
@@ -99,6 +100,8 @@ def end_unless_obeyed(code: int) -> Callable[[], bool]:
     writer.setblocking(False)
     signal.set_wakeup_fd(writer.fileno(), warn_on_full_buffer=False)
     came = threading.Event()
+    lost = threading.Event()
+    _hear_finalizers(came, lost)
 
     def watch() -> None:
         with writer:  # open as long as this thread
@@ -109,11 +112,30 @@ def end_unless_obeyed(code: int) -> Callable[[], bool]:
             while left > 0.0:
                 sleep(LOOK)
                 left -= 0.0 if _finishing() else LOOK
+                if lost.is_set():
+                    lost.clear()
+                    _thread.interrupt_main()
             say("oilfilm: interrupted")
             end_now(code)
 
     threading.Thread(target=watch, daemon=True).start()
     return lambda: came.wait(LOOK)  # the thread that sees it may not have run yet
+
+
+def _hear_finalizers(came: threading.Event, lost: threading.Event) -> None:
+    """Note an interrupt that Python drops, with a traceback, because it fell into a finalizer.
+
+    After a signal (`came`) say nothing of finalizers that fail: their objects may be half built.
+    """
+    previous = sys.unraisablehook
+
+    def heard(unraisable: "sys.UnraisableHookArgs") -> None:
+        if issubclass(unraisable.exc_type, KeyboardInterrupt):
+            lost.set()
+        elif not came.wait(LOOK):  # the thread that sees it may not have run yet
+            previous(unraisable)
+
+    sys.unraisablehook = heard
 
 
 def _finishing() -> bool:

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 from cases.cli import cost, progress
+from cases.cli.terminal import exit_code
 from cases.runs.interrupt import interruptible
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals and streams of POSIX")
@@ -56,6 +57,62 @@ def test_a_program_in_compiled_code_ends_all_the_same(number):
     code += "import signal, cases.runs.interrupt as i; signal.signal(signal.SIGTERM, i.interrupt)\n"
     code += f"print('up', flush=True); {LONG}"
     assert signalled(code, number)[:2] == (3, "oilfilm: interrupted\n")
+
+
+FINALIZED = """
+import os, signal, time
+from cases.runs.interrupt import end_unless_obeyed, interrupt
+end_unless_obeyed(3)
+signal.signal(signal.SIGINT, interrupt)
+class File:
+    def __del__(self):
+        {ends}
+print("up", flush=True)
+try:
+    {work}
+    while True:
+        time.sleep(0.01)
+except KeyboardInterrupt:
+    {after}
+    print("obeyed", flush=True)
+"""
+
+
+@pytest.mark.parametrize("times", [1, 3])
+def test_an_interrupt_in_a_finalizer_is_obeyed_in_silence(times):
+    """Python drops it with a traceback, `Exception ignored in`; another in the next is heard too."""
+    ends = f"times.append(0); len(times) > {times} or os.kill(os.getpid(), signal.SIGINT)"
+    code = FINALIZED.format(ends=ends, work=f"times = []; [File() for _ in range({times})].clear()", after="pass")
+    start = time.monotonic()
+    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, timeout=50)
+    assert (answer.returncode, answer.stdout, answer.stderr) == (0, "up\nobeyed\n", "")
+    assert time.monotonic() - start < WITHIN
+
+
+def test_an_error_that_an_interrupt_led_to_is_an_interrupt(capsys):
+    """h5py's locks end with `SystemError: ... returned a result with an exception set`."""
+
+    def caused():
+        raise SystemError("a result with an exception set") from KeyboardInterrupt()
+
+    def of_its_own():
+        raise SystemError("a result with an exception set") from ValueError()
+
+    assert exit_code(caused) == 3
+    assert capsys.readouterr().err == "oilfilm: interrupted\n"
+    assert exit_code(of_its_own) == 4
+    assert "internal error: SystemError" in capsys.readouterr().err
+
+
+def test_finalizers_are_silent_after_an_interrupt_alone():
+    """What it leaves half built may fail in its finalizer; without an interrupt that is a fault of ours."""
+    after = FINALIZED.format(ends="self.handle", work="os.kill(os.getpid(), 2)", after="File()")
+    answer = subprocess.run([sys.executable, "-c", after], capture_output=True, text=True, check=False, timeout=50)
+    assert (answer.stdout, answer.stderr) == ("up\nobeyed\n", "")
+    alone = FINALIZED.format(ends="self.handle", work="raise KeyboardInterrupt", after="File()")
+    answer = subprocess.run([sys.executable, "-c", alone], capture_output=True, text=True, check=False, timeout=50)
+    assert answer.stdout == "up\nobeyed\n"
+    assert "AttributeError" in answer.stderr
 
 
 def test_work_in_a_thread_is_given_up_at_once():
