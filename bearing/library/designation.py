@@ -56,17 +56,23 @@ WITHOUT_EFFECT = (
     "TN9|TNH|TVP2|TVP|TVH|TYN|TR|TN|TA|MPA|MPB|MA|MB|JR|PHAS|PH|BP|J|M|Y|T|P|F|NR|N|W|DG|U|G"
 )
 # why a designation is none of the bearings here, by its beginning
-BALLS_HERE = "here are ball bearings"
+BALLS_HERE = "the catalogue has ball bearings only"
 NOT_HERE = (
     (r"(?:NU|NJ|NUP|NN|N|RN|RNU|NF|NH)\d", f"a cylindrical roller bearing; {BALLS_HERE}"),
     (r"(?:NA|NK|NKI|HK|BK|RNA|K)\d", f"a needle roller bearing; {BALLS_HERE}"),
     (r"(?:30|31|32|33)\d{3}", f"a tapered roller bearing; {BALLS_HERE}"),
     (r"(?:21|22|23|24)\d{3}", f"a spherical roller bearing; {BALLS_HERE}"),
-    (r"5[1-4]\d{3}", "a thrust ball bearing; here are radial ones"),
-    (r"(?:12|13|22|23)\d\d(?!\d)", "a self-aligning ball bearing; here are rigid ones"),
-    (r"(?:32|33|42|43|52|53)\d\d(?!\d)", "a bearing of two rows; here are single ones and pairs"),
-    (r"(?:HS|XCS|RS)\d", "a high-speed bearing with smaller balls than the series have here"),
-    (r"16[01]\d\d(?!\d)", "a bearing of the series 160 or 161, which are not among those here"),
+    (r"5[1-4]\d{3}", "a thrust ball bearing; the catalogue has radial ones only"),
+    (
+        r"(?:12|13|22|23)\d\d(?!\d)",
+        "a self-aligning ball bearing; the catalogue has deep groove and angular contact ones only",
+    ),
+    (
+        r"(?:32|33|42|43|52|53)\d\d(?!\d)",
+        "a double-row bearing; the catalogue has single rows, and pairs of them (DB, DF, DT)",
+    ),
+    (r"(?:HS|XCS|RS)\d", "a high-speed bearing with smaller balls than the catalogue's"),
+    (r"16[01]\d\d(?!\d)", "a bearing of the series 160 or 161, which the catalogue does not have"),
     (
         r"(?:70|72|73|719|79)\d\d",
         "the letters of its contact angle are missing or not known: C is 15 deg, AC 25, B 40",

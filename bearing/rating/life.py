@@ -153,7 +153,7 @@ def _static(known: LifeRating, solution: QuasistaticSolution) -> tuple[LifeRatin
     hybrid = bearing.ball_material.kind is not MaterialKind.BEARING_STEEL
     if hybrid:
         messages.append(
-            "life.static_safety: null, the permissible pressure of a hybrid was not at hand"
+            "life.static_safety: null, the permissible pressure of a hybrid is not known here"
         )
     elif pressure := _largest_pressure(solution):
         safety = (STATIC_PRESSURE / pressure) ** 3
@@ -173,7 +173,7 @@ def _static(known: LifeRating, solution: QuasistaticSolution) -> tuple[LifeRatin
     load = max((row_load for row_load in loads if row_load is not None), default=None)
     if load is None:
         messages.append(
-            "life: P_0 and S_0 null, factors X_0, Y_0 are at hand for contact angles of 0 and 15 "
+            "life: P_0 and S_0 null, factors X_0, Y_0 are known for contact angles of 0 and 15 "
             "to 40 deg"
         )
     known = replace(

@@ -41,7 +41,7 @@ def geometry_not_rated(bearing: Bearing, contact_angle: float) -> str:
     """Why `dynamic_rating` does not hold for a geometry, or empty; nominal angle in [rad]."""
     gamma = _gamma(bearing, contact_angle)
     if not SMALLEST_GAMMA <= gamma <= LARGEST_GAMMA:
-        text = f"D cos(alpha)/d_m = {gamma:.3g} lies outside the factors f_c at hand"
+        text = f"D cos(alpha)/d_m = {gamma:.3g} lies outside the range of the factors f_c"
         return f"{text}: give basic_dynamic_rating_kN"
     return ""
 

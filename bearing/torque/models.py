@@ -295,7 +295,9 @@ def model_remarks(
             f"the load of {share:.2g} C is below the {limits.load_share:g} C the model asks for"
         )
     if bearing.ball_material.kind is not MaterialKind.BEARING_STEEL:
-        remarks.append("that of a bearing of steel at the same loads, which it was made for")
+        remarks.append(
+            "the model is for steel: this is a steel bearing's torque at the same loads"
+        )
     return tuple(remarks)
 
 

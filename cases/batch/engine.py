@@ -195,7 +195,7 @@ def _keep(
         if pool.lost(error):
             if pool.shares_folder:
                 return False
-            receipt = _given_up(task, f"the worker was lost again and again: {_words(error)}")
+            receipt = _given_up(task, f"the worker was lost repeatedly: {_words(error)}")
         elif isinstance(error, OSError | CancelledError | MemoryError):
             raise
         else:
@@ -217,7 +217,7 @@ def _alone(task: Task, pool: Pool, directory: Path, pace: ProgressEstimate) -> N
 
 
 def _given_up(task: Task, message: str) -> Receipt:
-    advice = "killed from outside, or out of memory; fewer points of the mesh, or fewer workers"
+    advice = "killed from outside, or out of memory; try fewer nodes, or fewer workers"
     return failure(task.key, LOST, f"{message} ({advice})")
 
 

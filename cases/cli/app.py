@@ -27,7 +27,7 @@ CaseName = Annotated[
 ]
 Output = Annotated[
     Path | None,
-    typer.Option("--output", "-o", metavar="DIR", help="Where results go; default CASE_results."),
+    typer.Option("--output", "-o", metavar="DIR", help="Where results go; default: CASE_results."),
 ]
 Json = Annotated[
     bool,

@@ -88,7 +88,7 @@ def _tell(plan: Sweep, workers: int | None, *, quiet: bool) -> None:
     what, seconds = batch_cost(first, len(plan.points), plan.compute)
     count = workers or cores()
     tell_cost((f"{what}, {count} at a time", seconds / count), quiet=quiet)
-    say("oilfilm: the time left is told from the first point on")
+    say("oilfilm: the time left is shown from the first point on")
 
 
 @contextmanager

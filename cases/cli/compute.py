@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 TableFile = Annotated[
     Path | None,
-    typer.Option("--output", "-o", metavar="FILE", help="The table; default CASE_table.zip."),
+    typer.Option("--output", "-o", metavar="FILE", help="The table; default: CASE_table.zip."),
 ]
 
 

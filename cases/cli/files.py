@@ -115,21 +115,24 @@ def init(  # noqa: PLR0913
     name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the new case file.")],
     suffixes: Annotated[
         list[str] | None,
-        typer.Argument(metavar="[SUFFIX]...", help="More of the designation, as the C3 there."),
+        typer.Argument(
+            metavar="[SUFFIX]...", help="Suffixes of the designation, as C3 in 6205-2RS C3."
+        ),
     ] = None,
     template: Annotated[
         str | None, typer.Option("--from", metavar="CASE", help="Case or sweep to start from.")
     ] = None,
     bearing: Annotated[
-        str | None, typer.Option(metavar="DESIGNATION", help="Bearing, as 7014C or 6205-2RS C3.")
+        str | None,
+        typer.Option(metavar="DESIGNATION", help="The bearing, as 7014C or 6205-2RS C3."),
     ] = None,
-    bore: Annotated[float | None, typer.Option(help="d [mm], of a bearing by its size.")] = None,
+    bore: Annotated[float | None, typer.Option(help="Bore d [mm].")] = None,
     outside: Annotated[float | None, typer.Option(help="Outside diameter D [mm].")] = None,
-    width: Annotated[float | None, typer.Option(help="B [mm].")] = None,
-    dynamic: Annotated[float | None, typer.Option("--C", help="Rating C, if known [kN].")] = None,
-    static: Annotated[float | None, typer.Option("--C0", help="Rating C_0 [kN].")] = None,
+    width: Annotated[float | None, typer.Option(help="Width B [mm].")] = None,
+    dynamic: Annotated[float | None, typer.Option("--C", help="Dynamic rating C [kN].")] = None,
+    static: Annotated[float | None, typer.Option("--C0", help="Static rating C_0 [kN].")] = None,
     angle: Annotated[float, typer.Option(help="Nominal contact angle [deg]; 0: deep groove.")] = 0,
-    speed: Annotated[float | None, typer.Option(help="Of the inner ring [r/min].")] = None,
+    speed: Annotated[float | None, typer.Option(help="Speed [r/min].")] = None,
     radial: Annotated[float | None, typer.Option(help="Radial load [N].")] = None,
     axial: Annotated[float | None, typer.Option(help="Axial load [N].")] = None,
 ) -> None:

@@ -12,7 +12,7 @@ from verification.names import SectionName
 
 from ..format.problems import CaseError
 from ..runs.interrupt import finish_first, say
-from .app import Json, Output, Quiet, app
+from .app import Json, Quiet, app
 from .cost import tell_cost
 from .output import held_directory, load_bearing
 from .progress import progress_bar
@@ -28,6 +28,10 @@ if TYPE_CHECKING:
 SECTION_SECONDS = {False: 67.0, True: 6.0}
 DIRECTORY = Path("verify_results")
 
+Output = Annotated[
+    Path | None,
+    typer.Option("--output", "-o", metavar="DIR", help=f"Where results go; default: {DIRECTORY}."),
+]
 Sections = Annotated[
     list[SectionName] | None,
     typer.Option("--section", help="A part of the page; may be repeated. Default: all."),
@@ -35,7 +39,7 @@ Sections = Annotated[
 Draws = Annotated[
     int | None,
     typer.Option(
-        "--robustness", min=1, metavar="DRAWS", help="Solve so many random contacts instead."
+        "--robustness", min=1, metavar="DRAWS", help="Solve this many random contacts instead."
     ),
 ]
 Seed = Annotated[
@@ -43,7 +47,7 @@ Seed = Annotated[
     typer.Option(
         min=0,
         metavar="N",
-        help="Of the random contacts; default: that of a sweep begun, else today's date.",
+        help="Seed of the draws; default: that of an unfinished sweep, else today's date.",
     ),
 ]
 

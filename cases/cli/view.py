@@ -43,10 +43,10 @@ def view(
     quantity: Annotated[Quantity, typer.Option(help="What the colours show.")] = Quantity.FILM,
     magnification: Annotated[
         float | None,
-        typer.Option(min=1.0, max=1e3, help="Of the patches; default: so that they can be seen."),
+        typer.Option(min=1.0, max=1e3, help="Scale of the patches; default: so that they show."),
     ] = None,
     exaggeration: Annotated[
-        float, typer.Option(min=0.0, max=1e6, help="Of the film as height, or of a displacement.")
+        float, typer.Option(min=0.0, max=1e6, help="Factor of film height or displacement.")
     ] = 0.0,
 ) -> int:
     """Look at results in three dimensions."""

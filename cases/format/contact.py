@@ -71,9 +71,9 @@ class GridTable(Table):
     )
 
     starvation: Annotated[str, OneOf(Starvation)] | None = described(
-        "with an inlet film, or a flow of oil: solved (a single contact untold); tabulated: "
-        "flooded films and the law of starvation (a bearing with an inlet film untold); none: "
-        "what the law leaves stands beside the flooded films (a flow untold)"
+        "with an inlet film, or a flow of oil: solved (default of a single contact); tabulated: "
+        "flooded films and the law of starvation (default of a bearing with an inlet film); none: "
+        "what the law leaves stands beside the flooded films (default with a flow)"
     )
 
     @model_validator(mode="before")

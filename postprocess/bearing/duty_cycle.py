@@ -78,4 +78,10 @@ def hours_text(basic: float, modified: float | None) -> str:
 
 def hours(life: float) -> str:
     """Hours to three figures, without a power of ten."""
-    return f"{float(f'{life:.3g}'):.0f} h" if life >= 100.0 else f"{life:.3g} h"
+    return f"{in_figures(life, 3)} h"
+
+
+def in_figures(value: float, figures: int) -> str:
+    """A number to so many figures, without a power of ten."""
+    text = f"{value:.{figures}g}"
+    return f"{float(text):.0f}" if float(text) >= 10.0 ** (figures - 1) else text

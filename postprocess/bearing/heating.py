@@ -105,8 +105,8 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
             yield f"self_heating: friction ({heating.model}) and cooling agree at {balanced:.1f} C"
         if heating.model == "integrated" and abs(balanced - given) > AGREEMENT:
             yield (
-                "self_heating: its torque is that of films of formulas, scaled to the total at "
-                'temperature_C; operation.temperature = "self-heated" solves the films there'
+                "self_heating: its torque is that of films without a solve, scaled to the total "
+                'at temperature_C; operation.temperature = "self-heated" solves the films there'
             )
         elif heating.model != "integrated":
             yield (

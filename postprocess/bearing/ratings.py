@@ -11,7 +11,7 @@ from ehl.units import from_si, to_si
 
 from ..quantities import values_of
 from .contacts import contact_records
-from .duty_cycle import hours, hours_text
+from .duty_cycle import hours, in_figures
 from .quantities import CLEARANCE, FILM_LIFE, LIFE_RATING, LOAD_RATING
 from .results import BearingResults
 
@@ -128,8 +128,8 @@ def _cage_messages(results: BearingResults) -> Iterator[str]:
         given = (results.case.get("cage") or {}).get("land_clearance_um")
         if given is not None and to_si("land_clearance_um", given) + cage.land <= 0.0:
             yield (
-                "clearance: at its temperature the cage has none left on its land, "
-                f"{given:g} um and cage_land_change_um"
+                "clearance: at its temperature the cage has no clearance left on its land, "
+                f"{given:g} um less {-from_si('cage_land_change_um', cage.land):.3g} um"
             )
 
 
@@ -151,12 +151,14 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
     if revolutions is None:
         rows["rating life"] = _why_none(life.messages)
     if revolutions is not None and basic is not None:
-        rows["rating life"] = hours_text(basic, known["modified_reference_rating_h"])
-        rows["rating life"] += f" ({revolutions:.4g} million revolutions"
-        if known["a_iso"] is not None:
+        turns = in_figures(revolutions, 4)
+        rows["rating life"] = f"L10h {hours(basic)} ({turns} million revolutions)"
+        if known["modified_reference_rating_h"] is not None:
             limit = ", its limit" if known["a_iso"] >= AT_ITS_LIMIT * LARGEST_A_ISO else ""
-            rows["rating life"] += f", a_ISO {known['a_iso']:.3g}{limit}"
-        rows["rating life"] += ")"
+            modified = hours(known["modified_reference_rating_h"])
+            rows["rating life"] += (
+                f", modified L10mh {modified} (a_ISO {known['a_iso']:.3g}{limit})"
+            )
     if (interval := interval_of(results)) is not None:
         time = hours(from_si(RELUBRICATION, interval))
         rows |= (

@@ -115,7 +115,7 @@ def _unsolved_message(results: BearingResults) -> Iterator[str]:
     if ehl.get("starvation") == "solved" and ehl.get("film_maps") == "none":
         yield (
             'supply: [ehl] starvation = "solved" solves no film here, since film_maps is "none"; '
-            "what follows is the law of starvation over films of formulas"
+            "what follows is the law of starvation over films of the film atlas and of formulas"
         )
 
 
@@ -180,7 +180,7 @@ def _outside_message(
 
 def _whose_layer(results: BearingResults) -> str:
     if supply_kind(results) == "flow":
-        return "the layer that each contact finds in the steady state (by films of formulas)"
+        return "the layer that each contact finds in the steady state (by films without a solve)"
     return "it"
 
 
@@ -221,7 +221,7 @@ def decay_messages(results: BearingResults) -> Iterator[str]:
     end = float(decay.time[-1])
     yield (
         f"decay: ball {decay.contact.ball} {decay.contact.race.value}, {end:.4g} s after the "
-        "supply stops; no oil comes back from beside the tracks, which real bearings live by"
+        "supply stops; no oil returns from beside the tracks, on which real bearings depend"
     )
     if decay.loss > 0.0:
         yield (

@@ -255,6 +255,8 @@ def torque_rows(results: BearingResults) -> dict[str, str]:
     rows = {"friction torque": f"{TORQUE.value(torque):.4g} N mm ({chosen})"}
     if share := _churning_share(torque):
         rows["friction torque"] += f", {share:.0%} of it churning"
+    if seal := torque.models[torque.chosen].components.get("seal"):
+        rows["friction torque"] += f", {TORQUE.in_unit(seal):.4g} of it the contact seals"
     return rows | ({"other models": ", ".join(others)} if others else {})
 
 

@@ -35,8 +35,8 @@ def solution_messages(name: str, solution: ContactSolution) -> Iterator[str]:
         flooded = "" if solution.supply is None else "flooded "
         yield (
             f"{name}: the {flooded}{which} film is {ratio:+.1%} off that of the film atlas, more "
-            f"than both error bars, {bars}: try more points; where they change nothing the atlas "
-            "is off, whose bars hold nineteen of twenty"
+            f"than both error bars, {bars}: try more points; if they change nothing, the atlas is "
+            "off, whose error bars enclose 19 films of 20"
         )
 
 

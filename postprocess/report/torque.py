@@ -60,6 +60,9 @@ def _recommended(torque: dict[str, Any]) -> str:
     drag = (torque.get("parts") or {}).get("drag")
     if isinstance(drag, int | float) and drag >= CHURNING_SHARE * torque["total"] > 0.0:
         text += f", {drag / torque['total']:.0%} of it churning"
+    seal = (torque.get("parts") or {}).get("seal")
+    if isinstance(seal, int | float) and seal > 0.0:
+        text += f", {html.number(seal, 4)} of it the contact seals"
     if torque.get("coulomb_coefficient") is not None:
         text += f"; Coulomb's coefficient is {html.number(torque['coulomb_coefficient'], 3)}"
     return f"<p>{text}.</p>"

@@ -282,7 +282,7 @@ def test_a_hybrid_has_the_rating_of_steel_but_no_static_safety(b6208):
         ({}, {}, 1000.0, "contamination_factor", ("life_factor", "modified_life")),
         ({}, {"contamination_factor": 0.5}, 1.0, "below kappa 0.1", ("life_factor", "modified_life")),
         ({}, {"nominal_contact_angle": 0.1}, 1000.0, "factors X_0, Y_0", ("static_load", "static_safety_factor")),
-        ({"pitch_diameter": 1.5}, {}, 1000.0, "outside the factors f_c", ("basic_life",)),
+        ({"pitch_diameter": 1.5}, {}, 1000.0, "outside the range of the factors f_c", ("basic_life",)),
         ({}, {"nominal_contact_angle": 1.0}, 1000.0, "thrust", ("basic_life",)),
     ],
 )

@@ -138,7 +138,8 @@ def test_clearances_of_a_warm_cage():
     ball, cage, ring = 12e3 * 12e-6 * 35.0, 100e-6 * 50.0, 12e-6 * 30.0
     assert found["clearance"]["cage_pocket_change_um"] == pytest.approx(12e3 * cage - ball, rel=1e-9)
     assert found["clearance"]["cage_land_change_um"] == pytest.approx(0.5 * 69e3 * (ring - cage), rel=1e-9)
-    assert any("none left on its land, 100 um" in message for message in found["messages"])
+    left = f"no clearance left on its land, 100 um less {-found['clearance']['cage_land_change_um']:.3g} um"
+    assert any(left in message for message in found["messages"])
     free = summary(run_case(case(text)))
     assert free["clearance"]["cage_land_change_um"] is None
     assert any("cage_land_change_um null, no ring guides the cage" in message for message in free["messages"])
@@ -222,6 +223,20 @@ def test_a_shoulder_that_cuts_the_ellipse_is_told():
 @pytest.mark.parametrize(("key", "value"), [("inner_shoulder_diameter_mm", 47.0), ("outer_shoulder_diameter_mm", 73.0)])
 def test_shoulders_beyond_the_groove_are_refused(key, value):
     assert key in faults(CASE.replace('name = "6208"', f'name = "6208"\n{key} = {value}'))
+
+
+def test_the_terminal_has_life_without_powers_of_ten():
+    """Revolutions beside the life that they are of; the modified one with its a_ISO."""
+    light = CASE.replace("radial_load_N = 3000.0", "radial_load_N = 300.0")
+    text = light.replace("[lubricant]", "[lubricant]\ncontamination_factor = 0.5")
+    results = run_case(case(text))
+    block = summary(results)["life"]
+    row = rating_rows(results)["rating life"]
+    revolutions = float(f"{block['basic_reference_rating_Mrev']:.4g}")
+    hours = [float(f"{block[f'{name}_reference_rating_h']:.3g}") for name in ("basic", "modified")]
+    assert revolutions >= 1e4
+    start = f"L10h {hours[0]:.0f} h ({revolutions:.0f} million revolutions), modified L10mh {hours[1]:.0f} h (a_ISO "
+    assert row.startswith(start)
 
 
 CYCLE = "[[load_cases]]\nshare = 0.4\nradial_load_N = 5000.0\n[[load_cases]]\nshare = 0.6\ninner_speed_rpm = 1000.0\n"

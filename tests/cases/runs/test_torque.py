@@ -216,6 +216,17 @@ def test_without_film_maps_the_torque_is_that_of_films_without_a_solve(radial):
     assert all(c["traction_coefficient"] is None for c in document["contacts"])
 
 
+def test_contact_seals_stand_beside_the_total_that_counts_them(tmp_path):
+    """Open bearings have no such words."""
+    text = TEXT.replace("points = 65", 'film_maps = "none"')
+    for sealed in (True, False):
+        results = run_case(case_from_text(text + f"[friction]\nsealed = {str(sealed).lower()}\n", "case.toml"))
+        torque = summary(results)["torque_N_mm"]
+        words = f", {torque['parts']['seal']:.4g} of it the contact seals" if sealed else "contact seals"
+        assert (words in torque_rows(results)["friction torque"]) is sealed
+        assert (words in torque_section(torque, tmp_path)) is sealed
+
+
 def test_a_large_share_of_churning_stands_beside_the_total(tmp_path):
     """At 20 000 r/min a twentieth of oil in the cavity makes a third of the torque, as the numbers themselves say."""
     text = TEXT.replace("points = 65", 'film_maps = "none"').replace("3000.0", "20000.0")
