@@ -151,14 +151,7 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
     if revolutions is None:
         rows["rating life"] = _why_none(life.messages)
     if revolutions is not None and basic is not None:
-        turns = in_figures(revolutions, 4)
-        rows["rating life"] = f"L10h {hours(basic)} ({turns} million revolutions)"
-        if known["modified_reference_rating_h"] is not None:
-            limit = ", its limit" if known["a_iso"] >= AT_ITS_LIMIT * LARGEST_A_ISO else ""
-            modified = hours(known["modified_reference_rating_h"])
-            rows["rating life"] += (
-                f", modified L10mh {modified} (a_ISO {known['a_iso']:.3g}{limit})"
-            )
+        rows["rating life"] = _life_text(known)
     if (interval := interval_of(results)) is not None:
         time = hours(from_si(RELUBRICATION, interval))
         rows |= (
@@ -177,6 +170,17 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
             )
             rows |= film_row(values_of(films, FILM_LIFE))
     return rows
+
+
+def _life_text(known: dict[str, Any]) -> str:
+    """Basic life with its revolutions, and the modified one with its factor."""
+    turns = in_figures(known["basic_reference_rating_Mrev"], 4)
+    text = f"L10h {hours(known['basic_reference_rating_h'])} ({turns} million revolutions)"
+    if known["modified_reference_rating_h"] is None:
+        return text
+    modified = hours(known["modified_reference_rating_h"])
+    limit = ", its limit" if known["a_iso"] >= AT_ITS_LIMIT * LARGEST_A_ISO else ""
+    return f"{text}, modified L10mh {modified} (a_ISO {known['a_iso']:.3g}{limit})"
 
 
 def _why_none(messages: Iterable[str]) -> str:
