@@ -94,6 +94,8 @@ def attempt(name: str, write: Callable[[], object]) -> tuple[str, ...]:
     except Exception as error:
         if is_disk_failure(error):
             raise
+        if isinstance(error, InterruptedError):
+            return (f"{name} not written: interrupted",)
         return (f"{name} not written: {type(error).__name__}: {error}",)
     return messages if isinstance(messages, tuple) else ()
 

@@ -32,6 +32,12 @@ def value_with_error(value: float, error: float, most: int = 5) -> str:
     return f"{value:.{digits}f} ± {error:.{digits}f}"
 
 
+def in_figures(value: float, figures: int) -> str:
+    """A number to so many figures, without a power of ten."""
+    text = f"{value:.{figures}g}"
+    return f"{float(text):.0f}" if float(text) >= 10.0 ** (figures - 1) else text
+
+
 def listed(names: list[str]) -> str:
     """Names side by side; the ends alone of a long list."""
     if len(names) <= MOST_LISTED:

@@ -32,7 +32,7 @@ class _Reader(pickle.Unpickler):
 def kept_films(folder: Path) -> Callable[[TableContact, TableRange, Place, int], FilmSample]:
     """`film_sample` that looks into `folder` first and leaves there what it solves [N], [m/s].
 
-    A damaged file is solved anew; where nothing can be written the film is not kept.
+    A damaged file is solved anew; OSError where the disk takes no more, and hence no table either.
     """
 
     def sample(contact: TableContact, limits: TableRange, place: Place, points: int) -> FilmSample:
@@ -40,11 +40,8 @@ def kept_films(folder: Path) -> Callable[[TableContact, TableRange, Place, int],
         found = _read(path)
         if found is None:
             found = film_sample(contact, limits, place, points)
-            try:
-                folder.mkdir(parents=True, exist_ok=True)
-                write_file(path, pickle.dumps(found))
-            except OSError:  # of a full disk: the table itself goes on
-                path.unlink(missing_ok=True)
+            folder.mkdir(parents=True, exist_ok=True)
+            write_file(path, pickle.dumps(found))
         return found
 
     return sample

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -279,8 +279,11 @@ def _films_kept(path: Path | None) -> Iterator[FilmSampler]:
     folder = path.with_name(f"{path.stem}_films")
     try:
         yield kept_films(folder)
-    except KeyboardInterrupt:
+    except (KeyboardInterrupt, OSError) as stop:
+        with suppress(OSError):
+            folder.rmdir()  # without a film
         if folder.exists():
-            say(f"finished films are kept in {folder}; the same command goes on with them")
+            room = "make room, then " * isinstance(stop, OSError)
+            say(f"finished films are kept in {folder}; {room}the same command goes on with them")
         raise
     forget_films(folder)

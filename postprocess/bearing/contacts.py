@@ -122,7 +122,7 @@ CONTACT_QUANTITIES = (  # columns of contacts.csv
     *quantities(
         "",
         f"{NO_FILM}, or [surface] has no roughness of race and ball",
-        ("lambda_ratio", "", "", "λ", "Λ"),
+        ("lambda_ratio", "", "", "λ", "λ"),
         ("kappa", "viscosity ratio of the film", "", "κ"),
     ),
     *quantities(

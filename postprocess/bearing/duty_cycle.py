@@ -7,13 +7,14 @@ from bearing.rating.duty_cycle import LoadCase
 from ehl.units import from_si
 
 from ..quantities import values_of
+from ..text import in_figures
 from .quantities import DUTY_CYCLE, LOAD_CASE
 from .results import BearingResults
 
 NO_CYCLE = "duty_cycle: null, the case gives no [[load_cases]]"
 BESIDE = (
     "duty_cycle: each load case has its own equilibrium, clearance and oil, its torque is that "
-    "without films; films, torque and pictures are those of [operation]"
+    "of films without a solve; films, torque and pictures are those of [operation]"
 )
 
 
@@ -58,7 +59,9 @@ def duty_cycle_rows(results: BearingResults) -> dict[str, str]:
     if cycle is None:
         return {}
     known = duty_cycle_block(results)
-    rows = {"duty cycle": f"{len(cycle.cases)} load cases, mean {known['mean_speed_rpm']:.4g} rpm"}
+    rows = {
+        "duty cycle": f"{len(cycle.cases)} load cases, mean {known['mean_speed_rpm']:.4g} r/min"
+    }
     basic = known["basic_reference_rating_h"]
     if basic is not None:
         rows["duty cycle"] += f", equivalent load {known['dynamic_equivalent_load_N']:.4g} N"
@@ -79,9 +82,3 @@ def hours_text(basic: float, modified: float | None) -> str:
 def hours(life: float) -> str:
     """Hours to three figures, without a power of ten."""
     return f"{in_figures(life, 3)} h"
-
-
-def in_figures(value: float, figures: int) -> str:
-    """A number to so many figures, without a power of ten."""
-    text = f"{value:.{figures}g}"
-    return f"{float(text):.0f}" if float(text) >= 10.0 ** (figures - 1) else text

@@ -61,10 +61,11 @@ RACE_LEFT = 0.043  # of the race beside its row
 FOOTNOTES = {
     "film": "Oil moves to the right; axes stretched; Hertz ellipse dashed; numbers: central and "
     "minimum film; grey: film beyond the colour scale;\ncontour lines at 0.8 ... 1.5 of each "
-    "contact's central film; error bars: uncertainty of the solution; dotted: filled with oil",
+    "contact's central film; error bars: uncertainty of the solution",
     "pressure": "Oil moves to the right; axes stretched; Hertz ellipse dashed; number: largest "
     "pressure; contour lines at 0.1, 0.3 ... 0.9 of it",
 }
+FILLED = "; dotted: filled with oil"
 BOX_ENDS = "; hatched: outside the computed box"
 MANY_TIMES = 5.0  # largest over smallest film from which on the film axis is logarithmic [-]
 COLOURS = {"inner": INNER_COLOUR, "outer": OUTER_COLOUR}  # by race
@@ -221,8 +222,9 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
         ticks = logarithmic_ticks(*limits)
         bar.set_ticks(ticks, labels=[f"{tick:.3g}" for tick in ticks])
     _over_azimuth(figure.add_axes(VALUES), results, quantity)
-    cut = any(view is not None and view.cut for c in columns for view in c.views.values())
-    note = FOOTNOTES[quantity] + BOX_ENDS * cut
+    views = [view for column in columns for view in column.views.values() if view is not None]
+    starved = quantity == "film" and any(view.filled is not None for view in views)
+    note = FOOTNOTES[quantity] + FILLED * starved + BOX_ENDS * any(view.cut for view in views)
     style: Any = {"fontsize": 6.5, "color": REFERENCE, "ha": "center", "va": "bottom"}
     figure.text(0.5, 0.008, note, **style)
 

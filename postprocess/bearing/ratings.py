@@ -10,8 +10,9 @@ from bearing.rating.relubrication import relubrication_interval
 from ehl.units import from_si, to_si
 
 from ..quantities import values_of
+from ..text import in_figures
 from .contacts import contact_records
-from .duty_cycle import hours, in_figures
+from .duty_cycle import hours
 from .quantities import CLEARANCE, FILM_LIFE, LIFE_RATING, LOAD_RATING
 from .results import BearingResults
 

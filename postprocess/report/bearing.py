@@ -20,6 +20,7 @@ PLACED = frozenset(
 )
 # input among the results of a rating
 GIVEN = {"nominal_contact_angle_deg", "contamination_factor"}
+TILTS = {"ty": "tilt y", "tz": "tilt z"}
 WHOLE_PERCENT = 10.0  # from which on an error has no decimals
 TOP = ("schema_version", "title", "source", "assumed")
 FILM_PICTURES = {
@@ -104,6 +105,7 @@ def _stiffness(stiffness: dict[str, Any]) -> str:
     if not matrix or not order:
         return ""
     level = html.ROUND_OFF * max(abs(value) for row in matrix for value in row)
+    order = [TILTS.get(name, name) for name in order]
     rows = []
     for name, row in zip(order, matrix, strict=True):
         cells = [html.number(0.0 if abs(value) < level else value, 3) for value in row]

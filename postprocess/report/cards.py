@@ -8,6 +8,7 @@ from ehl.units import from_si, unit_symbol
 
 from ..main_results import MAIN_QUANTITY, thinnest_film
 from ..results import STIFFNESS_HEADLINES
+from ..text import in_figures
 from . import html
 
 ESTIMATED = (
@@ -44,7 +45,9 @@ def cards(summary: dict[str, Any]) -> str:
     numbers += _operating_numbers(summary) if is_bearing else []
     for title, value, key in numbers:
         if value is not None:
-            entries.append(html.card(title, html.number(value, 4), unit_symbol(key)))
+            hours = key.endswith("_h")  # of life, as people read it
+            shown = in_figures(value, 3) if hours else html.number(value, 4)
+            entries.append(html.card(title, shown, unit_symbol(key)))
     estimated = is_bearing and _rests_on_estimates(summary["case"])
     return html.side_by_side(*entries, kind="cards") + (ESTIMATED if estimated else "")
 

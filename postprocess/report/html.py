@@ -28,6 +28,9 @@ ABBREVIATIONS = {
     "iso": "ISO",
     "hertz": "Hertz",
     "coulomb": "Coulomb",
+    "hurst": "Hurst",
+    "roelands": "Roelands",
+    "palmgren": "Palmgren",
     "csv": "CSV",
 }
 LIBRARIES = ("numpy", "scipy", "numba", "xarray", "vtk")

@@ -37,6 +37,11 @@ def pair(bearing, arrangement=Arrangement.BACK_TO_BACK, force=300.0):
     return duplex(bearing, arrangement, WIDTH, preload_force=force)
 
 
+def test_the_outer_groove_lies_behind_the_inner_one_of_a_loaded_row():
+    """By the offset: a push of the inner ring to +x loads the row where the outer groove stands farther to -x."""
+    assert Row(axial_position=0.02, offset=3e-3).outer_plane == pytest.approx(0.017)
+
+
 def test_tandem_rows_share_alike(bearings):
     """Two rows in tandem under a thrust and a held tilt: each as one row under half of it, to the last digits."""
     one = solve_quasistatic(bearings.b7008, Operation(inner_speed=900.0, force=(500.0, 150.0, 0.0)))

@@ -11,16 +11,24 @@ from numpy.testing import assert_allclose
 
 from ehl import FilmValue
 from postprocess import summary
-from postprocess.bearing.plots import _chosen, _limits, _logarithmic_film, ball_columns, write_bearing_plots
+from postprocess.bearing.plots import (
+    _chosen,
+    _limits,
+    _logarithmic_film,
+    ball_columns,
+    draw_per_azimuth,
+    write_bearing_plots,
+)
 from postprocess.bearing.table import bearing_table
 from postprocess.contact import plots
-from postprocess.contact.frame import refined
+from postprocess.contact.frame import principal_coordinates, refined
 from postprocess.contact.plots import write_contact_plots
 from postprocess.contact.view import contact_view
 from postprocess.plot_style import few_ticks
 from postprocess.text import value_with_error
 
 pytest.importorskip("matplotlib")
+from matplotlib.figure import Figure
 
 
 def test_one_figure_per_distinct_contact(bearing_folder):
@@ -63,6 +71,23 @@ def test_failed_solution_is_drawn_all_the_same(bearing_results, tmp_path, value)
     bearing_table(results)
 
 
+def test_the_foot_of_the_films_explains_only_what_is_drawn(bearing_results):
+    """The dotted meniscus where a film stands behind a layer of oil, hatching where a box ends in the picture."""
+
+    def foot(results, quantity):
+        figure = Figure()
+        draw_per_azimuth(figure, results, quantity)
+        return " ".join(text.get_text() for text in figure.texts)
+
+    first, *others = bearing_results.solutions
+    layer = SimpleNamespace(filled=np.full_like(first.P, 0.5), outlet_layer=np.ones(first.P.shape[1]))
+    starved = replace(bearing_results, solutions=(replace(first, supply=layer), *others))
+    assert "dotted: filled with oil" in foot(starved, "film")
+    assert "dotted" not in foot(starved, "pressure")
+    assert "dotted" not in foot(bearing_results, "film")
+    assert "grey: film beyond the colour scale" in foot(bearing_results, "film")
+
+
 def test_a_figure_that_fails_is_named(contact_results, tmp_path, monkeypatch):
     def broken(figure, view, title):
         raise ValueError("no such colour")
@@ -70,6 +95,14 @@ def test_a_figure_that_fails_is_named(contact_results, tmp_path, monkeypatch):
     monkeypatch.setattr(plots, "draw_contact", broken)
     problems = write_contact_plots(contact_results, tmp_path)
     assert problems == ("plots/contact.png not written: ValueError: no such colour",)
+
+
+def test_principal_coordinates_turn_the_grid_by_the_angle_of_the_entrainment():
+    """A node one ahead along an entrainment at 30 degrees lies at (cos 30, sin 30) of the principal directions."""
+    along, across = principal_coordinates(np.array([0.0, 1.0]), np.array([0.0, 2.0]), np.radians(30.0))
+    root = np.sqrt(0.75)
+    assert_allclose((along[1, 0], across[1, 0]), (root, 0.5))
+    assert_allclose((along[0, 1], across[0, 1]), (-1.0, 2.0 * root))
 
 
 def test_mirrored_balls_share_a_column(bearing_results):

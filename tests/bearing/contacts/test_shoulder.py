@@ -82,6 +82,16 @@ def test_load_beyond_the_edge_against_the_sum_of_pressures(bearings):
     assert cut.length_share == pytest.approx(0.3)
 
 
+def test_pressure_of_a_cut_ellipse_by_hand(bearings):
+    """At s 0.7 the approach is 1.0473 times Hertz': 1.0473 (0.7 + 1.0234) - (0.7^3 + 1.0234^3)/3 = 4/3."""
+    hertz = ellipse()
+    angle = 0.3 - np.arcsin(0.7 * hertz.semi_axis_y / bearings.b6208.inner_groove_radius)
+    cut = truncation(with_shoulder(bearings.b6208, 0.3), Race.INNER, angle, hertz)
+    assert cut.distance_ratio == pytest.approx(0.7)
+    assert cut.cut_pressure / hertz.pressure == pytest.approx(np.sqrt(1.0473), abs=1e-4)
+    assert cut.cut_edge_pressure / hertz.pressure == pytest.approx(np.sqrt(1.0473 - 0.49), abs=1e-4)
+
+
 def test_both_shoulders_cut_an_ellipse_in_the_middle_of_a_shallow_groove(bearings):
     """At no contact angle either side loses the same."""
     hertz = ellipse()

@@ -9,6 +9,7 @@ from bearing import Operation, contact_conditions, contact_stress, solve_quasist
 from bearing.contacts.stress import largest_sliding
 from ehl import Lubricant
 from ehl.closed_form.hertz import hertz_contact
+from ehl.closed_form.hertz_stress import hertz_maximum_shear, hertz_orthogonal_shear
 
 OIL = Lubricant(viscosity=0.03, pressure_viscosity=18e-9)
 
@@ -30,7 +31,19 @@ def test_shear_of_a_solved_contact(bearings):
     assert 0.30 < stress.shear_maximum / hertz.pressure < 0.325
     assert 0.48 < stress.shear_depth / short < 0.79
     assert 0.21 < stress.orthogonal_shear / hertz.pressure < 0.25
+    axes = (hertz.semi_axis_x, hertz.semi_axis_y)
+    steel = bearings.b6208.inner_ring_material.poisson_ratio
+    shear = hertz_maximum_shear(axes, hertz.pressure, steel)
+    assert (stress.shear_maximum, stress.shear_depth) == pytest.approx(shear)
+    orthogonal = hertz_orthogonal_shear(*axes, hertz.pressure)
+    assert (stress.orthogonal_shear, stress.orthogonal_depth) == pytest.approx(orthogonal)
     assert stress.mean_pressure == pytest.approx(hertz.load / (np.pi * hertz.semi_axis_x * hertz.semi_axis_y))
+
+
+def test_orthogonal_shear_of_a_line_and_of_a_circle():
+    """Lundberg and Palmgren: p_h/4 at half the semi-axis along the rolling direction; 0.214 p_h at 0.35 of it."""
+    assert hertz_orthogonal_shear(2e-4, 2.0, 1e9) == pytest.approx((0.25e9, 1e-4), rel=1e-6)
+    assert hertz_orthogonal_shear(2e-4, 2e-4, 1e9) == pytest.approx((0.214e9, 0.7e-4), rel=5e-3)
 
 
 def test_unloaded_contacts_have_no_stress(bearings):

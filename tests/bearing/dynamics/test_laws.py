@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import Race
+from bearing import Operation, Race
 from bearing.dynamics.choices import NormalLaw
 from bearing.dynamics.contact import _kernels
 from bearing.dynamics.inputs import NormalContact, Schedule
-from bearing.dynamics.laws import damping_factor, planar_stiffness
+from bearing.dynamics.laws import damping_factor, drag_of_force, drag_of_mixture, planar_stiffness, vibration_frequency
 
 from ...reference.dynamics import normal_force
 from ...reference.impact import restitution_returned
@@ -26,6 +26,26 @@ def test_planar_stiffness_of_shan_2023():
     assert_allclose(planar_stiffness(4.76e-3, 13.24e-3, E_6304, Race.INNER), 9.103e9, rtol=5e-4)
     assert_allclose(planar_stiffness(4.76e-3, 22.77e-3, E_6304, Race.OUTER), 1.1935e10, rtol=5e-4)
     assert planar_stiffness(4.76e-3, 22.77e-3, E_6304, Race.INNER) < 1.0e10
+
+
+def test_frequency_of_a_loaded_ball():
+    """Two springs dQ/d(delta) of Q = K delta^1.5, by differences."""
+    stiffness, load, mass = 1e10, 50.0, 3e-3
+    approach = (load / stiffness) ** (2.0 / 3.0)
+    slope = stiffness * ((1.001 * approach) ** 1.5 - (0.999 * approach) ** 1.5) / (0.002 * approach)
+    assert vibration_frequency(stiffness, load, mass) == pytest.approx((2.0 * slope / mass) ** 0.5, rel=1e-6)
+
+
+def test_drag_over_the_square_of_the_speed(bearings):
+    """C_D rho A/2 of a mixture; of a given force at the orbit speed of rolling, n (1 - gamma)/2 d_m/2."""
+    assert drag_of_mixture(120.0, 0.01, 0.47) == pytest.approx(0.47 * 120.0 * pi * 0.005**2 / 2.0)
+    bearing = bearings.b6208
+    gamma = bearing.ball_diameter / bearing.pitch_diameter
+    speed = 500.0 * 0.5 * (1.0 - gamma) * 0.5 * bearing.pitch_diameter
+    radial = Operation(inner_speed=500.0, force=(0.0, 300.0, 0.0))
+    assert drag_of_force(bearing, radial, 1.5) == pytest.approx(1.5 / speed**2)
+    with pytest.raises(ValueError, match="ball_drag_N"):
+        drag_of_force(bearing, Operation(inner_speed=0.0, force=(0.0, 300.0, 0.0)), 1.5)
 
 
 def test_restitution_returned():

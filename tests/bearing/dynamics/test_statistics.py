@@ -2,11 +2,62 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose
 from scipy.stats import t
 
-from bearing.dynamics.statistics import BATCHES, STUDENT, batch_interval, whirl_speed
+from bearing.dynamics.arrays import CONTACT
+from bearing.dynamics.layout import Layout
+from bearing.dynamics.statistics import (
+    BATCHES,
+    INPUTS,
+    MECHANISMS,
+    STUDENT,
+    RunningStatistics,
+    batch_interval,
+    orbit_speeds,
+    whirl_speed,
+)
+
+BALLS = 3
+
+
+def made_up_record(work, energy):
+    """One sample of balls that orbit at 40, 50 and 60 rad/s on circles about the axis, with energies [J]."""
+    layout = Layout(BALLS)
+    state = np.zeros((1, layout.size))
+    azimuth, radius, speed = np.array([0.3, 2.0, 4.5]), np.array([0.02, 0.021, 0.03]), np.array([40.0, 50.0, 60.0])
+    out, around = np.stack([np.cos(azimuth), np.sin(azimuth)]), np.stack([-np.sin(azimuth), np.cos(azimuth)])
+    place, velocity = np.ones((BALLS, 3)), np.ones((BALLS, 3))
+    place[:, 1:] = (radius * out).T
+    velocity[:, 1:] = (radius * speed * around + 0.7 * out).T
+    state[0, layout.ball], state[0, layout.ball_speed] = place.ravel(), velocity.ravel()
+    state[0, layout.energy] = work
+    still = np.zeros((1, 2, BALLS, len(CONTACT)))
+    return SimpleNamespace(
+        time=np.array([0.1]), state=state, races=still, pockets=still[:, 0], energy=np.array([energy])
+    )
+
+
+def test_orbit_speed_is_that_across_the_radius():
+    record = made_up_record(np.zeros(len(MECHANISMS)), [0.0, 0.0, 0.0])
+    assert_allclose(orbit_speeds(record.state, Layout(BALLS)), [[40.0, 50.0, 60.0]], rtol=1e-12)
+
+
+def test_what_is_put_in_is_lost_or_stored():
+    """7 J in three ways, 4 J lost in others, one taken up by films: 2 J more than at the start balance."""
+    work = np.zeros(len(MECHANISMS))
+    work[:INPUTS] = 3.0, 2.5, 1.5
+    work[INPUTS], work[INPUTS + 2], work[-1] = 3.0, 1.0, 1.0
+    running = RunningStatistics(BALLS)
+    running.add(made_up_record(work, [1.0, 4.0, 2.0]), start_energy=5.0)
+    assert running.residual == pytest.approx(0.0, abs=1e-12)
+    running.add(made_up_record(work, [1.0, 4.0, 2.3]), start_energy=5.0)
+    assert running.residual == pytest.approx(0.3)
+    assert running.rows == 2
 
 
 def test_student():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import erfc, exp, inf, pi, sqrt
+from math import erfc, exp, inf, log, pi, sqrt
 
 import pytest
 from scipy.integrate import quad
@@ -69,6 +69,15 @@ def test_the_film_flattens_long_waves(contact):
     assert Spectrum(shortest=2e-5, longest=2e-5).left(contact) == pytest.approx(kept(2e-5))
     wide = Spectrum(shortest=1e-6, longest=2e-4).left(contact)
     assert kept(2e-4) < wide < kept(1e-6) < 1.0
+    for hurst in (0.3, 0.8):  # of a profile whose waves between ln l and ln l + d ln l have l^2H
+
+        def power(at, hurst=hurst):
+            return exp(2.0 * hurst * at)
+
+        ends = (log(1e-6), log(2e-4))
+        left = quad(lambda at, power=power: power(at) * kept(exp(at)) ** 2, *ends)[0] / quad(power, *ends)[0]
+        found = Spectrum(shortest=1e-6, longest=2e-4, hurst=hurst).left(contact)
+        assert found == pytest.approx(sqrt(left), rel=0.03)  # 64 waves, both ends count whole
     rough = Asperities(inner_roughness=2e-7, outer_roughness=2e-7, boundary=0.12)
     flattened = replace(rough, spectrum=Spectrum(shortest=1e-6, longest=2e-4))
     assert flattened.share(contact, 2e-7) < rough.share(contact, 2e-7)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, pi
+from math import cos, log, pi
 
 import catalogue_geometry
 import pytest
@@ -20,6 +20,8 @@ from bearing.library.catalogue import boundary_dimensions, clearance_class, near
 from bearing.library.designation import read_designation
 from bearing.library.names import matching_name, plain_name
 from bearing.library.typical_geometry import ball_sizes, most_balls
+from bearing.rating.geometry_estimate import _bearing, _pair
+from bearing.rating.load_rating import dynamic_rating, static_rating
 
 ESTIMATED = tuple(name for name in list_bearings() if name not in published_bearings())
 ROWS = catalogue_geometry.rows()
@@ -267,6 +269,7 @@ def test_a_bearing_by_its_dimensions_is_near_the_catalogue_s():
     size = {"bore": 0.028, "outside_diameter": 0.058, "width": 0.016}
     rated = estimate_bearing(CatalogueData(**size, dynamic_rating=16.6e3, static_rating=9.5e3))
     assert rated["balls"] * rated["ball_diameter_mm"] ** 2 == pytest.approx(9.5e3 / 13.9, rel=0.01)
+    assert (rated["basic_dynamic_rating_kN"], rated["basic_static_rating_kN"]) == pytest.approx((16.6, 9.5))
     rough = estimate_bearing(CatalogueData(**size))
     low, high = rough["range"]["ball_diameter_mm"]
     assert low <= rated["ball_diameter_mm"] <= high
@@ -280,6 +283,18 @@ def test_one_rating_alone_scales_the_ball():
     for rating in ({"dynamic_rating": 19.5e3}, {"static_rating": 11.3e3}):
         found = estimate_geometry(CatalogueData(**size, **rating))
         assert found.ball_diameter == pytest.approx(known.ball_diameter, rel=0.05)
+
+
+def test_the_error_of_an_estimate_is_computed_over_printed():
+    """Ratings half of what the same pair has: both errors are 1, and the misfit sqrt(2) ln 2."""
+    size = {"bore": 0.03, "outside_diameter": 0.062}
+    near = CatalogueData(**size, dynamic_rating=19.5e3, static_rating=11.3e3)
+    bearing = _bearing(near, 9.525e-3, 9)
+    ratings = dynamic_rating(bearing, 0.0), static_rating(bearing, 0.0)
+    half = CatalogueData(**size, dynamic_rating=0.5 * ratings[0], static_rating=0.5 * ratings[1])
+    pair = _pair(half, bearing)
+    assert (pair.dynamic_error, pair.static_error) == pytest.approx((1.0, 1.0))
+    assert pair.misfit == pytest.approx(2.0**0.5 * log(2.0))
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -44,6 +46,10 @@ def test_ross_axes_push_by_push(bearings):
     assert table["kxy"][0] == pytest.approx(-k[2, 1])
     assert table["kyx"][0] == pytest.approx(-k[1, 2])
     assert table["frequency"][0] == 800.0
+    skew = k + np.arange(25.0).reshape(5, 5) * 1e5  # of friction, say: the cross terms differ
+    other = ross_table(replace(study, matrices=skew[None]))
+    assert other["kxy"][0] == pytest.approx(-skew[2, 1])
+    assert other["kyx"][0] == pytest.approx(-skew[1, 2])
     assert [float(table[name][0]) for name in ("cxx", "cyy", "czz", "cxy", "cyx")] == [250.0] * 3 + [0.0] * 2
     with pytest.raises(ValueError, match="damping"):
         ross_table(study, damping=-1.0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pickle
+from errno import ENOSPC
 from math import log
 
 import pytest
@@ -13,6 +14,7 @@ from bearing.geometry import Race
 from cases import load_case
 from cases.batch import table_films
 from cases.batch.table_films import forget_films, kept_films
+from cases.cli.compute import _films_kept
 
 
 class Hostile:
@@ -29,6 +31,39 @@ def place():
     state = solve_quasistatic(case.bearing, case.operation, case.model)
     contact = table_contacts(state, case.lubricant, case.rheology)[Race.INNER]
     return contact, table_range(state, case.lubricant), (log(500.0), log(10.0)), 65
+
+
+def test_a_disk_that_takes_no_film_ends_the_table_and_keeps_those_before(place, tmp_path, monkeypatch, capsys):
+    """At once, not after minutes when the table itself does not fit; with room again it goes on from there."""
+    film_sample, write_file = table_films.film_sample, table_films.write_file
+    places = [(*place[:2], (log(load), log(10.0)), 65) for load in (500.0, 600.0)]
+    solved = []
+
+    def tabulated(room):
+        """All films of a table, on a disk with room for so many."""
+
+        def on_disk(path, data):
+            if len(list(path.parent.iterdir())) >= room:
+                raise OSError(ENOSPC, "No space left on device")
+            write_file(path, data)
+
+        monkeypatch.setattr(table_films, "write_file", on_disk)
+        with _films_kept(tmp_path / "table.zip") as sample:
+            for one in places:
+                sample(*one)
+
+    monkeypatch.setattr(table_films, "film_sample", lambda *words: solved.append(words[2]) or film_sample(*words))
+    with pytest.raises(OSError, match="No space left"):
+        tabulated(room=1)
+    kept = f"finished films are kept in {tmp_path / 'table_films'}; make room, then the same command goes on with them"
+    assert capsys.readouterr().err == f"{kept}\n"
+    tabulated(room=2)
+    assert solved == [places[0][2], places[1][2], places[1][2]]
+    assert not list(tmp_path.iterdir())
+    with pytest.raises(OSError, match="No space left"):
+        tabulated(room=0)
+    assert capsys.readouterr().err == ""  # nothing is kept, and nothing left
+    assert not list(tmp_path.iterdir())
 
 
 def test_a_kept_film_is_not_solved_again_and_a_damaged_one_is(place, tmp_path, monkeypatch, capsys):

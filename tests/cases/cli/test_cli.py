@@ -452,6 +452,21 @@ def test_a_tandem_set_gets_no_preload_of_its_own(tmp_path):
     assert written(tmp_path, "--bearing", "7014AC", "DB", "H")["rows"][0]["preload_class"] == "heavy"
 
 
+def test_loads_heat_and_oil_of_a_new_case_by_hand(tmp_path):
+    """4 % of C axially and 2 % radially; 320 W/m2K through pi B (d + D); Parker's share of oil of each row."""
+    case = written(tmp_path, "--bearing", "7014C", "--speed", "12000")
+    rating, loads = 1e3 * case["bearing"]["basic_dynamic_rating_kN"], case["operation"]
+    assert loads["axial_load_N"] == pytest.approx(0.04 * rating, rel=0.05)
+    assert loads["radial_load_N"] == pytest.approx(0.02 * rating, rel=0.05)
+    area = np.pi * 20e-3 * (70e-3 + 110e-3)
+    assert case["friction"]["heat_transfer_W_K"] == pytest.approx(320.0 * area, rel=5e-3)
+    for name, rows in (("7014C", 1), ("7014CDB", 2)):
+        one = written(tmp_path, "--bearing", name, "--speed", "12000")
+        flow, pitch = one["friction"]["cooling_oil_mL_min"], one["bearing"]["pitch_diameter_mm"]
+        share = 1e5 * (flow / rows) ** 0.37 / (12000.0 * pitch**1.7)
+        assert one["friction"]["oil_fraction"] == pytest.approx(share, rel=0.05)
+
+
 def test_a_shielded_bearing_runs_on_grease(tmp_path):
     case = written(tmp_path, "--bearing", "6200-2Z")
     assert "grease" in case["lubricant"]

@@ -54,6 +54,17 @@ def test_a_section_of_the_page(tmp_path):
     assert json.loads((tmp_path / "verification.json").read_text(encoding="utf-8")) == found
 
 
+def test_a_statement_that_does_not_hold_ends_with_code_1(monkeypatch):
+    checks = (Check(name="order", value=1.2, least=1.7), Check(name="limit", value=1.0, most=2.0))
+    made_up = Section(title="Made up", text="Text.", checks=checks)
+    monkeypatch.setattr("verification.run.run_sections", lambda *arguments, **options: iter([made_up]))
+    result = call("--quick", "--section", "same", "--json")
+    assert result.exit_code == 1
+    assert not json.loads(result.stdout)["converged"]
+    assert "these statements do not hold:\n  order: 1.2, wanted" in result.stderr
+    assert "limit" not in result.stderr
+
+
 def test_the_quick_diagram_knows_the_powers_of_rigid_films(tmp_path):
     result = call("--quick", "--section", "moes", "-o", str(tmp_path), "--json")
     assert result.exit_code == 0, result.output

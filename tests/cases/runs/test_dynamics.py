@@ -83,6 +83,23 @@ def test_summary_has_the_keys_of_the_contract(folder):
             assert sum(ball[race][state] for state in ("free", "contact", "impact")) == pytest.approx(1.0, abs=1e-6)
 
 
+def test_defect_frequencies_follow_the_cage(folder):
+    """Z balls pass a standing outer race in a turn of the cage, the inner one in a turn of the ring less that."""
+    document = json.loads((folder[0] / "summary.json").read_text(encoding="utf-8"))
+    bearing = document["case"]["bearing"]
+    turns = document["case"]["operation"]["inner_speed_rpm"] / 60.0
+    gamma = bearing["ball_diameter_mm"] / bearing["pitch_diameter_mm"]
+    cosine = math.cos(math.radians(bearing["free_contact_angle_deg"]))
+    cages = {"kinematic": 0.5 * turns * (1.0 - gamma * cosine), "with_slip": document["ball_orbit_speed_rpm"] / 60.0}
+    for name, cage in cages.items():
+        found = document["frequencies_Hz"][name]
+        wanted = {"cage": cage, "ball_pass_outer": 18 * cage, "ball_pass_inner": 18 * (turns - cage)}
+        assert found == pytest.approx(wanted, rel=1e-6)
+    ratio = document["cage_speed_rpm"] / 60.0 / cages["kinematic"]
+    assert document["cage_speed_ratio"] == pytest.approx(ratio)
+    assert document["cage_slip_ratio"] == pytest.approx(1.0 - ratio, abs=1e-9)
+
+
 def test_history_has_named_quantities_with_units(folder):
     with open_history(folder[0]) as data:
         assert data.sizes["time"] == 80

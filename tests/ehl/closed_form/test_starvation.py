@@ -123,6 +123,13 @@ def test_a_flooded_inlet_leaves_all_without_a_step():
     assert starvation_shares(200.0, 10.0, 0.1, 0.0) is DRY
     below = starvation_shares(200.0, 10.0, 0.1, 300.0 * (1.0 - 1e-9), 300.0)
     assert [getattr(below, name).value for name in NAMES] == pytest.approx([1.0] * 4, abs=1e-6)
+    plain, made_up, ample = (
+        starvation_shares(200.0, 10.0, 0.1, *ratios) for ratios in ((5.0, inf), (5.0, 10.0), (10.0, inf))
+    )
+    for name in NAMES:  # what is missing at the flooded ratio 10 is made up by a quarter at 5
+        lack = 1.0 - getattr(ample, name).value
+        assert lack > 1e-5
+        assert getattr(made_up, name).value - getattr(plain, name).value == pytest.approx(0.25 * lack, rel=1e-6)
     little = starvation_shares(200.0, 10.0, 0.1, 0.5, 300.0).central.value
     assert little == pytest.approx(starvation_shares(200.0, 10.0, 0.1, 0.5).central.value, rel=1e-5)
 

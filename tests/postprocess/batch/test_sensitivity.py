@@ -68,6 +68,10 @@ def test_bands_of_an_even_distribution():
     expected = [summary(CASE | {"lubricant.viscosity_mPa_s": v})["film_minimum_um"] for v in (11.0, 20.0, 29.0)]
     assert [found[q] for q in ("q05", "q50", "q95")] == pytest.approx(expected, rel=1e-9)
     assert found["points"] == 401
+    few = bands(batch(points[:5]))["film_minimum_um"]
+    films = [summary(keys)["film_minimum_um"] for _, keys in points[:5]]
+    assert few["mean"] == pytest.approx(sum(films) / 5)
+    assert few["standard_deviation"] == pytest.approx((sum((film - few["mean"]) ** 2 for film in films) / 4) ** 0.5)
 
 
 def test_a_plain_sweep_has_neither():

@@ -7,6 +7,7 @@ import json
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 from rich.console import Console
 from typer.testing import CliRunner
 
@@ -15,6 +16,7 @@ from postprocess import open_results, summary
 from postprocess.bearing.write import write_bearing_netcdf
 from postprocess.compare.summary import compare, relative
 from postprocess.compare.table import comparison_table
+from postprocess.contact import interferogram
 from postprocess.contact.interferogram import Optics, intensity, write_interferogram
 from postprocess.contact.line_cut import write_line_cut
 from postprocess.contact.results import ContactResults
@@ -217,6 +219,14 @@ def test_fringes_lie_half_a_wavelength_of_film_apart():
 def test_optics_that_do_not_exist(bad):
     with pytest.raises(ValueError, match=next(iter(bad))):
         Optics(**bad)
+
+
+def test_the_foot_of_an_interferogram_has_the_step_of_its_fringes(folder, monkeypatch):
+    """lambda/(2 n), from bright to bright."""
+    figure = Figure()
+    monkeypatch.setattr(interferogram, "write_figure", lambda path, draw: draw(figure))
+    write_interferogram(folder, "fringes.png", optics=Optics(wavelengths=(600e-9,), refractive_index=1.5))
+    assert figure.get_supxlabel().startswith("from fringe to fringe 200 nm of film")
 
 
 def test_pictures_of_interferograms(folder, moes_results, tmp_path):

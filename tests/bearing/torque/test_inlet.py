@@ -1,0 +1,38 @@
+"""What inlets leave of the rolling moment, by SKF's formulas written out apart; n 6000 r/min, nu 20 mm^2/s, 6208."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import exp, sqrt
+
+import pytest
+
+from bearing.torque.inlet import NO_LOSS, inlet_factors, mean_diameter
+from bearing.torque.skf import Lubrication
+from ehl.units import RPM
+
+SPEED = 6000.0 * RPM
+VISCOSITY = 20e-6  # [m^2/s]
+SHEAR = 1.0 / (1.0 + 1.84e-9 * (6000.0 * 60.0) ** 1.28 * 20.0**0.64)
+SUPPLY = exp(-3e-8 * 20.0 * 6000.0 * (40.0 + 80.0) * sqrt(3.1 / (2.0 * (80.0 - 40.0))))
+
+
+@pytest.mark.parametrize("diameters", [(0.04, 0.08), (None, None)])
+def test_both_factors_by_hand(bearings, diameters):
+    """A section of 0.3 balls apart about the pitch, 12 mm and 60 mm, is that of the catalogue, 40 and 80 mm."""
+    bearing = replace(bearings.b6208, bore=diameters[0], outside_diameter=diameters[1])
+    found = inlet_factors(bearing, SPEED, VISCOSITY, Lubrication.OIL_JET)
+    assert found.shear_heating == pytest.approx(SHEAR, rel=1e-9)
+    assert found.replenishment == pytest.approx(SUPPLY, rel=1e-9)
+    assert found.rolling == pytest.approx(SHEAR * SUPPLY, rel=1e-9)
+    assert mean_diameter(bearing) == pytest.approx(0.06)
+
+
+def test_what_is_solved_with_the_films_is_not_counted_again(bearings):
+    heated = inlet_factors(bearings.b6208, SPEED, VISCOSITY, Lubrication.OIL_JET, heated=True)
+    assert heated.shear_heating == 1.0
+    assert heated.rolling == heated.replenishment < 1.0
+    layered = inlet_factors(bearings.b6208, SPEED, VISCOSITY, Lubrication.OIL_JET, layered=True)
+    assert layered.replenishment == 1.0
+    assert layered.rolling == layered.shear_heating < 1.0
+    assert NO_LOSS.rolling == 1.0
