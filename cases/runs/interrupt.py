@@ -101,7 +101,7 @@ def end_unless_obeyed(code: int) -> Callable[[], bool]:
     signal.set_wakeup_fd(writer.fileno(), warn_on_full_buffer=False)
     came = threading.Event()
     lost = threading.Event()
-    _hear_finalizers(came, lost)
+    _be_quiet_after(came, lost)
 
     def watch() -> None:
         with writer:  # open as long as this thread
@@ -122,20 +122,26 @@ def end_unless_obeyed(code: int) -> Callable[[], bool]:
     return lambda: came.wait(LOOK)  # the thread that sees it may not have run yet
 
 
-def _hear_finalizers(came: threading.Event, lost: threading.Event) -> None:
-    """Note an interrupt that Python drops, with a traceback, because it fell into a finalizer.
+def _be_quiet_after(came: threading.Event, lost: threading.Event) -> None:
+    """After a signal (`came`) say nothing of finalizers and threads that fail: their objects may be
+    half built, their work given up.
 
-    After a signal (`came`) say nothing of finalizers that fail: their objects may be half built.
+    Python drops an interrupt that falls into a finalizer, with a traceback: it is `lost`.
     """
-    previous = sys.unraisablehook
+    finalizers, threads = sys.unraisablehook, threading.excepthook
 
-    def heard(unraisable: "sys.UnraisableHookArgs") -> None:
+    def of_finalizer(unraisable: "sys.UnraisableHookArgs") -> None:
         if issubclass(unraisable.exc_type, KeyboardInterrupt):
             lost.set()
         elif not came.wait(LOOK):  # the thread that sees it may not have run yet
-            previous(unraisable)
+            finalizers(unraisable)
 
-    sys.unraisablehook = heard
+    def of_thread(failure: threading.ExceptHookArgs) -> None:
+        if not came.wait(LOOK):
+            threads(failure)
+
+    sys.unraisablehook = of_finalizer
+    threading.excepthook = of_thread
 
 
 def _finishing() -> bool:

@@ -115,6 +115,18 @@ def test_finalizers_are_silent_after_an_interrupt_alone():
     assert "AttributeError" in answer.stderr
 
 
+def test_threads_are_silent_after_an_interrupt_alone():
+    """As that of a pool whose processes were ended: its futures are cancelled already."""
+    failing = "import threading; one = threading.Thread(target=lambda: 1 / 0); one.start(); one.join()"
+    after = FINALIZED.format(ends="pass", work="os.kill(os.getpid(), 2)", after=failing)
+    answer = subprocess.run([sys.executable, "-c", after], capture_output=True, text=True, check=False, timeout=50)
+    assert (answer.stdout, answer.stderr) == ("up\nobeyed\n", "")
+    alone = FINALIZED.format(ends="pass", work="raise KeyboardInterrupt", after=failing)
+    answer = subprocess.run([sys.executable, "-c", alone], capture_output=True, text=True, check=False, timeout=50)
+    assert answer.stdout == "up\nobeyed\n"
+    assert "ZeroDivisionError" in answer.stderr
+
+
 def test_work_in_a_thread_is_given_up_at_once():
     code = f"""
 import hashlib, signal
