@@ -123,8 +123,8 @@ def end_unless_obeyed(code: int) -> Callable[[], bool]:
 
 
 def _be_quiet_after(came: threading.Event, lost: threading.Event) -> None:
-    """After a signal (`came`) say nothing of finalizers and threads that fail: their objects may be
-    half built, their work given up.
+    """After a signal (`came`) say nothing of finalizers and threads that fail: their objects may
+    be half built, their work given up.
 
     Python drops an interrupt that falls into a finalizer, with a traceback: it is `lost`.
     """

@@ -173,7 +173,7 @@ def faults(ended: Ended, kind: str, within: float) -> list[str]:
     """What is wrong with an end."""
     wrong = []
     wanted = (-signal.SIGKILL,) if kind == "kill" else (3,)
-    if ended.code not in ((0, 1, *wanted) if kind != "kill" or ended.before else wanted):
+    if ended.code not in (0, 1, *wanted):  # 0 and 1 after SIGKILL: it had ended by itself at that moment
         wrong.append(f"exit code {ended.code}")
     if not ended.before and ended.delay > within:
         wrong.append(f"{ended.delay:.1f} s after the signal")
