@@ -8,6 +8,7 @@ from typing import Any
 from ehl.units import unit_symbol
 
 from ..bearing.contacts import CONTACT_QUANTITY, REPORT_COLUMNS
+from ..bearing.quantities import CLEARANCE, DUTY_CYCLE, FILM_LIFE, LIFE_RATING, LOAD_RATING
 from . import html
 from .cards import estimated_keys
 from .torque import torque_section
@@ -38,6 +39,15 @@ BLOCKS = {
     "clearance": "Clearance",
     "frequencies_Hz": "Frequencies [Hz]",
     "kinematic_frequencies_Hz": "Frequencies at the nominal contact angle [Hz]",
+}
+# of the keys of blocks, as people call them
+NAMES = {
+    block: {row.key: " ".join(filter(None, (row.title, row.symbol))) for row in rows}
+    for block, rows in (
+        ("life", (*LIFE_RATING, *LOAD_RATING, *FILM_LIFE)),
+        ("duty_cycle", DUTY_CYCLE),
+        ("clearance", CLEARANCE),
+    )
 }
 
 
@@ -84,7 +94,7 @@ def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, 
             name: value for name, value in (summary.get(key) or {}).items() if value is not None
         }
         if known.keys() - GIVEN:
-            blocks.append(html.facts(title, known))
+            blocks.append(html.facts(title, known, names=NAMES.get(key)))
     yield "life", "Life, clearance, frequencies", html.side_by_side(*blocks)
     yield "convergence", "Convergence and uncertainty", _convergence(summary)
 

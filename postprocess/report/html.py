@@ -2,7 +2,7 @@
 
 import base64
 import platform
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from importlib import metadata
 from math import isfinite
@@ -11,7 +11,7 @@ from typing import Any
 
 from ehl.units import unit_symbol, without_unit
 
-from ..text import value_with_error
+from ..text import in_figures, value_with_error
 
 NOTHING = "–"
 DIGITS = 5
@@ -33,6 +33,7 @@ ABBREVIATIONS = {
     "palmgren": "Palmgren",
     "csv": "CSV",
 }
+LIVES = ("_h", "_Mrev")  # ends of keys whose numbers are read without a power of ten
 LIBRARIES = ("numpy", "scipy", "numba", "xarray", "vtk")
 
 
@@ -142,15 +143,23 @@ def _text_class(is_text: bool, length: int = 0) -> str:
 
 
 def facts(
-    title: str, values: dict[str, Any], assumed: frozenset[str] = frozenset(), path: str = ""
+    title: str,
+    values: dict[str, Any],
+    assumed: frozenset[str] = frozenset(),
+    path: str = "",
+    names: Mapping[str, str] | None = None,
 ) -> str:
-    """Key, value and unit, one below the other; `assumed` keys are marked, null is a dash."""
+    """Key or its name, value and unit, one below the other; `assumed` keys are marked, null is a
+    dash.
+    """
     rows = []
     for key, value in values.items():
         is_assumed = f"{path}.{key}" in assumed
-        name = name_text(key) + (' <span class="mark">*</span>' if is_assumed else "")
+        name = escape(names[key]) if names and key in names else name_text(key)
+        name += ' <span class="mark">*</span>' if is_assumed else ""
         unit = unit_symbol(key) if value is not None else ""
-        content = f"{text(value)}&nbsp;{escape(unit)}" if unit else text(value)
+        shown = in_figures(value, 4) if key.endswith(LIVES) and value is not None else text(value)
+        content = f"{shown}&nbsp;{escape(unit)}" if unit else shown
         cells = f"<td>{name}</td><td>{content}</td>"
         if len(content) > MAX_BESIDE_KEY:  # words, such as a source
             cells = f'<td colspan="2" class="small">{name}: {content}</td>'

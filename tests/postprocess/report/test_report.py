@@ -109,6 +109,23 @@ def test_a_film_without_a_solve_names_its_origin_in_place_of_a_mesh(folder, tmp_
     assert "of the film atlas" in Page(report_page(copy)).words
 
 
+def test_lives_are_named_and_have_no_powers_of_ten(folder, tmp_path):
+    copy = tmp_path / "copy"
+    shutil.copytree(folder, copy)
+    document = json.loads((copy / SUMMARY_FILE).read_text(encoding="utf-8"))
+    document["life"] = {
+        "modified_reference_rating_Mrev": 363360.0,
+        "modified_reference_rating_contacts_low_h": 3187400.0,
+        "a_iso": 50.0,
+        "contamination_factor": 0.5,
+    }
+    (copy / SUMMARY_FILE).write_text(json.dumps(document), encoding="utf-8")
+    page = report_page(copy)
+    assert "<td>modified rating life</td><td>363400&nbsp;10⁶ rev</td>" in page
+    assert "<td>its lower end by the films</td><td>3187000&nbsp;h</td>" in page
+    assert "<td>life factor a_ISO</td><td>50</td>" in page
+
+
 def test_assumed_values_are_marked(folder):
     page = report_page(folder)
     marked = re.findall(r'<tr class="assumed"><td>([^<]*)<span', page)
