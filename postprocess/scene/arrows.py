@@ -19,7 +19,8 @@ SHORTEST = 0.45  # arrow of a smaller load, likewise [-]
 SPAN = 1.1  # of the arrow of a rotation [rad]
 SPEED_STEPS = 24  # of that arrow
 FORM: Any = {"shaft_radius": 0.025, "tip_radius": 0.06, "tip_length": 0.18}
-AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+X = (1.0, 0.0, 0.0)  # axis of the bearing
+AXES = {"x": X, "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -63,11 +64,13 @@ def add_loads(plotter: Any, force: Array, room: Room) -> tuple[Label, ...]:
         direction = part / sizes[name]
         length = max(LONGEST * sizes[name] / largest, SHORTEST) * room.bore
         start = -0.5 * length * direction
+        # beside the shaft, the axes are on its other side
+        place = start + 0.35 * length * direction + 0.42 * room.bore * np.cross(X, direction)
         if name == "axial":  # in front of the bore, out of it or into it
             start = np.array([room.front + max(-direction[0], 0.0) * length, 0.0, 0.0])
+            place = start - 0.1 * length * direction
         arrow = pv.Arrow(start=start, direction=direction, scale=length, **FORM)
         plotter.add_mesh(arrow, color=LOAD_COLOUR, ambient=0.4, name=f"{name} load")
-        place = start - 0.1 * length * direction
         labels.append(
             Label(place=place, text=f"{sizes[name]:.4g} N", ball_diameter=room.ball_diameter)
         )

@@ -99,6 +99,18 @@ def test_round_off_of_a_radial_load_is_no_arrow(scene):
     assert [label.text for label in labels] == ["3000 N"]
 
 
+def test_the_size_of_a_radial_load_stands_on_the_other_side_of_it_than_the_axes(scene):
+    """Seen with the load upwards: z points to the left, the axes stand to the right."""
+    from postprocess.scene.arrows import Room, add_axes, add_loads
+
+    bodies = {name: scene.plotter.actors[name].mapper.dataset for name in ("inner ring", "outer ring")}
+    room = Room.of(bodies, 12.0)
+    (load,) = add_loads(scene.plotter, np.array([0.0, 3000.0, 0.0]), room)
+    axes = [label for label in add_axes(scene.plotter, room, 0.0) if label.text != "z"]
+    assert load.place[2] > 0.2 * room.bore
+    assert all(label.place[2] < -0.2 * room.bore for label in axes)
+
+
 def test_labels_of_many_balls_do_not_crowd():
     import xarray
 
