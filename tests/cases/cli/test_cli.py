@@ -19,6 +19,7 @@ from typer.testing import CliRunner
 
 from bearing.library.bearings import load_catalogue_entry
 from bearing.library.lubricants import library_lubricant
+from bearing.torque.palmgren import viscous_factor
 from cases import load_case
 from cases.cli import compute, output, terminal
 from cases.cli.main import app
@@ -465,6 +466,11 @@ def test_loads_heat_and_oil_of_a_new_case_by_hand(tmp_path):
         flow, pitch = one["friction"]["cooling_oil_mL_min"], one["bearing"]["pitch_diameter_mm"]
         share = 1e5 * (flow / rows) ** 0.37 / (12000.0 * pitch**1.7)
         assert one["friction"]["oil_fraction"] == pytest.approx(share, rel=0.05)
+    oil, pitch = library_lubricant(case["lubricant"]["name"], 343.15), case["bearing"]["pitch_diameter_mm"]
+    product = 1e6 * oil.viscosity / oil.density * 12000.0  # nu n [mm^2/s r/min]
+    torque = 1e-3 * viscous_factor("angular contact", "oil jet") * 1e-7 * product ** (2.0 / 3.0) * pitch**3  # [N m]
+    flow = torque * 12000.0 * np.pi / 30.0 / (oil.density * oil.thermal.specific_heat * 20.0)  # by 20 K
+    assert case["friction"]["cooling_oil_mL_min"] == pytest.approx(60e6 * flow, rel=0.05)
 
 
 def test_a_shielded_bearing_runs_on_grease(tmp_path):
