@@ -92,7 +92,7 @@ def test_ratings_computed_for_life_serve_the_friction_models():
         ("3000.0", "46800.0", "n d_m = 1.8 million mm/min is beyond the 1 million"),
         ("temperature_C = 70.0", "temperature_C = -20.0", "a viscosity of"),
         ("700.0", "70.0", "the load of 0.005 C is below the 0.01 C"),
-        ('"6205"', '"6205 hybrid"', "that of a bearing of steel"),
+        ('"6205"', '"6205 hybrid"', "the model is for steel"),
     ],
 )
 def test_a_model_says_where_it_is_beyond_its_range(old, new, expected):
