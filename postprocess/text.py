@@ -46,10 +46,12 @@ def listed(names: list[str]) -> str:
 
 
 def evenly_chosen(count: int, most: int) -> list[int]:
-    """Places of at most so many of a list, spread evenly, the first and the last among them."""
+    """Places of at most so many of a list, spread evenly, the first and the last among them; of
+    one alone the first.
+    """
     if count <= most:
         return list(range(count))
-    return [round(k * ((count - 1) / (most - 1))) for k in range(most)]
+    return [round(k * ((count - 1) / max(most - 1, 1))) for k in range(most)]
 
 
 def is_number(value: Any) -> TypeGuard[float]:

@@ -6,7 +6,13 @@ from functools import cache
 from math import isclose
 from typing import Any
 
-from .catalogue import catalogue_entry, estimated_bearings, known_designation, with_designation
+from .catalogue import (
+    catalogue_entry,
+    estimated_bearings,
+    known_designation,
+    with_clearance,
+    with_designation,
+)
 from .designation import SERIES, Designation, why_unknown
 from .names import library_data, matching_name, plain_name
 
@@ -96,7 +102,7 @@ def _estimates(
     key: str, name: str, values: Mapping[str, Any], assumed: Collection[str]
 ) -> list[str]:
     """Values of a case that are the catalogue's estimates, in words with their ranges."""
-    ranges = load_catalogue_entry(key).get("range", {})  # none of published bearings
+    ranges = _entry_with_class(key, values).get("range", {})  # none of published bearings
     estimates = []
     for field in estimated_fields(name, values):
         if field not in assumed:
@@ -109,9 +115,14 @@ def estimated_fields(name: str, values: Mapping[str, Any]) -> tuple[str, ...]:
     """Keys of a case's [bearing] table whose values are the catalogue's estimates."""
     if catalogue_name(name) is None:
         return ()
-    entry = load_catalogue_entry(name)
+    entry = _entry_with_class(name, values)
     known = (field for field in entry["estimated"] if values.get(field) is not None)
     return tuple(field for field in known if isclose(values[field], entry[field]))
+
+
+def _entry_with_class(name: str, values: Mapping[str, Any]) -> dict[str, Any]:
+    """The catalogue's entry with the clearance class that a case's [bearing] table names."""
+    return with_clearance(load_catalogue_entry(name), values.get("clearance_class"))
 
 
 def _with_words(field: str, value: Any) -> str:

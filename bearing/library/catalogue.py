@@ -264,19 +264,26 @@ def with_designation(entry: dict[str, Any], designation: Designation) -> dict[st
     if designation.balls == "full ceramic":
         entry["ring_material"] = "silicon nitride"
         entry.pop("basic_dynamic_rating_kN", None)
-    name = designation.clearance_class
-    if name and "diametral_clearance_um" in entry:
-        low, high = clearance_class(entry["bore_mm"], name)
-        entry |= {"clearance_class": name, "diametral_clearance_um": 0.5 * (low + high)}
-        entry["range"]["diametral_clearance_um"] = [low, high]
-        told = entry["source"].split("; ")
-        told = [part for part in told if not part.startswith("clearance: ")]
-        entry["source"] = "; ".join((*told, f"clearance: middle of the class {name}"))
-        if "diametral_clearance_um" not in entry["estimated"]:
-            entry["estimated"].append("diametral_clearance_um")
     if designation.tolerance_class:
         entry["tolerance_class"] = designation.tolerance_class
-    return entry
+    return with_clearance(entry, designation.clearance_class)
+
+
+def with_clearance(entry: dict[str, Any], name: str | None) -> dict[str, Any]:
+    """An entry with the middle of a clearance class, if one is named and it has a clearance."""
+    key = "diametral_clearance_um"
+    if not name or key not in entry or "bore_mm" not in entry:
+        return entry
+    low, high = clearance_class(entry["bore_mm"], name)
+    told = [part for part in entry["source"].split("; ") if not part.startswith("clearance: ")]
+    return {
+        **entry,
+        "clearance_class": name,
+        key: 0.5 * (low + high),
+        "range": {**entry.get("range", {}), key: [low, high]},
+        "estimated": list(dict.fromkeys([*entry["estimated"], key])),
+        "source": "; ".join((*told, f"clearance: middle of the class {name}")),
+    }
 
 
 def known_designation(text: str) -> Designation | None:

@@ -45,8 +45,14 @@ HYBRID = ("HYBRID", "HC5", "HC")
 FULL_CERAMIC = ("FULLCERAMIC", "CERAMIC")
 # sets of two, and how far they are preloaded
 ARRANGEMENTS = ("DB", "DF", "DT")
-PRELOADS = {"A": "light", "B": "medium", "C": "heavy", "L": "light", "M": "medium", "H": "heavy"}
-SETS = "(?P<set>DB|DF|DT|DU|DG|SU|U|G) ?G?(?P<preload>[ABCLMH])|(?P<alone>DB|DF|DT)"
+PRELOADS = {
+    "A": "light", "B": "medium", "C": "heavy", "L": "light", "M": "medium", "H": "heavy",
+    "LIGHT": "light", "MEDIUM": "medium", "HEAVY": "heavy",
+}  # fmt: skip
+SETS = (
+    "(?P<set>DB|DF|DT|DU|DG|SU|U|G) ?G?(?P<preload>LIGHT|MEDIUM|HEAVY|[ABCLMH])"
+    "|(?P<alone>DB|DF|DT)"
+)
 WITHOUT_EFFECT = (
     # current insulation, grease, packing
     r"VL\d{4}|V[JT]?\d{3,4}|LHT\d+|HT\d*|LT\d*|MT\d+|GJN|WT|5K|2AS|NS7S?|NS|AV2S?|L\d{3}|S\d|"
@@ -78,7 +84,7 @@ NOT_HERE = (
         "the letters of its contact angle are missing or not known: C is 15 deg, AC 25, B 40",
     ),
     (r"(?:60|62|63)\d(?!\d)", "its bore is below 10 mm"),
-    ("|".join(sorted({*SERIES, *SYNONYMS})), "its bore or a suffix is not known"),
+    ("|".join(sorted({*SERIES, *SYNONYMS})), "its bore is not known"),
 )
 
 
@@ -123,15 +129,26 @@ class Designation:
 
 def read_designation(text: str) -> Designation | None:
     """What a designation says; None if it is none of the series here, or has suffixes that are
-    not known. Case, spaces, hyphens and slashes do not matter.
+    not known. Case, spaces, hyphens and slashes do not matter, but for the slash before a bore in
+    millimetres, as in 618/10.
     """
-    plain = re.sub(r"[\s/_.,+-]+", " ", text.upper()).strip()
+    read, rest = _read(text)
+    return None if rest else read
+
+
+def _read(text: str) -> tuple[Designation | None, str]:
+    """What a designation says, and what of its end is not known; None if it is none of the
+    series here.
+    """
     prefixes = "|".join(sorted(PREFIXES, key=len, reverse=True))
     series = "|".join(sorted({*SERIES, *SYNONYMS}, key=len, reverse=True))
+    begin = rf"((?:(?:{MAKERS}) )?(?:{prefixes}) ?(?:{series}))"
+    text = re.sub(rf"{begin} ?/ ?(\d+)(?!\d)", _bore_in_millimetres, text.upper().strip())
+    plain = re.sub(r"[\s/_.,+-]+", " ", text).strip()
     pattern = rf"(?:(?:{MAKERS}) )?({prefixes}) ?({series})(\d\d)(.*)"
     match = re.fullmatch(pattern, plain)
     if match is None:
-        return None
+        return None, ""
     prefix, series, bore, rest = match.groups()
     read = Designation(
         series=SYNONYMS.get(series, series), bore_number=int(bore), balls=PREFIXES[prefix]
@@ -139,10 +156,19 @@ def read_designation(text: str) -> Designation | None:
     if SERIES[read.series][1]:
         read, rest = _with_angle(read, rest)
         if not read.angle_suffix:
-            return None
+            return None, ""
     elif prefix == "B":
-        return None
+        return None, ""
     return _with_suffixes(read, rest)
+
+
+def _bore_in_millimetres(match: re.Match[str]) -> str:
+    """Beginning of a designation with its bore number in place of a slash and the bore [mm]."""
+    bore = int(match[2])
+    number = {10: 0, 12: 1, 15: 2, 17: 3}.get(bore)
+    if number is None and bore >= 20 and bore % 5 == 0:
+        number = bore // 5
+    return match[0] if number is None else f"{match[1]}{number:02d}"
 
 
 def _with_angle(read: Designation, rest: str) -> tuple[Designation, str]:
@@ -154,8 +180,8 @@ def _with_angle(read: Designation, rest: str) -> tuple[Designation, str]:
     return read, rest
 
 
-def _with_suffixes(read: Designation, rest: str) -> Designation | None:
-    """The designation with all suffixes read, None if one is not known."""
+def _with_suffixes(read: Designation, rest: str) -> tuple[Designation, str]:
+    """The designation with its suffixes read, up to the first one that is not known, and this."""
     words: dict[str, dict[str, object]] = {
         **{word: {"tolerance_class": name} for word, name in TOLERANCES.items()},
         **{word: {"clearance_class": name} for word, name in CLEARANCES.items()},
@@ -174,11 +200,11 @@ def _with_suffixes(read: Designation, rest: str) -> Designation | None:
         if not word:
             match = re.match(WITHOUT_EFFECT, rest)
             if match is None:
-                return None
+                break
             word = match.group()
         read = replace(read, **found)  # type: ignore[arg-type]
         rest = rest.removeprefix(word).strip()
-    return read
+    return read, rest
 
 
 def _set(match: re.Match[str]) -> dict[str, object]:
@@ -194,6 +220,9 @@ def _set(match: re.Match[str]) -> dict[str, object]:
 
 def why_unknown(text: str) -> str:
     """What a designation that is not known seems to be; empty if nothing can be said."""
+    rest = _read(text)[1]
+    if rest:
+        return f"'{rest.split()[0]}' in it is not known"
     plain = _without_maker(text)
     return next((why for pattern, why in NOT_HERE if re.match(pattern, plain)), "")
 

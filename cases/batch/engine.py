@@ -1,5 +1,6 @@
 """Execution of a sweep: hand out points, keep what is finished, resume an earlier run."""
 
+import atexit
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
@@ -12,7 +13,16 @@ from ..runs.films import Progress
 from .keys import WITHOUT_CONTACTS
 from .points import Point, Receipt, Sweep, Task
 from .pools import Pool
-from .store import FAILED, LOST, SWEEP_FILE, finished_keys, open_folder, write_file, write_point
+from .store import (
+    FAILED,
+    LOST,
+    SWEEP_FILE,
+    finished_keys,
+    open_folder,
+    remove_unfinished,
+    write_file,
+    write_point,
+)
 from .tables import prepare_tables, table_path
 from .worker import failure
 
@@ -100,7 +110,7 @@ def run_batch(
     failed = _without_tables(sweep, waiting, directory, pace)
     waiting = [point for point in waiting if point.key not in failed]
     if waiting:
-        with _closing(pool()) as workers:
+        with _closing(pool(), directory) as workers:
             folder = str(directory.resolve()) if workers.shares_folder else None
             tasks = (_task(sweep, point, directory, folder) for point in waiting)
             _execute(tasks, workers, directory, pace)
@@ -139,13 +149,20 @@ def _without_tables(
 
 
 @contextmanager
-def _closing(pool: Pool) -> Iterator[Pool]:
+def _closing(pool: Pool, directory: Path) -> Iterator[Pool]:
+    """A pool that ends with the work inside; what a worker was writing when it was ended goes
+    with it, also where the program ends before it is back here.
+    """
+    atexit.register(remove_unfinished, directory)
     try:
         yield pool
+        pool.close(at_once=False)
     except BaseException:
         pool.close(at_once=True)
+        remove_unfinished(directory)
+        atexit.unregister(remove_unfinished)
         raise
-    pool.close(at_once=False)
+    atexit.unregister(remove_unfinished)
 
 
 def _execute(tasks: Iterable[Task], pool: Pool, directory: Path, pace: ProgressEstimate) -> None:

@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-from bearing.files import write_bytes
+from bearing.files import PARTIAL, write_bytes
 
 from ..format.problems import CaseError
 from ..runs.integrity import DIGESTS
@@ -52,9 +52,14 @@ def open_folder(directory: Path, *, resume: bool) -> None:
             wanted = "is a folder in the place of a file of the batch; allowed: without it"
             raise CaseError(f"{file}: {wanted}, or another -o")
     (directory / POINTS).mkdir(parents=True, exist_ok=True)
-    # of a process that was killed while it wrote
-    for left in (directory / POINTS).glob(".*.part*"):
-        left.unlink(missing_ok=True)
+    remove_unfinished(directory)
+
+
+def remove_unfinished(directory: Path) -> None:
+    """Remove what processes that were killed were writing."""
+    for folder in (POINTS, CONTACTS, TABLES):
+        for left in (directory / folder).glob(f".*{PARTIAL}*"):
+            left.unlink(missing_ok=True)
 
 
 def _own_files(directory: Path) -> Iterator[Path]:

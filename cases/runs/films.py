@@ -98,9 +98,9 @@ def heat_message(
         return ()
     formula = ""
     if left:
+        shares = " to ".join(dict.fromkeys(f"{share:.2f}" for share in (left[0], left[-1])))
         formula = (
-            f": with it {left[0]:.2f} to {left[-1]:.2f} of these by a formula for line contacts "
-            "(Gupta et al., 1992)"
+            f": with it {shares} of these by a formula for line contacts (Gupta et al., 1992)"
         )
     return (
         "contacts: films are isothermal, without the heat of the shear in their inlets "

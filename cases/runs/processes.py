@@ -8,6 +8,7 @@ from multiprocessing import active_children, connection, parent_process
 from multiprocessing.process import BaseProcess
 from typing import Any
 
+PATIENCE = 0.2  # for a process to be gone after its end was asked for [s]
 THREADS = (
     "OMP_NUM_THREADS",
     "OPENBLAS_NUM_THREADS",
@@ -33,5 +34,8 @@ def _end_with(sentinel: Any) -> None:
 
 def end_workers(others: Set[BaseProcess]) -> None:
     """End the workers of this process, but those that others have started, whatever they do."""
-    for process in set(active_children()) - others:
+    ended = set(active_children()) - others
+    for process in ended:
         process.terminate()
+    for process in ended:
+        process.join(PATIENCE)

@@ -121,17 +121,23 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
             row=key[1] if len(results.quasistatic.rows) > 1 else None,
             window=window,
         )
-        for key in _chosen(keys)
+        for key in _chosen(keys, {key for key in keys if None in pairs[key]})
     )
 
 
-def _chosen(keys: list[tuple[Any, ...]]) -> list[tuple[Any, ...]]:
-    """At most `COLUMNS` of the columns' keys, whose second entry is the row: as many of each."""
-    rows: dict[int, list[tuple[Any, ...]]] = {}
-    for key in keys:
-        rows.setdefault(key[1], []).append(key)
+def _chosen(keys: list[tuple[Any, ...]], idle: set[Any]) -> list[tuple[Any, ...]]:
+    """At most `COLUMNS` of the columns' keys, whose second entry is the row: as many of each, the
+    loaded ones first; `idle` are those whose balls touch one race alone.
+    """
+    rows = {key[1]: [same for same in keys if same[1] == key[1]] for key in keys}
     most = max(COLUMNS // max(len(rows), 1), 1)
-    chosen = [row[i] for row in rows.values() for i in evenly_chosen(len(row), most)]
+    chosen = []
+    for row in rows.values():
+        loaded = [key for key in row if key not in idle]
+        rest = [key for key in row if key in idle]
+        taken = [loaded[i] for i in evenly_chosen(len(loaded), max(most - bool(rest), 1))]
+        taken += [rest[i] for i in evenly_chosen(len(rest), most - len(taken))]
+        chosen += [key for key in row if key in taken]
     return chosen[:COLUMNS]
 
 
@@ -225,8 +231,17 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
     views = [view for column in columns for view in column.views.values() if view is not None]
     starved = quantity == "film" and any(view.filled is not None for view in views)
     note = FOOTNOTES[quantity] + FILLED * starved + BOX_ENDS * any(view.cut for view in views)
+    note += _left_out(columns, results)
     style: Any = {"fontsize": 6.5, "color": REFERENCE, "ha": "center", "va": "bottom"}
     figure.text(0.5, 0.008, note, **style)
+
+
+def _left_out(columns: tuple[BallColumn, ...], results: BearingResults) -> str:
+    """How many of the balls with films have a map, where not all have one."""
+    films = results.solutions
+    known = sum(map(any, zip(films[::2], films[1::2], strict=True)))
+    drawn = sum(len(column.azimuths) for column in columns)
+    return f";\nmaps of {drawn} of the {known} balls with films" if drawn < known else ""
 
 
 def _middle(axes: Axes) -> float:

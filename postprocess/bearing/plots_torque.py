@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from bearing.torque.models import ModelTorque
 
-from ..plot_style import CAGE_COLOUR, PAGE_WIDTH, REFERENCE
+from ..plot_style import BALL_COLOUR, CAGE_COLOUR, PAGE_WIDTH, REFERENCE
 from .quantities import BALL_QUANTITY, TORQUE, TORQUE_MODELS
 from .results import BearingResults
 from .torque import shown_titles, shown_torques
@@ -106,8 +106,8 @@ def _draw_balls(axes: Axes, results: BearingResults, shares: np.ndarray) -> None
     for row in range(len(state.rows)):
         mine = state.row_of_ball == row
         azimuth = np.degrees(state.azimuth[mine]) % 360.0 + (row - 0.5) * width * several
-        style: Any = {"color": OIL, "alpha": 1.0 if row == 0 else 0.5, "label": f"row {row + 1}"}
-        axes.bar(azimuth, shares[mine], width=width, **style)
+        style: Any = {"color": BALL_COLOUR, "alpha": 1.0 if row == 0 else 0.5}
+        axes.bar(azimuth, shares[mine], width=width, label=f"row {row + 1}", **style)
     if several:
         axes.legend(ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1.0))  # off the bars
     axes.set_xlim(-20.0, 380.0)

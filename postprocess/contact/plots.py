@@ -26,6 +26,7 @@ LINES = 8  # contour intervals of a map
 QUANTITIES = ("film", "pressure")
 FINE = 201  # nodes of a map each way, between those of the solution
 TICKS = 6  # of a colour bar at most
+TICK_WIDTH = 0.5  # of a map for each of its tick labels [in]
 CUT = "the map ends with the computed box"
 # boxes, in shares of the figure
 LEFT = (0.085, 0.585)
@@ -71,6 +72,7 @@ def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
             panel.set_aspect("equal", anchor="W")
             proportion = float(np.ptp(view.shown[:2]) / np.ptp(view.shown[2:]))
             width = min(MAP_WIDTH, MAP_HEIGHT * HEIGHT / PAGE_WIDTH * proportion)
+        panel.xaxis.set_major_locator(MaxNLocator(max(int(width * PAGE_WIDTH / TICK_WIDTH), 1)))
         bar = figure.add_axes((left, BAR_BOTTOM, width, 0.018))
         _colour_bar(figure, image, bar, view, quantity)
     for along, left in zip((True, False), LEFT, strict=True):

@@ -88,6 +88,36 @@ def test_the_foot_of_the_films_explains_only_what_is_drawn(bearing_results):
     assert "grey: film beyond the colour scale" in foot(bearing_results, "film")
 
 
+def test_the_foot_says_how_many_balls_have_a_map(bearing_results, monkeypatch):
+    figure = Figure()
+    draw_per_azimuth(figure, bearing_results, "pressure")
+    assert "balls with films" not in figure.texts[-1].get_text()
+    monkeypatch.setattr("postprocess.bearing.plots.COLUMNS", 3)
+    figure = Figure()
+    draw_per_azimuth(figure, bearing_results, "pressure")
+    assert figure.texts[-1].get_text().endswith("maps of 5 of the 9 balls with films")
+
+
+@pytest.mark.parametrize("stretch", [0.02, 0.3, 0.7, 1.0, 1.9, 4.0])
+def test_numbers_below_a_map_stand_apart(bearing_results, stretch):
+    """Of contacts of several widths, in a stretched map or in a narrow one of equal scales."""
+    view = contact_view(bearing_results.solutions[0])
+    box, window = (
+        (stretch * ends[0], stretch * ends[1], ends[2], ends[3])  # x alone
+        for ends in (view.box, view.window)
+    )
+    figure = Figure()
+    scaled = replace(view, x=stretch * view.x, half_x=stretch * view.half_x, box=box, window=window)
+    plots.draw_contact(figure, scaled, "title")
+    figure.draw_without_rendering()
+    axes = figure.axes[0]
+    low, high = axes.get_xlim()
+    labels = [label for label in axes.get_xticklabels() if low <= label.get_position()[0] <= high]
+    ends = sorted((box.x0, box.x1) for box in (label.get_window_extent() for label in labels))
+    assert len(ends) >= 2
+    assert all(after[0] - before[1] > 3.0 for before, after in zip(ends, ends[1:], strict=False))
+
+
 def test_a_figure_that_fails_is_named(contact_results, tmp_path, monkeypatch):
     def broken(figure, view, title):
         raise ValueError("no such colour")
@@ -153,7 +183,18 @@ def test_colours_are_ruled_by_the_loaded_contacts(bearing_results):
 
 def test_rows_share_the_columns_equally():
     keys = [(float(azimuth), row) for row in (1, 2) for azimuth in range(9)]
-    assert _chosen(keys) == [(0.0, 1), (4.0, 1), (8.0, 1), (0.0, 2), (4.0, 2), (8.0, 2)]
+    assert _chosen(keys, set()) == [(0.0, 1), (4.0, 1), (8.0, 1), (0.0, 2), (4.0, 2), (8.0, 2)]
+    assert _chosen([(0.0, row) for row in range(1, 9)], set()) == [(0.0, row) for row in range(1, 7)]
+
+
+def test_loaded_balls_come_before_idle_ones():
+    """Of four rows, too, each of which has room for one column."""
+    keys = [(float(azimuth), 1) for azimuth in range(8)]
+    assert _chosen(keys, set(keys[4:])) == [*keys[:5], keys[7]]
+    assert _chosen(keys, set(keys[1:])) == [keys[0], keys[1], *keys[3:6], keys[7]]
+    assert _chosen(keys, set()) == [keys[i] for i in (0, 1, 3, 4, 6, 7)]
+    rows = [(float(azimuth), row) for row in range(1, 5) for azimuth in range(3)]
+    assert _chosen(rows, {key for key in rows if key[0] == 0.0}) == [(1.0, row) for row in range(1, 5)]
 
 
 def test_a_map_cut_by_its_box_says_so(bearing_results):

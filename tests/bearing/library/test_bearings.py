@@ -228,6 +228,7 @@ def test_designations_with_suffixes_are_understood(text, expected):
         ("7014 CD/P4ADGA", "C", "", "light"),
         ("7014 CD/P4ADBA", "C", "DB", "light"),
         ("7014 ACD/DT", "AC", "DT", None),
+        ("71908C P4 DB medium", "C", "DB", "medium"),
     ],
 )
 def test_letters_of_a_set_are_not_read_as_those_of_the_angle(text, angle, arrangement, preload):
@@ -236,6 +237,15 @@ def test_letters_of_a_set_are_not_read_as_those_of_the_angle(text, angle, arrang
     """
     read = read_designation(text)
     assert (read.angle_suffix, read.arrangement, read.preload_class) == (angle, arrangement, preload)
+
+
+@pytest.mark.parametrize(
+    ("text", "basic"),
+    [("618/10", "61800"), ("SKF 62/25-2RS C3", "6205"), ("60/17", "6003"), ("6205/C3", "6205"), ("62/22", None)],
+)
+def test_a_slash_goes_before_a_bore_in_millimetres(text, basic):
+    read = read_designation(text)
+    assert (read and read.basic) == basic
 
 
 @pytest.mark.parametrize("name", ["6200-2Z/C3VT143", "6305ZZ", "6205-2RS1/C3HT", "6204LLB", "6206-2RSLTN9"])
@@ -349,6 +359,21 @@ def test_a_warning_names_estimates_that_were_not_replaced(recwarn):
     assert "ball diameter" not in text
     assert "balls" not in text
     assert "bearing '6305': assumed, as the case says: balls 8" in str(caught[1].message)
+
+
+@pytest.mark.parametrize(
+    ("name", "own", "told"), [("6206", "CN", "12.5 um (5 to 20)"), ("6305-2RS C3", "C4", "32 um (23 to 41)")]
+)
+def test_the_middle_of_a_class_that_a_case_names_is_an_estimate(name, own, told):
+    """Also of a published bearing whose source has no play, and in place of the designation's class."""
+    entry = load_catalogue_entry(name)
+    clearance = float(told.split()[0])
+    with pytest.warns(UserWarning, match="estimated") as caught:
+        warn_of_estimates(name, {**entry, "clearance_class": own, "diametral_clearance_um": clearance})
+    assert f"diametral clearance {told}" in str(caught[0].message)
+    with pytest.warns(UserWarning, match="estimated") as caught:
+        warn_of_estimates(name, {**entry, "clearance_class": own, "diametral_clearance_um": 17.3})
+    assert "diametral clearance" not in str(caught[0].message)
 
 
 @pytest.mark.parametrize("name", ["209", "no such bearing"])

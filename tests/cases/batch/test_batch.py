@@ -318,6 +318,19 @@ def test_an_interrupt_keeps_what_is_finished_and_resume_goes_on(tmp_path):
     assert batch.resumed == kept
 
 
+def test_nothing_stays_of_what_a_worker_was_writing_when_it_was_ended(tmp_path):
+    class Writing(HerePool):
+        def close(self, *, at_once):
+            for folder in ("points", "contacts", "tables"):
+                (tmp_path / "out" / folder).mkdir(exist_ok=True)
+                (tmp_path / "out" / folder / ".key-x.part").touch()
+
+    with pytest.raises(KeyboardInterrupt):
+        run_batch(sweep_from_text(QUICK, "sweep.toml"), tmp_path / "out", lambda: Writing(stop_after=1))
+    assert len(list((tmp_path / "out" / "points").glob("*.json"))) == 1
+    assert not list((tmp_path / "out").rglob(".*"))
+
+
 def test_resume_after_the_sweep_was_extended_and_a_file_was_damaged(tmp_path):
     first = sweep_from_text(QUICK, "sweep.toml")
     run_batch(first, tmp_path / "out", HerePool)

@@ -505,6 +505,7 @@ def test_a_set_of_two_gives_off_heat_by_two_widths(tmp_path):
         (("--bearing", "7208"), "'7208' is unknown: the letters of its contact angle"),
         (("--bearing", "7206A"), "oilfilm init NAME --bore 30 --outside 62 --width 16 [mm], with --angle 30"),
         (("--bearing", "FAG 6205XX"), "oilfilm init NAME --bore 25 --outside 52 --width 15 [mm]"),
+        (("--bearing", "7014C", "banana"), "'7014C banana' is unknown: 'BANANA' in it is not known"),
         (("--bearing", "608-2RS"), "'608-2RS' is unknown: its bore is below 10 mm"),
         (("--bearing", "16008"), "'16008' is unknown: a bearing of the series 160 or 161"),
         (("--bearing", "NU205"), "'NU205' is unknown: a cylindrical roller bearing"),
