@@ -13,6 +13,7 @@ from ..format.problems import CaseError, CaseFault, faults_error, schema_faults
 from ..format.shipped import find_case, find_sweep
 from ..format.sweep import SensitivityTable, SweepFile
 from ..version import version
+from .alternatives import replaced_keys, with_values
 from .blocks import (
     MOST_POINTS,
     Variation,
@@ -72,8 +73,10 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
         raise source.error(schema_faults(error.errors(include_url=False), schema)) from None
     case_file = _case_file(file.case, source)
     fixed = Variation("fixed", tuple(block_settings(file.fixed, ("fixed",))))
-    base = with_values(parse(read_text(case_file), str(case_file)), fixed)
+    case = parse(read_text(case_file), str(case_file))
+    base = with_values(case, fixed)
     variations, notes, problems = _variations(file, base)
+    notes += [*replaced_keys(case, [fixed]), *replaced_keys(base, variations)]
     problems += plot_problems(file.plot, "contact" if "contact" in base else file.compute)
     if problems:
         raise source.error(problems)
@@ -200,22 +203,6 @@ def _value(document: dict[str, Any], key: str) -> Any:
     for part in case_path(key):
         node = node.get(part) if isinstance(node, dict) else None
     return node
-
-
-def with_values(base: dict[str, Any], variation: Variation) -> dict[str, Any]:
-    """The case's document with the values of a variation."""
-    document = {
-        key: dict(value) if isinstance(value, dict) else value for key, value in base.items()
-    }
-    for setting in variation.settings:
-        node = document
-        *tables, key = case_path(setting.key)
-        for table in tables:
-            inner = node.get(table)
-            node[table] = dict(inner) if isinstance(inner, dict) else {}
-            node = node[table]
-        node[key] = setting.value
-    return document
 
 
 def _points(

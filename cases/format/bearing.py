@@ -56,7 +56,7 @@ class BearingTable(Table):
     inner_shoulder_diameter_mm: float | None = length("inner lands, for the cut of ellipses")
     outer_shoulder_diameter_mm: float | None = length("outer lands, for the cut of ellipses")
     nominal_contact_angle_deg: float | None = between(
-        0, 80, "of the rating life; left out, free_contact_angle_deg, or 0 without that"
+        0, 80, "of the rating life; left out, free_contact_angle_deg, else the catalogue's, or 0"
     )
     basic_dynamic_rating_kN: float | None = above(0, 1e6, "catalogue C_r; else from the geometry")
     basic_static_rating_kN: float | None = above(0, 1e6, "catalogue C_0; else from the geometry")

@@ -10,7 +10,7 @@ from bearing.library.names import matching_name
 from bearing.material import STRENGTH, Material, MaterialKind, list_materials, load_material
 from ehl.units import from_si
 
-from .bearing import ALTERNATIVES, GEOMETRY, BearingTable
+from .bearing import ALTERNATIVES, CLEARANCE, GEOMETRY, BearingTable
 from .fields import OneOf, Table, above, between, described, is_number, name_in_si, rounded
 from .problems import CaseFault, nearest_name, shown
 from .rules import CaseValues
@@ -173,4 +173,8 @@ def _of_catalogue(name: str, table: dict[str, Any]) -> dict[str, Any]:
             unused.update(alternatives)
     if any(key in table and table[key] != entry.get(key) for key in INTERNAL_GEOMETRY):
         unused.update(OF_THE_GEOMETRY)
-    return {key: value for key, value in entry.items() if key not in unused}
+    values = {key: value for key, value in entry.items() if key not in unused}
+    angle = entry.get(CLEARANCE[1])
+    if angle is not None and CLEARANCE[1] not in {*values, *table}:
+        values["nominal_contact_angle_deg"] = angle  # no clearance changes it
+    return values
