@@ -21,7 +21,7 @@ EQUILIBRIUM_SECONDS = 0.01  # of a bearing in a slip map, measured likewise on 7
 # and 7008_combined (3.2 to 4.9), and on 6304_planar
 DYNAMICS_SECONDS = 4.0
 PLANAR_SECONDS = 1.0  # with the equations of a plane
-TORQUE_SECONDS = 0.5  # of equilibrium and torque by every model without films
+TORQUE_SECONDS = 1.0  # of equilibrium, torque by every model and self-heating without films
 TABLE_FILMS = 120  # of the tables of both races, without refinement
 
 

@@ -74,15 +74,23 @@ def families(keys: list[Varied]) -> list[Varied]:
     """The keys that a panel tells apart: along the axis, by colour, by style of line.
 
     Those after the second as one, or all after the first as one, as far as so many lines can be
-    told apart; else the keys as they are.
+    told apart; else the keys as they are. Where there are too many styles for them, those after
+    the second have the colours.
     """
     if len(keys) < 3 or any(value is None for key in keys for value in key.values):
         return keys
     styles = _together(keys[2:])
-    if keys[1].count <= MOST_LINES and styles.count <= MOST_STYLES:
-        return [*keys[:2], styles]
+    for colours, other in ((keys[1], styles), (styles, keys[1])):
+        if colours.count <= MOST_LINES and other.count <= MOST_STYLES:
+            return [keys[0], colours, other]
     lines = _together(keys[1:])
     return [keys[0], lines] if lines.count <= MOST_LINES else keys
+
+
+def are_told_apart(keys: list[Varied]) -> bool:
+    """Whether a line for each value of the keys after the first can be told from the others."""
+    styles = keys[2].count if len(keys) > 2 else 1
+    return len(keys) <= 3 and keys[1].count <= MOST_LINES and styles <= MOST_STYLES
 
 
 def _together(keys: list[Varied]) -> Varied:

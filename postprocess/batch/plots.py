@@ -20,7 +20,7 @@ from ..bearing.quantities import TORQUE_MODELS, TORQUE_PARTS
 from ..main_results import BATCH_PANELS, MAIN_QUANTITY
 from ..plot_style import INK, PAGE_WIDTH, REFERENCE, write_figure
 from ..text import evenly_chosen
-from .keys import MOST_LINES, Varied, families, varied_keys
+from .keys import Varied, are_told_apart, families, varied_keys
 from .results import BatchResults
 from .summary import point_numbers
 
@@ -34,6 +34,7 @@ MOST_TOGETHER = 4  # side by side
 WORD_WIDTH = 16  # characters of a tick label
 MOST_INSIDE = 4  # lines of a family named inside the panel; more are beside it
 MANY_TIMES = 10.0  # largest over smallest value from which on an axis is logarithmic [-]
+LARGE = 1e6  # from which on a logarithmic axis has powers of ten
 LOGARITHMIC = ("film_", "rating")  # in the names of what may have a logarithmic axis
 
 
@@ -101,8 +102,8 @@ def draw_batch(
 ) -> None:
     """A panel for each quantity over the first key; the second as colours, the third as styles.
 
-    Too many values of the second are colours of points. Keys as `varied_keys` orders them; units
-    [um], [GPa], [N mm] as the names of the numbers say.
+    Where lines are too many, points have colours by the second. Keys as `varied_keys` orders
+    them; units [um], [GPa], [N mm] as the names of the numbers say.
     """
     every = keys
     keys = families(keys)
@@ -114,7 +115,7 @@ def draw_batch(
         data = _data(results, keys, name)
         if len(keys) == 1:
             _line(axes, data, data.error, color=INK, linestyle="" if keys[0].words else "-")
-        elif keys[1].count <= MOST_LINES:
+        elif are_told_apart(keys):
             _family(axes, data, keys)
         else:
             converged = data[data.converged]
@@ -141,7 +142,8 @@ def _values_axis(axes: Axes, name: str, data: Any) -> None:
     if spread > MANY_TIMES and any(word in name for word in LOGARITHMIC):
         axes.set_yscale("log")
         axes.set_ylim(0.7 * known.min(), 1.4 * known.max())
-        axes.yaxis.set_major_formatter("{x:g}")
+        if known.max() < LARGE:
+            axes.yaxis.set_major_formatter("{x:g}")
     else:
         axes.set_ylim(0.0, 1.05 * axes.get_ylim()[1])
 

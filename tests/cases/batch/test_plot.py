@@ -146,6 +146,28 @@ def test_a_fourth_key_shares_the_styles_or_is_named():
     assert families([keys[0], keys[1], two, replace(fourth, values=two.values)])[2].count == 2
 
 
+@pytest.mark.parametrize(
+    ("loads", "temperatures", "lines", "hidden"),
+    [(3, 5, 15, ""), (5, 3, 15, ""), (5, 5, 0, "further keys vary"), (8, 2, 16, ""), (2, 40, 0, "further keys vary")],
+)
+def test_any_number_of_values_can_be_drawn(loads, temperatures, lines, hidden):
+    """As colours and styles in turn where one of them has few values, else as points; of what is not told the name."""
+    sweep = made_up(
+        [
+            (speed, 100.0 * 1.4**load, 40.0 + temperature)
+            for speed in (1e3, 2e3, 4e3)
+            for load in range(loads)
+            for temperature in range(temperatures)
+        ]
+    )
+    figure = Figure()
+    draw_batch(figure, sweep, list(varied_keys(sweep).values()), ["film_minimum_um"])
+    drawn = [line for line in figure.axes[0].get_lines() if len(line.get_xdata()) > 1]
+    looks = {(str(line.get_color()), line.get_linestyle(), line.get_marker()) for line in drawn}
+    assert len(drawn) == len(looks) == lines
+    assert (hidden in figure.get_supxlabel()) if hidden else ("further" not in figure.get_supxlabel())
+
+
 @pytest.mark.parametrize("over", [("temperature_C", "radial_load_N"), ()])
 def test_diagrams_of_a_finished_batch(tmp_path, over):
     for point in THREE.points:

@@ -245,5 +245,5 @@ def test_the_cost_of_long_work_is_told_before_it_begins(capsys):
     assert cost.batch_cost(case, 5, "run")[1] == pytest.approx(5 * cost.run_cost(case, 1)[1])
     single = load_case("ball_on_disc")
     assert cost.batch_cost(single, 3, "run")[1] == pytest.approx(3 * cost.film_seconds(single.solver))
-    assert cost.batch_cost(case, 100, "torque")[0] == "100 points, at most 0.5 s each on one core"
+    assert cost.batch_cost(case, 100, "torque")[0] == "100 points, at most 1 s each on one core"
     assert "slip at 51 speeds and 51 loads" in capsys.readouterr().err
