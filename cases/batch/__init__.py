@@ -4,6 +4,7 @@
 |---|---|
 | points | a sweep, its points, tasks and receipts: plain data |
 | blocks | points described by the blocks of a sweep file |
+| alternatives | points as documents: keys of the case that give way to a point's |
 | faults | faults of points placed in the sweep file |
 | plotted | numbers that a sweep file asks to be drawn |
 | sweep | a sweep file read, expanded and checked |

@@ -231,9 +231,8 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
     views = [view for column in columns for view in column.views.values() if view is not None]
     starved = quantity == "film" and any(view.filled is not None for view in views)
     note = FOOTNOTES[quantity] + FILLED * starved + BOX_ENDS * any(view.cut for view in views)
-    note += _left_out(columns, results)
     style: Any = {"fontsize": 6.5, "color": REFERENCE, "ha": "center", "va": "bottom"}
-    figure.text(0.5, 0.008, note, **style)
+    figure.text(0.5, 0.008, note + _left_out(columns, results), **style)
 
 
 def _left_out(columns: tuple[BallColumn, ...], results: BearingResults) -> str:
