@@ -24,6 +24,7 @@ ROUND_OFF = 1e-9
 NOTHING = 1e-12  # of any unit of a summary: less is round-off of zero
 # of the magnitude of a quantity: a component that is smaller is compared to this
 LEAST = 0.01
+ASSUMED = "assumed"  # list of keys of the input, in any order
 
 
 def compare(first: str | Path, second: str | Path) -> Comparison:
@@ -97,6 +98,8 @@ def flat(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:
         for key, item in value.items():
             if key not in NOT_COMPARED or not path:
                 yield from flat(item, f"{path}.{key}" if path else str(key))
+    elif path == ASSUMED and isinstance(value, list):  # names, in any order
+        yield from ((f"{path}[{name}]", "listed") for name in value)
     elif isinstance(value, list):
         for index, item in enumerate(value):
             yield from flat(item, f"{path}[{index}]")

@@ -65,6 +65,16 @@ def test_equal_results_are_equal(folder):
     assert all(d.first == d.second for d in found.main)
 
 
+def test_the_order_of_what_is_assumed_does_not_matter(folder, tmp_path):
+    document = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))
+    for name, assumed in (("one", ["a.b_mm", "c.d_N"]), ("two", ["c.d_N", "e.f", "a.b_mm"])):
+        document["case"]["assumed"] = assumed
+        (tmp_path / name).mkdir()
+        (tmp_path / name / SUMMARY_FILE).write_text(json.dumps(document), encoding="utf-8")
+    (found,) = compare(tmp_path / "one", tmp_path / "two").inputs
+    assert (found.path, found.first, found.second) == ("assumed[e.f]", None, "listed")
+
+
 def test_every_difference_is_found_and_nothing_else(folder, changed):
     found = compare(folder, changed)
     assert [d.path for d in found.inputs] == ["operation.radial_load_N"]
