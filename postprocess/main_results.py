@@ -58,9 +58,9 @@ MAIN_QUANTITY = CONTACT_QUANTITY | by_key(
     )
 )
 BATCH_COLUMNS = (  # of the terminal's table, the last that fit
-    *("load_maximum_N", "hertz_pressure_maximum_GPa"),
-    *("film_central_um", "film_minimum_um", "film_minimum_dimensionless"),
-    *("torque_N_mm", "cage_speed_rpm", "cage_speed_ratio"),
+    *("load_maximum_N", "hertz_pressure_maximum_GPa", "cage_speed_rpm", "film_central_um"),
+    *("basic_reference_rating_h", "modified_reference_rating_h"),
+    *("film_minimum_um", "film_minimum_dimensionless", "torque_N_mm", "cage_speed_ratio"),
     *("slip_factor_minimum", "balls_slipping", "minimum_preload_N"),
     *("inner_largest_coefficient", "outer_largest_coefficient"),
 )

@@ -8,9 +8,9 @@ from rich.text import Text
 
 from ehl.units import unit_symbol, without_unit
 
-from ..main_results import BATCH_COLUMNS, MAIN_QUANTITY, main_results
+from ..main_results import BATCH_COLUMNS, LIVES, MAIN_QUANTITY, main_results
 from ..table import number_table
-from ..text import NOTHING, number
+from ..text import NOTHING, in_figures, number
 from .results import BatchPoint, BatchResults
 from .sensitivity import bands, sensitivities
 
@@ -31,8 +31,8 @@ def batch_table(results: BatchResults) -> Group:
     headers += [f"{MAIN_QUANTITY[name].symbol}\n{_unit(name)}" for name in shown]
     rows = []
     for point, row in zip(results.points, main, strict=True):
-        values = [point.values.get(key) for key in keys] + [row.get(name) for name in shown]
-        cells = [number(value, ".5g") for value in values]
+        cells = [number(point.values.get(key), ".5g") for key in keys]
+        cells += [_result(row.get(name), name) for name in shown]
         rows.append([str(point.number), *cells, _flag(point)])
     half = MOST_ROWS // 2
     if len(rows) > MOST_ROWS:
@@ -69,7 +69,7 @@ def _uncertainties(results: BatchResults) -> list[Table]:
         rows = [
             [
                 f"{MAIN_QUANTITY[name].symbol} {_unit(name)}",
-                *(f"{band[quantile]:.4g}" for quantile in ("q05", "q50", "q95")),
+                *(_result(band[quantile], name, 4) for quantile in ("q05", "q50", "q95")),
             ]
             for name, band in spread.items()
         ]
@@ -82,6 +82,13 @@ def _sensitivity(cell: dict[str, Any] | None) -> str:
     if cell is None:
         return NOTHING
     return ("~" if cell["resolved"] is False else "") + f"{cell['sensitivity']:+.3f}"
+
+
+def _result(value: Any, name: str, figures: int = 5) -> str:
+    """A result to some figures, hours of life without a power of ten."""
+    if name in LIVES and value is not None:
+        return in_figures(value, 4)
+    return number(value, f".{figures}g")
 
 
 def _name(key: str) -> str:

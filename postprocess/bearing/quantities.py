@@ -62,10 +62,10 @@ ROW = quantities("", "", "axial_position_mm", "offset_um")
 LIFE_RATING = quantities(
     "",
     "no rating was asked for, or it does not apply",
-    ("basic_reference_rating_Mrev", "rating life", "basic_life"),
-    ("modified_reference_rating_Mrev", "modified rating life", "modified_life"),
-    ("basic_reference_rating_h", "rating life", "basic_life_time"),
-    ("modified_reference_rating_h", "modified rating life", "modified_life_time"),
+    ("basic_reference_rating_Mrev", "rating life", "basic_life", "L10"),
+    ("modified_reference_rating_Mrev", "modified rating life", "modified_life", "L10m"),
+    ("basic_reference_rating_h", "rating life", "basic_life_time", "L10h"),
+    ("modified_reference_rating_h", "modified rating life", "modified_life_time", "L10mh"),
     ("a_iso", "life factor", "life_factor", "a_ISO"),
     ("kappa", "viscosity ratio", "viscosity_ratio", "κ"),
 )

@@ -7,6 +7,7 @@ from typing import Any
 
 from ehl.units import unit_symbol
 
+from ..main_results import MAIN_QUANTITY
 from . import html
 
 MAX_ROWS = 500  # points listed; the CSV has all
@@ -76,7 +77,8 @@ def _points(summary: dict[str, Any]) -> str:
         and any(point.get(name) is not None for point in points)
     ]
     key_columns = [(html.name_text(key.rpartition(".")[2]), unit_symbol(key)) for key in keys]
-    head = [("#", ""), *key_columns, *html.key_head(names), ("state", "")]
+    titles = [(html.title_text(name, MAIN_QUANTITY), unit_symbol(name)) for name in names]
+    head = [("#", ""), *key_columns, *titles, ("state", "")]
     rows = []
     for point in points[:MAX_ROWS]:
         cells = [str(point["point"]), *(html.text(point["keys"].get(key)) for key in keys)]

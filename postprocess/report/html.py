@@ -11,6 +11,7 @@ from typing import Any
 
 from ehl.units import unit_symbol, without_unit
 
+from ..quantities import Quantity
 from ..text import in_figures, value_with_error
 
 NOTHING = "–"
@@ -81,8 +82,11 @@ def with_error(row: dict[str, Any], key: str) -> str:
 
 
 def result(row: dict[str, Any], key: str) -> str:
-    """A result of a row, a film with its uncertainty."""
-    return with_error(row, key) if key.startswith("film_") else figure(row.get(key))
+    """A result of a row, a film with its uncertainty, a life without a power of ten."""
+    if key.startswith("film_"):
+        return with_error(row, key)
+    value = row.get(key)
+    return in_figures(value, 4) if key.endswith(LIVES) and value is not None else figure(value)
 
 
 def without_noise(values: Sequence[Any]) -> list[Any]:
@@ -105,6 +109,14 @@ def name_text(key: str) -> str:
     """A key in words, abbreviations as they are written."""
     words = without_unit(key).split(" ")
     return escape(" ".join(ABBREVIATIONS.get(word, word) for word in words))
+
+
+def title_text(key: str, quantities: Mapping[str, Quantity]) -> str:
+    """Title and symbol of a quantity, or its key in words where none is known."""
+    if key not in quantities:
+        return name_text(key)
+    row = quantities[key]
+    return escape(" ".join(filter(None, (row.title, row.symbol))))
 
 
 def key_head(keys: Iterable[str]) -> list[tuple[str, str]]:

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from io import StringIO
 
 import pytest
 from matplotlib.figure import Figure
+from rich.console import Console
 from typer.testing import CliRunner
 
 from cases.batch.engine import run_batch
@@ -20,8 +22,10 @@ from postprocess.batch.plots import draw_batch, draw_together, quantities, write
 from postprocess.batch.read import read_batch
 from postprocess.batch.results import BatchPoint, BatchResults
 from postprocess.batch.summary import batch_summary, results_as_columns
+from postprocess.batch.table import batch_table
 from postprocess.files import write_json
 from postprocess.main_results import result_names, thinnest_film
+from postprocess.report.batch import _points
 
 from .test_batch import HerePool
 
@@ -181,6 +185,21 @@ def test_diagrams_of_a_finished_batch(tmp_path, over):
         write_diagram(read, tmp_path / "picture.png", ("radial_load",))
     with pytest.raises(ValueError, match=r"allowed: a file that ends in \.png, \.pdf, \.svg"):
         write_diagram(read, tmp_path / "picture.jpg")
+
+
+def test_lives_are_hours_without_powers_of_ten():
+    """In the terminal, where they go before the largest load, and in the report."""
+    life = {"basic_reference_rating_h": 27_123_456.0, "modified_reference_rating_h": 1.2345e9}
+    points = tuple(replace(point, summary={**(point.summary or {}), "life": life}) for point in THREE.points)
+    results = replace(THREE, points=points)
+    terminal = Console(width=80, file=StringIO())
+    terminal.print(batch_table(results))
+    text = terminal.file.getvalue()
+    assert "L10mh" in text and "1234000000" in text and "Q max" not in text
+    assert max(len(line.rstrip()) for line in text.splitlines()) <= 80
+    page = _points(batch_summary(results))
+    assert "modified rating life L10mh<small>h</small>" in page
+    assert "<td>1234000000</td>" in page and "<td>27120000</td>" in page
 
 
 def test_the_thinnest_film_is_unknown_where_one_failed():

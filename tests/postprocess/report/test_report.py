@@ -121,7 +121,7 @@ def test_lives_are_named_and_have_no_powers_of_ten(folder, tmp_path):
     }
     (copy / SUMMARY_FILE).write_text(json.dumps(document), encoding="utf-8")
     page = report_page(copy)
-    assert "<td>modified rating life</td><td>363400&nbsp;10⁶ rev</td>" in page
+    assert "<td>modified rating life L10m</td><td>363400&nbsp;10⁶ rev</td>" in page
     assert "<td>its lower end by the films</td><td>3187000&nbsp;h</td>" in page
     assert "<td>life factor a_ISO</td><td>50</td>" in page
 
