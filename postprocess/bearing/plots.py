@@ -227,12 +227,12 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
         bar.ax.minorticks_off()
         ticks = logarithmic_ticks(*limits)
         bar.set_ticks(ticks, labels=[f"{tick:.3g}" for tick in ticks])
-    _over_azimuth(figure.add_axes(VALUES), results, quantity)
+    _over_azimuth(figure.add_axes(VALUES), results, quantity, _left_out(columns, results))
     views = [view for column in columns for view in column.views.values() if view is not None]
     starved = quantity == "film" and any(view.filled is not None for view in views)
     note = FOOTNOTES[quantity] + FILLED * starved + BOX_ENDS * any(view.cut for view in views)
     style: Any = {"fontsize": 6.5, "color": REFERENCE, "ha": "center", "va": "bottom"}
-    figure.text(0.5, 0.008, note + _left_out(columns, results), **style)
+    figure.text(0.5, 0.008, note, **style)
 
 
 def _left_out(columns: tuple[BallColumn, ...], results: BearingResults) -> str:
@@ -240,7 +240,7 @@ def _left_out(columns: tuple[BallColumn, ...], results: BearingResults) -> str:
     films = results.solutions
     known = sum(map(any, zip(films[::2], films[1::2], strict=True)))
     drawn = sum(len(column.azimuths) for column in columns)
-    return f";\nmaps of {drawn} of the {known} balls with films" if drawn < known else ""
+    return f"; maps: {drawn} of the {known} balls with films" if drawn < known else ""
 
 
 def _middle(axes: Axes) -> float:
@@ -305,7 +305,7 @@ def _with_error(view: ContactView, name: str) -> str:
     return value_with_error(getattr(view, name), getattr(view, f"{name}_uncertainty"), most=3)
 
 
-def _over_azimuth(axes: Axes, results: BearingResults, quantity: str) -> None:
+def _over_azimuth(axes: Axes, results: BearingResults, quantity: str, maps: str) -> None:
     """Film with error bars, or pressure, of every contact over the azimuth."""
     middle = 0.5 * (1 + len(results.quasistatic.rows))
     for race in COLOURS:
@@ -325,7 +325,7 @@ def _over_azimuth(axes: Axes, results: BearingResults, quantity: str) -> None:
     if quantity == "film":
         _logarithmic_film(axes, results)
     several = "; rows side by side, row 1 on the left" if len(results.quasistatic.rows) > 1 else ""
-    axes.set_xlabel(f"{BALL_QUANTITY['azimuth_deg'].label}{several}")
+    axes.set_xlabel(f"{BALL_QUANTITY['azimuth_deg'].label}{several}{maps}")
     axes.set_ylabel(FIELDS[quantity].label)
     axes.grid(linewidth=0.3, alpha=0.5)
     axes.legend(ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1.0))

@@ -88,14 +88,17 @@ def test_the_foot_of_the_films_explains_only_what_is_drawn(bearing_results):
     assert "grey: film beyond the colour scale" in foot(bearing_results, "film")
 
 
-def test_the_foot_says_how_many_balls_have_a_map(bearing_results, monkeypatch):
+def test_the_overview_says_how_many_balls_have_a_map(bearing_results, monkeypatch):
     figure = Figure()
     draw_per_azimuth(figure, bearing_results, "pressure")
-    assert "balls with films" not in figure.texts[-1].get_text()
+    assert "balls with films" not in figure.axes[-1].get_xlabel()
     monkeypatch.setattr("postprocess.bearing.plots.COLUMNS", 3)
     figure = Figure()
     draw_per_azimuth(figure, bearing_results, "pressure")
-    assert figure.texts[-1].get_text().endswith("maps of 5 of the 9 balls with films")
+    assert figure.axes[-1].get_xlabel().endswith("maps: 5 of the 9 balls with films")
+    figure.draw_without_rendering()
+    label, foot = (text.get_window_extent() for text in (figure.axes[-1].xaxis.label, figure.texts[-1]))
+    assert label.y0 > foot.y1
 
 
 @pytest.mark.parametrize("stretch", [0.02, 0.3, 0.7, 1.0, 1.9, 4.0])
