@@ -140,11 +140,18 @@ def write_figure(path: Path, draw: Callable[[Figure], object]) -> None:
 
 
 def write_figures(
-    directory: Path, figures: Iterable[tuple[str, Callable[[Figure], object]]]
+    directory: Path,
+    figures: Iterable[tuple[str, Callable[[Figure], object]]],
+    hurried: Callable[[], bool] = lambda: False,
 ) -> tuple[str, ...]:
-    """Write PNG pictures by their paths without suffix; what cannot be drawn is a message."""
-    problems = []
+    """Write PNG pictures by their paths without suffix; what cannot be drawn is a message.
+
+    None is begun any more when one is `hurried`.
+    """
+    problems: list[str] = []
     for name, draw in figures:
+        if hurried():
+            return (*problems, "the other pictures not written: interrupted")
         try:
             write_figure(directory / f"{name}.png", draw)
         # of a field that nobody thought of

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Callable
 from contextlib import AbstractContextManager
 from pathlib import Path
+from threading import Event
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -75,7 +77,8 @@ def dynamics(
         from postprocess.dynamics.summary import dynamics_summary
         from postprocess.dynamics.table import dynamics_table
 
-        save_with(lambda target: _write(results, target), directory)
+        hurry = Event()
+        save_with(lambda target: _write(results, target, hurry.is_set), directory, hurry.set)
         document = dynamics_summary(results)
         if animation is not None and directory is not None:
             _animate(directory, animation)
@@ -91,14 +94,19 @@ def _history_folder(directory: Path | None) -> AbstractContextManager[str | Path
     return tempfile.TemporaryDirectory(TEMPORARY, name, home(directory))
 
 
-def _write(results: DynamicsResults, directory: Path) -> tuple[str, ...]:
-    """Write the results and, if there are samples, the motion for ParaView; return problems."""
+def _write(
+    results: DynamicsResults, directory: Path, hurried: Callable[[], bool]
+) -> tuple[str, ...]:
+    """Write the results and, if there are samples, the motion for ParaView; return problems.
+
+    Pictures and motion are left out when one is `hurried`.
+    """
     from postprocess.dynamics.write import write_dynamics
     from postprocess.scene.vtk_history import write_motion
 
-    problems = write_dynamics(results, directory)
+    problems = write_dynamics(results, directory, hurried)
     try:
-        if results.running.rows:
+        if results.running.rows and not hurried():
             write_motion(directory)
     except (OSError, ValueError) as error:
         if is_disk_failure(error):
@@ -136,5 +144,5 @@ def _keep(
         directory = directory.with_name(f"{directory.name}_interrupted")
     with finish_first(f"history so far in {directory}"):
         save_restart(simulation, path, case_key(case))
-        save_with(lambda target: write_dynamics(results, target, pictures=False), directory)
+        save_with(lambda target: write_dynamics(results, target, lambda: True), directory)
     say(f"history so far in {directory}; go on with --restart {path}")

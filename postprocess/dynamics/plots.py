@@ -44,12 +44,16 @@ ROUND_ORBIT = 1e-3  # smaller over larger extent of an orbit below which it is a
 SPECTRUM_REACH = 6.0  # highest frequency shown over the ball pass frequency of the inner ring [-]
 
 
-def write_dynamics_plots(directory: Path, document: dict[str, Any]) -> tuple[str, ...]:
-    """Write pictures beside the history, by it and the summary; those that failed are messages."""
+def write_dynamics_plots(
+    directory: Path, document: dict[str, Any], hurried: Callable[[], bool] = lambda: False
+) -> tuple[str, ...]:
+    """Write pictures beside the history, by it and the summary, no further ones when one is
+    `hurried`; those that failed are messages.
+    """
     with open_history(directory).load() as data:
         given = {"data": data, "document": document}
         drawings = [(name, partial(draw, **given)) for name, draw in PICTURES.items()]
-        return write_figures(directory, drawings)
+        return write_figures(directory, drawings, hurried)
 
 
 def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:

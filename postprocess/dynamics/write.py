@@ -1,6 +1,7 @@
 """Files of a time simulation."""
 
 import shutil
+from collections.abc import Callable
 from pathlib import Path
 
 from ..files import SUMMARY_FILE, write_json
@@ -11,13 +12,15 @@ from .summary import dynamics_summary
 
 
 def write_dynamics(
-    results: DynamicsResults, directory: Path, *, pictures: bool = True
+    results: DynamicsResults, directory: Path, hurried: Callable[[], bool] = lambda: False
 ) -> tuple[str, ...]:
-    """Write summary, history and, if wanted, pictures; those that failed come back as messages."""
+    """Write summary, history and, unless `hurried`, pictures; those that failed come back as
+    messages.
+    """
     directory.mkdir(parents=True, exist_ok=True)
     document = dynamics_summary(results)
     write_json(document, directory / SUMMARY_FILE)
     shutil.move(results.history, directory / HISTORY_FILE)
-    if not pictures or not results.running.rows:
+    if not results.running.rows or hurried():
         return ()
-    return write_dynamics_plots(directory, document)
+    return write_dynamics_plots(directory, document, hurried)

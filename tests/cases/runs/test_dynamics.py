@@ -17,6 +17,7 @@ from rich.console import Console
 from typer.testing import CliRunner
 
 from cases import load_case
+from cases.cli.dynamics import _write
 from cases.cli.main import app
 from cases.format.problems import CaseError
 from cases.format.shipped import find_case
@@ -140,6 +141,18 @@ def test_json_alone_writes_nothing(tmp_path, monkeypatch):
     document = json.loads(found.stdout)
     assert document["load_type"] == "axial"
     assert [path.name for path in tmp_path.iterdir()] == ["case.toml"]
+
+
+def test_an_interrupt_while_results_are_written_leaves_out_the_other_pictures(tmp_path):
+    case = load_case(short(tmp_path / "case.toml", "7008_axial"))
+    results = run_dynamics(case, "case", tmp_path / "whole.nc")
+    answers = iter((False, False, False))
+    problems = _write(results, tmp_path / "out", lambda: next(answers, True))
+    assert problems == ("the other pictures not written: interrupted",)
+    written = {path.name for path in (tmp_path / "out").iterdir()}
+    assert {"history.nc", "summary.json"} < written
+    assert sum(name.endswith(".png") for name in written) == 2
+    assert "motion.pvd" not in written
 
 
 def test_an_interrupted_run_goes_on(tmp_path):
