@@ -17,7 +17,9 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FilmValue:
-    """A film with its error bar: extrapolated from the levels, and of the finest grid."""
+    """A film, or the approach, with its error bar: extrapolated from the levels, and of the finest
+    grid.
+    """
 
     value: float  # extrapolated [-], in units of a^2/Rx
     uncertainty: float  # [-], same units; encloses the distance to the grid-converged value
@@ -130,7 +132,7 @@ class ContactSolution:
     H: Array  # shape (nx, ny) [-]
     film_central_dimensionless: FilmValue  # at (0, 0)
     film_minimum_dimensionless: FilmValue  # over the whole contact, sub-grid fit
-    approach_dimensionless: float  # H0, the constant of the film equation [-]
+    approach_dimensionless: FilmValue  # H0, the constant of the film equation; of either sign
     moes_load: float  # M [-]
     moes_lubricant: float  # L [-]
     semi_axis_ratio: float  # b/a, semi-axis along y over that along x [-]

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 from .closed_form.film import MAX_FILM_OVER_RADIUS
 from .conditions import ContactConditions, MoesConditions
 from .grid import Grid, unfolded
-from .multigrid.extrapolation import extrapolate
 from .multigrid.flow_model import FlowModel
 from .multigrid.full_multigrid import (
     ACCEPTED_ERROR,
@@ -24,14 +23,20 @@ from .multigrid.full_multigrid import (
 from .multigrid.history import CENTRAL, MINIMUM
 from .multigrid.levels import Multigrid
 from .multigrid.newton import certify
-from .multigrid.open_box import box_uncertainty, choose_domain
+from .multigrid.open_box import choose_domain
 from .multigrid.settling import Progress
 from .multigrid.supply.oil_supply import inlet_ratio, oil_supply, starved_film_guess, turned_round
 from .multigrid.supply.starvation_law import behind_layer
-from .multigrid.verdict import film_over_radius, judged, resolution_message
+from .multigrid.verdict import (
+    approach_value,
+    film_over_radius,
+    film_value,
+    judged,
+    resolution_message,
+)
 from .options import SolverOptions
 from .scaling import ScaledContact, scale_contact
-from .solution import ContactSolution, ConvergenceRecord, FilmValue
+from .solution import ContactSolution, ConvergenceRecord
 
 Array = NDArray[np.float64]
 
@@ -340,7 +345,7 @@ def _solution(
     contact = state.contact
     grid = state.levels[-1].grid
     Y, P, H = unfold_symmetry(state)
-    central, minimum = _film(result, CENTRAL), _film(result, MINIMUM)
+    central, minimum = film_value(result, CENTRAL), film_value(result, MINIMUM)
     resolved, message = resolution_message(result)
     return ContactSolution(
         conditions=conditions,
@@ -351,7 +356,7 @@ def _solution(
         H=H,
         film_central_dimensionless=central,
         film_minimum_dimensionless=minimum,
-        approach_dimensionless=state.approach,
+        approach_dimensionless=approach_value(result),
         moes_load=contact.moes_load,
         moes_lubricant=contact.moes_lubricant,
         semi_axis_ratio=contact.semi_axis_ratio,
@@ -365,15 +370,6 @@ def _solution(
         message=message,
         record=record,
     )
-
-
-def _film(result: AttemptResult, kind: int) -> FilmValue:
-    """Central (0) or minimum (1) film, extrapolated, the bar with what the box leaves open."""
-    contact = result.state.contact
-    oblique = not contact.symmetric
-    film = extrapolate(result.levels, kind, oblique=oblique)
-    by_box = box_uncertainty(result.state) * abs(film.value)
-    return replace(film, uncertainty=film.uncertainty + by_box)
 
 
 def unfold_symmetry(state: Multigrid) -> tuple[Array, Array, Array]:

@@ -43,8 +43,9 @@ class Finished:
     residual: float | None  # sum |R| / sum |div(rho u H)|
     seconds: float  # of the solve
     message: str
-    # central film and error bar, minimum film and error bar [a^2/Rx]; the same with twice the
-    # points, of a contact that is converged and resolved
+    # central film and error bar, minimum film and error bar, H0 and error bar [a^2/Rx], the last
+    # two not in files of before; the same with twice the points, of a contact that is converged
+    # and resolved
     films: tuple[float, ...] | None
     check: tuple[float, ...] | None
 
@@ -75,6 +76,13 @@ class Finished:
             return ()
         pairs = ((self.films[k], self.films[k + 1], self.check[k]) for k in (0, 2))
         return tuple((abs(film - truth) / truth, bar / truth) for film, bar, truth in pairs)
+
+    @property
+    def approach_errors(self) -> tuple[tuple[float, float], ...]:
+        """Distance to the check and error bar of H0 [a^2/Rx]; none without."""
+        if self.films is None or self.check is None or len(self.films) < 6 or len(self.check) < 6:
+            return ()
+        return ((abs(self.films[4] - self.check[4]), self.films[5]),)
 
     @property
     def strongest(self) -> str:
@@ -125,8 +133,12 @@ def _check(draw: Draw, solution: ContactSolution) -> tuple[float, ...] | None:
 
 
 def _films(solution: ContactSolution) -> tuple[float, ...]:
-    films = (solution.film_central_dimensionless, solution.film_minimum_dimensionless)
-    return tuple(float(x) for film in films for x in (film.value, film.uncertainty))
+    values = (
+        solution.film_central_dimensionless,
+        solution.film_minimum_dimensionless,
+        solution.approach_dimensionless,
+    )
+    return tuple(float(x) for value in values for x in (value.value, value.uncertainty))
 
 
 def _fineness(solution: ContactSolution) -> float | None:

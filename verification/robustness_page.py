@@ -23,6 +23,8 @@ def robustness_section(finished: Sequence[Finished], seed: int) -> Section:
     errors = [pair for f in finished for pair in f.errors]
     wrong = [error for error, bar in errors if error > max(bar, WRONG)]
     covered = sum(error <= bar for error, bar in errors) / max(len(errors), 1)
+    approach = [pair for f in finished for pair in f.approach_errors]
+    held = sum(error <= bar for error, bar in approach) / max(len(approach), 1)
     tables = [_outcomes(finished), _bars(finished), _measures(finished), _kinds(finished)]
     if any(f.outcome != OUTCOMES[0] for f in finished):
         tables.append(_unsolved(finished))
@@ -34,6 +36,11 @@ def robustness_section(finished: Sequence[Finished], seed: int) -> Section:
             Check(f"converged, of {len(resolvable)} resolvable", share, least=0.995),
             Check("neither converged nor resolved without saying so", len(silent), most=0.0),
             Check(f"of {len(errors)} films within their error bars", covered, least=COVERED),
+            *(
+                [Check(f"of {len(approach)} H₀ within their error bars", held, least=COVERED)]
+                if approach
+                else []
+            ),
             Check(f"films wrong by {WRONG:.0%} and more than their bar", len(wrong), most=0.0),
         ),
         tables=tuple(tables),
@@ -76,6 +83,12 @@ def _bars(finished: Sequence[Finished]) -> Table:
             numbers = (np.median(errors), np.median(bars), np.quantile(bars, 0.9))
             largest = f"{np.max(errors / bars):.2f}"
             rows.append((f"{kind}, {film}", within, *(percent(x, 2) for x in numbers), largest))
+    if approach := [pair for f in finished for pair in f.approach_errors]:
+        errors, bars = np.array(approach).T
+        within = f"{np.sum(errors <= bars)} of {len(errors)}"
+        numbers = (np.median(errors), np.median(bars), np.quantile(bars, 0.9))
+        row = (f"{x:.4f} a²/R_x" for x in numbers)
+        rows.append(("all, H₀", within, *row, f"{np.max(errors / bars):.2f}"))
     head = columns(
         "entrainment, film | within the bar | error, median | bar, median | bar, 9 of 10 below"
         " | largest error over bar"

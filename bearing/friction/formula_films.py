@@ -7,11 +7,12 @@ numbers here and there.
 """
 
 from dataclasses import dataclass, replace
-from math import log
+from math import inf, log
 from typing import Any
 
 import numpy as np
 
+from ehl.closed_form.hertz import hertz_deflection
 from ehl.conditions import ContactConditions
 from ehl.options import SolverOptions
 from ehl.scaling import ScaledContact, scale_contact
@@ -126,7 +127,6 @@ def _flat(conditions: ContactConditions, central: float, minimum: float | None) 
         Y=Y,
         P=pressure,
         H=film,
-        approach_dimensionless=0.0,
         semi_axis_ratio=contact.semi_axis_ratio,
         frame_angle=contact.frame_angle,
         domain=(float(X[0]), float(X[-1]), float(Y[-1])),
@@ -142,7 +142,12 @@ def _values(contact: ScaledContact, central: float, minimum: float | None) -> di
     """Numbers of a solution of a film [m], under Hertz' pressure."""
     scale = _scale(contact)
     least = central if minimum is None else minimum
+    ratio = contact.semi_axis_ratio
+    approach = central / scale - contact.deformation * contact.load * hertz_deflection(
+        0.0, 0.0, ratio
+    )
     return {
+        "approach_dimensionless": FilmValue(value=approach, uncertainty=inf, finest=approach),
         "film_central_dimensionless": _value(central / scale),
         "film_minimum_dimensionless": _value(least / scale),
         "moes_load": contact.moes_load,

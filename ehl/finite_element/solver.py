@@ -44,7 +44,7 @@ class Attempt:
     """The meshes solved so far: the last one, films of those that converged, and the outcome."""
 
     level: Level
-    films: list[tuple[float, float]]  # central and minimum [-]
+    films: list[tuple[float, float, float]]  # central and minimum, and H0 [-]
     converged: bool
     message: str
 
@@ -120,12 +120,12 @@ def _refine(
     """Solve on each mesh; one that does not converge is left out, and the next starts as it did,
     but on the finest.
     """
-    films: list[tuple[float, float]] = []
+    films: list[tuple[float, float, float]] = []
     for mesh in lattices(contact, domain, cells, levels):
         level = level_on(contact, mesh, is_open, initial)
         converged, message = newton(level, progress)
         if converged:
-            films.append((_central(level), _minimum(level)))
+            films.append((_central(level), _minimum(level), level.approach))
             initial = start_from_level(level)
         else:
             films = []
@@ -192,8 +192,8 @@ def _solution(
     level = attempt.level
     contact = level.contact
     X, Y, H = _whole_box(level, level.H)
-    films = attempt.films or [(nan, nan)]
-    central, minimum = zip(*films, strict=True)
+    films = attempt.films or [(nan, nan, nan)]
+    central, minimum, approach = zip(*films, strict=True)
     noise = record.film_change[-1]
     fineness = _fineness(X, H, minimum[-1], contact)
     resolved = attempt.converged and fineness >= RESOLVED
@@ -210,7 +210,7 @@ def _solution(
         H=H,
         film_central_dimensionless=second_order(central[-2:], noise),
         film_minimum_dimensionless=second_order(minimum[-2:], noise),
-        approach_dimensionless=level.approach,
+        approach_dimensionless=second_order(approach[-2:], noise),
         moes_load=contact.moes_load,
         moes_lubricant=contact.moes_lubricant,
         semi_axis_ratio=contact.semi_axis_ratio,

@@ -105,7 +105,7 @@ def _start(
     contact = replace(contact, film_guess=plain.film_central_dimensionless.finest)
     attempt = next(attempt for attempt in ATTEMPTS if attempt.name == plain.record.attempt)
     state = contact_multigrid(contact, plain.domain, options, attempt, flow)
-    state.approach = plain.approach_dimensionless
+    state.approach = plain.approach_dimensionless.finest
     level = state.levels[-1]
     pressure = np.ascontiguousarray(plain.P.T[-level.grid.ny :])
     start_level(state, len(state.levels) - 1, pressure)
@@ -199,13 +199,24 @@ def _solution(plain: ContactSolution, result: AttemptResult) -> ContactSolution:
         H=H,
         film_central_dimensionless=central,
         film_minimum_dimensionless=minimum,
-        approach_dimensionless=result.state.approach,
+        approach_dimensionless=_moved(plain, result),
         resolved=resolved,
         converged=result.converged,
         message=message,
         record=record,
     )
     return judged(solution)
+
+
+def _moved(plain: ContactSolution, result: AttemptResult) -> FilmValue:
+    """H0, extrapolated by the step of the Newtonian one."""
+    history = result.levels[-1]
+    before = plain.approach_dimensionless
+    return FilmValue(
+        value=before.value + history.approach[-1] - before.finest,
+        uncertainty=before.uncertainty + history.approach_noise,
+        finest=history.approach[-1],
+    )
 
 
 def _in_proportion(plain: FilmValue, result: AttemptResult, kind: int) -> FilmValue:

@@ -19,5 +19,5 @@ starved_jacobian    - derivative of its flux
 supply              - what a layer of oil at the inlet leaves of a flooded contact
 threads             - threads that share the lines of a grid
 transfer            - transfers between a grid and the one with doubled mesh size
-verdict             - what a solution may be called: converged, resolved, and why not
+verdict             - values of a solve with their bars; converged, resolved, and why not
 """

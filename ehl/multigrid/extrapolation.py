@@ -4,13 +4,14 @@ from collections.abc import Sequence
 from math import nan
 
 from ..solution import FilmValue
-from .history import LevelHistory
+from .history import CENTRAL, LevelHistory
 
 ORDER_STEP = 3.0  # 2^2 - 1: the step to the limit is the difference of two levels over this
 # Error bars, in steps of the extrapolation, chosen on 125 random contacts so that they cover 97 %
 # and judged on others, see docs/theory/contact.md: of the central and of the minimum film, with
 # the entrainment along a principal direction, and at an angle to them or turning
 STEP_SHARES = ((0.12, 0.35), (0.25, 0.7))
+APPROACH_SHARE = 0.35  # of the approach, likewise; on 100 random contacts
 SHORT_SEQUENCE = 0.5  # where the second level below the finest is none or not resolved
 UNRESOLVED_BELOW = 1.0  # where the level below is not
 LOWEST_RATIO = 2.0  # of two steps: first order
@@ -48,22 +49,46 @@ def extrapolate(levels: Sequence[LevelHistory], kind: int, *, oblique: bool = Fa
     if len(levels) < 2:
         bar = min(ALONE / max(levels[-1].fineness, 1e-9), 1.0) + noise
         return FilmValue(value=finest, uncertainty=bar * abs(finest), finest=finest)
-    films = [level.film[-1][kind] for level in levels[-3:]]
     noise = (4.0 * noise + levels[-2].noise(kind)) / 3.0
-    step = (films[-1] - films[-2]) / ORDER_STEP
-    share = STEP_SHARES[oblique][kind]
-    if not levels[-2].resolved:
-        bar = max(share, UNRESOLVED_BELOW) * abs(step)
-    elif len(films) < 3 or not levels[-3].resolved:
-        bar = max(share, SHORT_SEQUENCE) * abs(step)
-    else:
-        before = (films[-2] - films[-3]) / ORDER_STEP
-        bar = max(share * max(abs(step), 0.25 * abs(before)), _departure(step, before))
+    films = [level.film[-1][kind] for level in levels]
+    step, bar = _step(levels, films, STEP_SHARES[oblique][kind])
     if -step > LARGEST_FALL * abs(finest):  # of meshes that are all too coarse
         bar = max(bar, abs(step))
         step = 0.0
     value = finest + step
     return FilmValue(value=value, uncertainty=bar + noise * abs(value), finest=finest)
+
+
+def extrapolate_approach(levels: Sequence[LevelHistory]) -> FilmValue:
+    """H0 as the films, with an error bar that is no share of it: H0 passes zero; not a number
+    without levels. Coarsest level first.
+    """
+    if not levels:
+        return FilmValue(value=nan, uncertainty=nan, finest=nan)
+    levels = _known(levels, CENTRAL)
+    finest = levels[-1].approach[-1]
+    noise = levels[-1].approach_noise
+    if len(levels) < 2:
+        bar = min(ALONE / max(levels[-1].fineness, 1e-9), 1.0) * levels[-1].film[-1][CENTRAL]
+        return FilmValue(value=finest, uncertainty=bar + noise, finest=finest)
+    noise = (4.0 * noise + levels[-2].approach_noise) / 3.0
+    step, bar = _step(levels, [level.approach[-1] for level in levels], APPROACH_SHARE)
+    return FilmValue(value=finest + step, uncertainty=bar + noise, finest=finest)
+
+
+def _step(
+    levels: Sequence[LevelHistory], values: Sequence[float], share: float
+) -> tuple[float, float]:
+    """Step of second order from the value of the finest of two levels or more to the limit, and
+    its error bar by the mesh: that share of the step at least.
+    """
+    step = (values[-1] - values[-2]) / ORDER_STEP
+    if not levels[-2].resolved:
+        return step, max(share, UNRESOLVED_BELOW) * abs(step)
+    if len(values) < 3 or not levels[-3].resolved:
+        return step, max(share, SHORT_SEQUENCE) * abs(step)
+    before = (values[-2] - values[-3]) / ORDER_STEP
+    return step, max(share * max(abs(step), 0.25 * abs(before)), _departure(step, before))
 
 
 def _known(levels: Sequence[LevelHistory], kind: int) -> Sequence[LevelHistory]:

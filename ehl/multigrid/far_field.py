@@ -2,10 +2,18 @@
 
 Cutting the box and setting P = 0 on its edge starves the contact, and the film error falls only
 with the reciprocal of the box. Far out the deflection varies slowly, the oil is isoviscous, and
-the gap is a paraboloid, for which Reynolds' equation without cavitation has Kapitza's (1955) exact
-solution P = -(k_x X + k_y Y)/H^2, to which an entrainment that turns about the normal adds -k_xy X
-Y/H^2. It is set on the edge where it is positive, and the load it carries outside the box is taken
-from the load balance; the part of the rotation, odd in both directions, is left out of that.
+the gap is a paraboloid, H = q(theta) r^2/2. There Reynolds' equation with his condition, P = 0 and
+dP/dn = 0 where the oil breaks, has a solution P = s(theta) r/H^2 that is similar at all distances:
+with g = (q/2)^3 and f = s/(q/2)^2
+
+    (g f')' - 9 g f = lambda (u . grad H)/r,  f = f' = 0 where the oil breaks.
+
+Without cavitation it is Kapitza's (1955), s = -(k_x cos + k_y sin), exact at any level of the gap;
+with it s is little larger and reaches further back, by 18 degrees in a circle, and the load
+outside grows by 5 % there, by 17 and 21 % for Rx/Ry 0.1 and 0.01. An entrainment that turns about
+the normal adds Kapitza's -k_xy X Y/H^2. The sum is set on the edge where it is positive, and the
+load it carries outside the box is taken from the load balance; the part of the rotation, odd in
+both directions, is left out of that.
 """
 
 from dataclasses import dataclass
@@ -14,19 +22,25 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg import solve_banded
 
 from ..grid import Grid
 from ..scaling import ALIGNMENT_TOLERANCE, ScaledContact
 
 Array = NDArray[np.float64]
-DIRECTIONS = 720  # of the quadrature of the exterior load
+# of the profile s and of the quadrature of the exterior load, and where the search for the place
+# at which the oil breaks begins
+DIRECTIONS = 720
+FIRST_DIRECTIONS = 45
+MOST_PASSES = 100  # of that search on one set of directions
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FarField:
     """Coefficients of the far field [-]."""
 
-    pressure_x: float  # k_x
+    profile: Array  # s at `DIRECTIONS` angles, the first half a step from the x axis, shape (n,)
+    pressure_x: float  # k_x, of Kapitza's solution
     pressure_y: float  # k_y
     pressure_xy: float  # k_xy
     curvature_x: float  # S, T, C of the gap
@@ -34,14 +48,25 @@ class FarField:
     curvature_xy: float
 
     def strength(self, X: Array, Y: Array) -> Array:
-        """P H^2 = max(-(k_x X + k_y Y + k_xy X Y), 0) [-]."""
-        along_y = (self.pressure_y + self.pressure_xy * X) * Y
-        return np.maximum(-(self.pressure_x * X + along_y), 0.0)
+        """P H^2 = s r, with the rotation max(K - k_xy X Y, 0) + s r - max(K, 0), K of Kapitza's
+        solution without [-].
+        """
+        X, Y = np.broadcast_arrays(X, Y)
+        straight = np.interp(
+            np.arctan2(Y, X), _angles(DIRECTIONS), self.profile, period=2.0 * np.pi
+        )
+        straight = straight * np.hypot(X, Y)
+        if self.pressure_xy == 0.0:
+            return np.asarray(straight)
+        kapitza = -(self.pressure_x * X + self.pressure_y * Y)
+        turning = np.maximum(kapitza - self.pressure_xy * X * Y, 0.0)
+        return np.asarray(turning + np.maximum(straight - np.maximum(kapitza, 0.0), 0.0))
 
 
 def far_field(contact: ScaledContact) -> FarField:
-    """Kapitza's (1955) solution for a contact's gap and entrainment.
+    """The solution for a contact's gap and entrainment.
 
+    Kapitza's (1955):
     div(H^3 grad P) = lambda dH/dX' holds for P = -lambda X'/((3 + 2 D) H^2) with principal
     curvatures 1 and D; the entrainment along y has 1 and D exchanged, and both superpose. In the
     principal directions the rotation u = -Omega Y, v = Omega X has div(H^3 grad P) = lambda Omega
@@ -59,6 +84,7 @@ def far_field(contact: ScaledContact) -> FarField:
     S, T = contact.curvature_x, contact.curvature_y
     rotation = contact.rotation if abs(contact.curvature_xy) < ALIGNMENT_TOLERANCE else 0.0
     return FarField(
+        profile=_profile(contact),
         pressure_x=contact.speed * (c * along + s * across),
         pressure_y=contact.speed * (c * across - s * along),
         pressure_xy=contact.speed * rotation * (T - S) / (3.0 * (S + T)),
@@ -68,11 +94,80 @@ def far_field(contact: ScaledContact) -> FarField:
     )
 
 
+def _angles(count: int) -> Array:
+    """Middles of so many equal angles [rad]."""
+    return np.asarray((np.arange(count) + 0.5) * 2.0 * np.pi / count)
+
+
+def _profile(contact: ScaledContact) -> Array:
+    """s = f (q/2)^2 by Reynolds' condition, shape (DIRECTIONS,) [-]: finite volumes over the
+    angle, wet directions from half as many at a time.
+    """
+    count = FIRST_DIRECTIONS
+    wet = _source(contact, count) < 0.0
+    while True:
+        f, wet = _broken(contact, wet)
+        if count == DIRECTIONS:
+            return np.asarray(f * (0.5 * _curvature(contact, _angles(count))) ** 2)
+        count *= 2
+        wet = np.repeat(wet, 2)
+
+
+def _broken(contact: ScaledContact, wet: NDArray[np.bool_]) -> tuple[Array, NDArray[np.bool_]]:
+    """f over the angle, zero outside the wet directions and not negative in them, and those
+    directions; to start from.
+    """
+    count = len(wet)
+    step = 2.0 * np.pi / count
+    source = _source(contact, count)
+    # 1. downstream first, where the oil has broken: no neighbours across the ends
+    first = int(np.argmax(source))
+    angle = np.roll(_angles(count), -first)
+    source = np.roll(source, -first)
+    wet = np.roll(wet, -first)
+    # 2. (g f')' - 9 g f
+    g = (0.5 * _curvature(contact, angle)) ** 3
+    after = (0.5 * _curvature(contact, angle + 0.5 * step)) ** 3 / step**2
+    before = np.roll(after, 1)
+    middle = -(before + after) - 9.0 * g
+    f = np.zeros(count)
+    for _ in range(MOST_PASSES):
+        # 3. the equation in wet directions, f = 0 in others
+        bands = np.ones((3, count))
+        bands[0, 1:] = np.where(wet, after, 0.0)[:-1]
+        bands[1] = np.where(wet, middle, 1.0)
+        bands[2, :-1] = np.where(wet, before, 0.0)[1:]
+        f = solve_banded((1, 1), bands, np.where(wet, source, 0.0))
+        # 4. dry where f is negative, wet where oil flows into a direction without pressure
+        flow = after * np.roll(f, -1) + before * np.roll(f, 1) - source
+        turned = np.where(wet, f > 0.0, flow > 0.0)
+        if (turned == wet).all():
+            break
+        wet = turned
+    return np.roll(np.maximum(f, 0.0), first), np.roll(wet, first)
+
+
+def _curvature(contact: ScaledContact, angle: Array) -> Array:
+    """q of the gap q r^2/2 [-]."""
+    c, s = np.cos(angle), np.sin(angle)
+    mixed = 2.0 * contact.curvature_xy * c * s
+    return np.asarray(contact.curvature_x * c * c + contact.curvature_y * s * s + mixed)
+
+
+def _source(contact: ScaledContact, count: int) -> Array:
+    """lambda (u . grad H)/r over so many angles [-]."""
+    angle = _angles(count)
+    c, s = np.cos(angle), np.sin(angle)
+    along = contact.velocity_x * (contact.curvature_x * c + contact.curvature_xy * s)
+    across = contact.velocity_y * (contact.curvature_xy * c + contact.curvature_y * s)
+    return np.asarray(contact.speed * (along + across))
+
+
 def edge_pressure(
     field: FarField, grid: Grid, H: Array, P: Array, layer: Array | None = None
 ) -> None:
-    """Set P = max(-(k_x X + k_y Y + k_xy X Y)/H^2, 0) on the edge of the box, in place; zero where
-    the gap is wider than a layer, shape (ny,).
+    """Set the far field on the edge of the box, in place; zero where the gap is wider than a
+    layer, shape (ny,).
     """
     X, Y = grid.X, grid.Y
     for row in (-1,) if grid.symmetric else (0, -1):
@@ -92,19 +187,35 @@ def exterior_load(field: FarField, grid: Grid, H: Array, layer: float = inf) -> 
     return load_outside(field, *_box_and_level(field, grid, H), layer)
 
 
-def squeeze_load(field: FarField, grid: Grid, H: Array, layer: float = inf) -> float:
-    """Integral of 1/H^2 outside the box of a grid where the far field carries pressure [-]: of the
-    pressure that bodies parting or closing in set up in a paraboloid, integral from R of
-    r/(h + q r^2/2)^2 dr = 1/(q (h + q R^2/2)) along each ray, up to where the gap is as wide as a
-    layer.
+def deflection_outside(field: FarField, grid: Grid, H: Array, layer: float = inf) -> float:
+    """Double integral of P/r at the origin, of the far field outside the box of a grid up to where
+    the gap is as wide as a layer [-].
     """
     box, level = _box_and_level(field, grid, H)
     rays = _rays(field, box)
-    c = _distance(rays, level)
-    outside = 2.0 / (rays.curvature**2 * (c + rays.radius**2))
+    rings = _inverse_square(rays, level, layer)
+    return float(np.sum(rays.strength * rings)) * 2.0 * np.pi / DIRECTIONS
+
+
+def squeeze_load(field: FarField, grid: Grid, H: Array, layer: float = inf) -> float:
+    """Integral of 1/H^2 outside the box of a grid where the far field carries pressure, up to
+    where the gap is as wide as a layer [-]: of the pressure that bodies parting or closing in set
+    up in a paraboloid.
+    """
+    box, level = _box_and_level(field, grid, H)
+    rays = _rays(field, box)
+    rings = _inverse_square(rays, level, layer)
+    return float(np.sum(rings[rays.strength > 0.0])) * 2.0 * np.pi / DIRECTIONS
+
+
+def _inverse_square(rays: "_Rays", level: float, layer: float) -> Array:
+    """Integral from R of r/(h + q r^2/2)^2 dr = 1/(q (h + q R^2/2)) along each ray, up to where
+    the gap is as wide as a layer [-].
+    """
+    outside = 2.0 / (rays.curvature**2 * (_distance(rays, level) + rays.radius**2))
     if isfinite(layer):  # from the layer's gap on
         outside = np.maximum(outside - 1.0 / (rays.curvature * layer), 0.0)
-    return float(np.sum(outside[rays.strength > 0.0])) * 2.0 * np.pi / DIRECTIONS
+    return np.asarray(outside)
 
 
 def _box_and_level(
@@ -151,16 +262,14 @@ class _Rays(NamedTuple):
 
 def _rays(field: FarField, box: tuple[float, float, float]) -> _Rays:
     """Rays through the edge of a box (x_in, x_out, y_half)."""
-    angle = (np.arange(DIRECTIONS) + 0.5) * 2.0 * np.pi / DIRECTIONS
+    angle = _angles(DIRECTIONS)
     x, y = np.cos(angle), np.sin(angle)
     x_in, x_out, y_half = box
     with np.errstate(divide="ignore"):
         radius = np.minimum(np.where(x < 0.0, x_in / x, x_out / x), y_half / np.abs(y))
     along = field.curvature_x * x * x + field.curvature_y * y * y
     return _Rays(
-        strength=np.maximum(-(field.pressure_x * x + field.pressure_y * y), 0.0),
-        radius=radius,
-        curvature=along + 2.0 * field.curvature_xy * x * y,
+        strength=field.profile, radius=radius, curvature=along + 2.0 * field.curvature_xy * x * y
     )
 
 

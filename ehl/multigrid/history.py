@@ -3,6 +3,7 @@ the film that they leave.
 """
 
 from dataclasses import dataclass, field
+from itertools import pairwise
 from math import inf, isfinite
 
 import numpy as np
@@ -51,6 +52,7 @@ class LevelHistory:
     """
 
     film: list[tuple[float, float]]
+    approach: list[float]  # H0, likewise
     mesh: float  # S hx^2, twice the gap's rise in a mesh along the entrainment
     strictness: float = 1.0  # factor on what the cycles may leave, see `SolverOptions`
     starved: bool = False  # behind a layer: the oil lost counts, too
@@ -69,6 +71,7 @@ class LevelHistory:
         level = state.levels[index]
         residual, imbalance = equations
         self.film.append(film_values(level.grid, level.H))
+        self.approach.append(state.approach)
         self.residual.append(residual)
         self.imbalance.append(imbalance)
         self.load.append(load_error(state, index))
@@ -110,20 +113,24 @@ class LevelHistory:
         """Relative film error the cycles leave, change * q/(1 - q) with q the contraction of the
         last cycle [-]; after one cycle its whole change, nothing after Newton's method.
         """
-        if self.certified:
-            return 0.0
-        changes = [_change(a, b, kind) for a, b in self._pairs()]
-        if len(changes) < 2:
-            return changes[0] if changes else inf
-        before, last = changes[-2:]
-        q = min(max(last / before if before > 0.0 else 0.0, CONTRACTION[0]), CONTRACTION[1])
-        return last * q / (1.0 - q)
+        return 0.0 if self.certified else _left([_change(a, b, kind) for a, b in self._pairs()])
 
     def noise(self, kind: int) -> float:
         """Relative error of a film from cycles and equations that are not exact [-]."""
+        return max(self.remaining(kind), self._by_equations)
+
+    @property
+    def approach_noise(self) -> float:
+        """Error of H0 from cycles, equations and a load balance that are not exact [-]."""
+        left = 0.0 if self.certified else _left([abs(b - a) for a, b in pairwise(self.approach)])
+        balance = abs(self.load[-1]) if self.load else inf
+        return max(left, self._by_equations * self.film[-1][CENTRAL]) + balance
+
+    @property
+    def _by_equations(self) -> float:
+        """Relative error of the films by the residual [-]."""
         share = MENISCUS_SHARE if self.starved else 1.0
-        equations = share * RESIDUAL_TO_FILM * self.residual[-1] if self.residual else inf
-        return max(self.remaining(kind), equations)
+        return share * RESIDUAL_TO_FILM * self.residual[-1] if self.residual else inf
 
     def finished(self, below: "LevelHistory | None") -> bool:
         """Whether equations and load hold and the films are at rest, in proportion to their step
@@ -162,7 +169,7 @@ class LevelHistory:
         return min(max(SETTLED_SHARE * step, least), most)
 
     def _pairs(self) -> list[tuple[tuple[float, float], tuple[float, float]]]:
-        return list(zip(self.film[:-1], self.film[1:], strict=True))
+        return list(pairwise(self.film))
 
 
 def start_history(state: Multigrid, index: int, strictness: float = 1.0) -> LevelHistory:
@@ -171,7 +178,20 @@ def start_history(state: Multigrid, index: int, strictness: float = 1.0) -> Leve
     mesh = state.contact.curvature_x * grid.hx**2
     film = [film_values(grid, state.levels[index].H)]
     starved = state.levels[index].fill is not None
-    return LevelHistory(film=film, mesh=mesh, strictness=strictness, starved=starved)
+    return LevelHistory(
+        film=film, approach=[state.approach], mesh=mesh, strictness=strictness, starved=starved
+    )
+
+
+def _left(changes: list[float]) -> float:
+    """What cycles leave by the changes that they made, change * q/(1 - q) with q the contraction
+    of the last one.
+    """
+    if len(changes) < 2:
+        return changes[0] if changes else inf
+    before, last = changes[-2:]
+    q = min(max(last / before if before > 0.0 else 0.0, CONTRACTION[0]), CONTRACTION[1])
+    return last * q / (1.0 - q)
 
 
 def _change(before: tuple[float, float], after: tuple[float, float], kind: int) -> float:

@@ -1,13 +1,45 @@
-"""What a solution may be called: converged, resolved, and the message that says why not."""
+"""What a solve gives: its values with their error bars, and whether it may be called converged and
+resolved, with the message that says why not.
+"""
 
 from dataclasses import replace
+from math import nan
 
 from ..closed_form.film import MAX_FILM_OVER_RADIUS
-from ..solution import ContactSolution
+from ..solution import ContactSolution, FilmValue
+from .extrapolation import extrapolate, extrapolate_approach
 from .full_multigrid import AttemptResult
 from .history import CENTRAL, MINIMUM, RESOLVED
+from .open_box import approach_by_box, box_uncertainty
 
 LARGEST_BAR = 0.15  # relative error bar above which a film is reported as unresolved
+
+
+def film_value(result: AttemptResult, kind: int) -> FilmValue:
+    """Central (0) or minimum (1) film, extrapolated, the bar with what the box leaves open."""
+    contact = result.state.contact
+    oblique = not contact.symmetric
+    film = extrapolate(result.levels, kind, oblique=oblique)
+    by_box = box_uncertainty(result.state, _centre(result)) * abs(film.value)
+    return replace(film, uncertainty=film.uncertainty + by_box)
+
+
+def approach_value(result: AttemptResult) -> FilmValue:
+    """H0, extrapolated, less the deflection by the pressure outside an open box, the bar with what
+    the box leaves open.
+    """
+    approach = extrapolate_approach(result.levels)
+    outside = approach_by_box(result.state, _centre(result))
+    return replace(
+        approach,
+        value=approach.value - outside.value,
+        uncertainty=approach.uncertainty + outside.uncertainty,
+    )
+
+
+def _centre(result: AttemptResult) -> float:
+    """Central film of the finest grid [-]; not a number without levels."""
+    return result.levels[-1].film[-1][CENTRAL] if result.levels else nan
 
 
 def judged(solution: ContactSolution) -> ContactSolution:

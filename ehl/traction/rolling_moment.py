@@ -338,14 +338,14 @@ class _Ray:
         self.curvature = ray_curvature(oil.contact, x, y)
         self.end = sections(oil.contact, oil.ball_radius, x, y).end
         self.film = _edge_film(solution, self.start * x, self.start * y)
-        rigid = solution.approach_dimensionless + 0.5 * self.curvature * self.start**2
+        rigid = solution.approach_dimensionless.finest + 0.5 * self.curvature * self.start**2
         self.deflection = self.film - rigid  # on the edge of the box; it falls with 1/r
 
     def gap(self, r: Array) -> Array:
         """At distances of shape (n, m) [-]."""
         curvature, start = self.curvature[:, None], self.start[:, None]
         deflection = self.deflection[:, None] * start / r
-        rigid = self.oil.solution.approach_dimensionless + 0.5 * curvature * r**2
+        rigid = self.oil.solution.approach_dimensionless.finest + 0.5 * curvature * r**2
         excess = self.oil._excess(self.x[:, None] * r, self.y[:, None] * r)
         return np.asarray(rigid + deflection + excess)
 

@@ -63,7 +63,7 @@ def contact_summary(results: ContactResults) -> dict[str, Any]:
         "hertz_pressure_GPa": from_si("hertz_pressure_GPa", pressure),
         **film_values(record),
         **_dimensionless_films(solution),
-        "approach_dimensionless": solution.approach_dimensionless,
+        **_approach(solution),
         "pressure_centre_dimensionless": _centre(solution),
         **contact_starved_values(results),
         **response_values(results.response),
@@ -112,6 +112,15 @@ def _dimensionless_films(solution: ContactSolution) -> dict[str, float | None]:
     return values
 
 
+def _approach(solution: ContactSolution) -> dict[str, float | None]:
+    """H0 with its uncertainty [-], units a^2/Rx; None where not converged."""
+    approach = solution.approach_dimensionless if solution.converged else None
+    return {
+        "approach_dimensionless": None if approach is None else approach.value,
+        "approach_uncertainty_dimensionless": None if approach is None else approach.uncertainty,
+    }
+
+
 def _centre(solution: ContactSolution) -> float:
     """P(0, 0) [-]; the origin is a node of every grid."""
     return float(solution.P[abs(solution.X).argmin(), abs(solution.Y).argmin()])
@@ -129,6 +138,9 @@ def _finest_grid(solution: ContactSolution) -> dict[str, float | None]:
     return {
         **{f"{name}_dimensionless": film for name, film in films.items()},
         **{f"{name}_um": from_si("film_um", film) for name, film in lengths.items()},
+        "approach_dimensionless": solution.approach_dimensionless.finest
+        if solution.converged
+        else None,
         "pressure_centre_dimensionless": _centre(solution),
         "pressure_maximum_dimensionless": float(solution.P.max()),
     }

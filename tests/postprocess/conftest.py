@@ -64,7 +64,7 @@ def made_up_solution(conditions, points=65, x_in=-6.0):
         film_minimum_dimensionless=FilmValue(
             value=float(H.min()), uncertainty=0.01 * central, finest=1.005 * float(H.min())
         ),
-        approach_dimensionless=-0.55,
+        approach_dimensionless=FilmValue(value=-0.55, uncertainty=0.002, finest=-0.552),
         moes_load=scaled.moes_load,
         moes_lubricant=scaled.moes_lubricant,
         semi_axis_ratio=kappa,

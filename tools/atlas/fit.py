@@ -1,6 +1,6 @@
 """Film atlas from its solves: `python tools/atlas/fit.py`, from `build/atlas_solves.jsonl` into ehl/traction/atlas.
 
-Without that file the stored labels, `labels.csv.gz`, are taken; with it they are written anew.
+What that file holds replaces its labels in `labels.csv.gz`, from which all else is.
 """
 
 from __future__ import annotations
@@ -42,22 +42,31 @@ def label(entry):
     f, g, _ = hertz_coefficients(D)
     scale = np.pi * 6.0 / (f**3 * g) * entry["M"] ** (-4.0 / 3.0) / ((3.0 + 2.0 * D) * np.sqrt(D))
     films = [np.log(limit(a["films"][k][2], b["films"][k][2], 2.0) * A) for k in (0, 1)]
-    approach = b["approach"] + (b["approach"] - a["approach"]) / 3.0
     whole = [(y + (y - x) / (2.0**MOMENT_ORDER - 1.0)) / scale for x, y in zip(a["moments"], b["moments"], strict=True)]
     rest = [t - np.log(s) for t, s in zip(whole, entry["layers"], strict=True)]
     oil = (entry["alpha"] * 1e9, entry["z"])
-    return [entry["kind"], entry["number"], A, entry["L"], D, *oil, *films, approach, *rest, *whole]
+    return [entry["kind"], entry["number"], A, entry["L"], D, *oil, *films, b["approach"], *rest, *whole]
 
 
 def labels():
     """Kinds, and the numbers of the other columns."""
-    if SOLVES.exists():
-        rows = [row for row in map(label, map(json.loads, SOLVES.read_text().splitlines())) if row]
-        lines = [",".join(COLUMNS)] + [",".join(c if isinstance(c, str) else f"{c:.7g}" for c in row) for row in rows]
-        LABELS.write_bytes(gzip.compress("\n".join(lines).encode(), mtime=0))
     lines = gzip.decompress(LABELS.read_bytes()).decode().splitlines()[1:]
-    cells = [line.split(",") for line in lines]
+    known = {tuple(line.split(",")[:2]): line for line in lines}
+    if SOLVES.exists():
+        for entry in map(json.loads, SOLVES.read_text().splitlines()):
+            row = label(entry)
+            known.pop(place := (entry["kind"], str(entry["number"])), None)
+            if row is not None:
+                known[place] = ",".join(c if isinstance(c, str) else f"{c:.7g}" for c in row)
+        text = "\n".join([",".join(COLUMNS), *(known[place] for place in sorted(known, key=_in_order))])
+        LABELS.write_bytes(gzip.compress(text.encode(), mtime=0))
+    cells = [line.split(",") for line in known.values()]
     return np.array([c[0] for c in cells]), np.array([[float(v) for v in c[2:]] for c in cells])
+
+
+def _in_order(place):
+    """Of a part, by number."""
+    return place[0], int(place[1])
 
 
 def places(rows):

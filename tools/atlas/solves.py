@@ -1,8 +1,8 @@
-"""Solves of the film atlas: `python tools/atlas/solves.py heavy 300 oil 110 held 120 ...`, parts and counts.
+"""Solves of the film atlas: `python tools/atlas/solves.py [A<25] heavy 300 oil 110 held 120 ...`, parts and counts.
 
 Every contact is solved on 257 and 513 points, and on 1025 where their extrapolated films differ. One line of
 JSON a contact in `build/atlas_solves.jsonl`; those that it has are left out, so that a run that was stopped goes on.
-The parts come in the order they are named.
+The parts come in the order they are named; with a bound on A, those of their contacts that are lighter.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import sys
 import time
+from math import inf
 from pathlib import Path
 
 import numpy as np
@@ -57,7 +58,7 @@ def record(solution, layers):
         "films": [[f.value, f.uncertainty, f.finest] for f in films],
         "line": centre,
         "side": side,
-        "approach": solution.approach_dimensionless,
+        "approach": solution.approach_dimensionless.value,
         "moments": [rolling_moment(solution, layer * solution.film_scale).value / scale for layer in layers],
         "change": change,
         "pressure": float(solution.P.max()),
@@ -130,12 +131,15 @@ def wanted_counts(words):
 
 def main():
     """Solve what the file lacks."""
+    words = sys.argv[1:]
+    lightest = [float(word[2:]) for word in words if word.startswith("A<")]
+    most = min(lightest, default=inf)
     SOLVES.parent.mkdir(exist_ok=True)
     lines = SOLVES.read_text().splitlines() if SOLVES.exists() else []
     done = {(entry["kind"], entry["number"]) for entry in map(json.loads, lines)}
-    for kind, count in wanted_counts(sys.argv[1:]).items():
+    for kind, count in wanted_counts(words[len(lightest) :]).items():
         for place in places(kind, count):
-            if (place.kind, place.number) in done:
+            if (place.kind, place.number) in done or place.A >= most:
                 continue
             entry = solved(place)
             with SOLVES.open("a") as file:

@@ -59,8 +59,7 @@ def behind_layer(
         H=_lowered(flooded, central.value, minimum.value),
         film_central_dimensionless=central,
         film_minimum_dimensionless=minimum,
-        approach_dimensionless=flooded.approach_dimensionless
-        - (flooded.film_central_dimensionless.value - central.value),
+        approach_dimensionless=_lowered_approach(flooded, central),
         supply=supply,
     )
 
@@ -78,6 +77,17 @@ def _left(share: Share, film: FilmValue, relative: float) -> FilmValue:
         value=share.value * film.value,
         uncertainty=film.value * hypot(share.value * relative, share.uncertainty),
         finest=share.value * film.finest,
+    )
+
+
+def _lowered_approach(flooded: ContactSolution, central: FilmValue) -> FilmValue:
+    """H0 of bodies that are nearer by what the central film lost."""
+    approach = flooded.approach_dimensionless
+    lost = flooded.film_central_dimensionless.value - central.value
+    return FilmValue(
+        value=approach.value - lost,
+        uncertainty=approach.uncertainty + central.uncertainty,
+        finest=approach.finest - lost,
     )
 
 

@@ -253,7 +253,7 @@ def test_sweep_command(tmp_path):
     result = call("--robustness", "4", "--seed", "7741", "--quick", "-o", str(tmp_path), "--json")
     document = json.loads(result.stdout)
     assert result.exit_code == (0 if document["converged"] else 1)
-    assert len(document["checks"]) == 4 and document["checks"][1]["passed"]  # nothing unsound goes unsaid
+    assert len(document["checks"]) == 5 and document["checks"][1]["passed"]  # nothing unsound goes unsaid
     assert (tmp_path / "images" / "robustness.png").stat().st_size > 10_000
     assert "4 contacts, seed 7741" in (tmp_path / "robustness.md").read_text(encoding="utf-8")
 

@@ -7,12 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from scipy.integrate import solve_bvp
 
 from ehl import ContactConditions, DensityLaw, Lubricant, MoesConditions, SolverOptions, ViscosityLaw
 from ehl.closed_form.hertz import hertz_contact
 from ehl.conditions import moes_groups
 from ehl.grid import Grid
-from ehl.multigrid.far_field import edge_pressure, exterior_load, far_field, squeeze_load
+from ehl.multigrid.far_field import deflection_outside, edge_pressure, exterior_load, far_field, squeeze_load
 from ehl.oil.lubricant import density, viscosity
 from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
 
@@ -119,47 +120,108 @@ def test_far_field_solves_reynolds_on_a_paraboloid(angle, rotation):
     assert_allclose(np.log2(np.divide(errors[:-1], errors[1:])), 2.0, atol=0.15)
 
 
-def test_exterior_load_is_the_integral_of_the_far_field():
-    """Against brute-force summation over a plane 60 times the box; the rest beyond carries 1/60 of it."""
-    oil = Lubricant(viscosity=0.05, pressure_viscosity=1e-9)
-    c = scale_contact(MoesConditions(load_parameter=5.0, lubricant_parameter=1.0, radius_ratio=0.5, lubricant=oil))
-    box = Grid(x_in=-5.0, hx=0.25, hy=0.25, nx=29, ny=13, symmetric=True)
+def where_oil_breaks(contact):
+    """Angle at which it breaks, and angles up to pi with s there, by collocation with that angle as unknown."""
+    ratio = contact.curvature_y / contact.curvature_x
+
+    def rates(t, y, p):
+        angle = p[0] + t * (np.pi - p[0])
+        half = 0.5 * (np.cos(angle) ** 2 + ratio * np.sin(angle) ** 2)
+        slope = (ratio - 1.0) * np.cos(angle) * np.sin(angle)  # of half
+        second = np.cos(angle) / half**3 + 9.0 * y[0] - 3.0 * slope / half * y[1]
+        return (np.pi - p[0]) * np.array([y[1], second])
+
+    t = np.linspace(0.0, 1.0, 200)
+    start = [-np.cos(t * np.pi).clip(-1.0, 0.0) / (3.0 + 2.0 * ratio), np.zeros_like(t)]
+    found = solve_bvp(rates, lambda a, b, p: np.array([a[0], a[1], b[1]]), t, start, [1.3], tol=1e-6, max_nodes=20000)
+    assert found.success
+    angle = found.p[0] + found.x * (np.pi - found.p[0])
+    half = 0.5 * (np.cos(angle) ** 2 + ratio * np.sin(angle) ** 2)
+    return found.p[0], angle, contact.speed * found.y[0] * half**2
+
+
+@pytest.mark.parametrize("ratio", [0.2, 0.4, 1.0, 4.0])
+def test_far_field_breaks_where_pressure_and_slope_are_zero(ratio):
+    """18 degrees behind the middle of a circle; s against collocation."""
+    c = scale_contact(MoesConditions(load_parameter=5.0, lubricant_parameter=1.0, radius_ratio=ratio, lubricant=OIL))
+    broken, angle, strength = where_oil_breaks(c)
+    if ratio == 1.0:
+        assert np.degrees(broken) == pytest.approx(72.0, abs=0.5)
     field = far_field(c)
+    ours = field.strength(np.cos(angle), np.sin(angle))
+    assert_allclose(ours, strength, atol=2e-3 * strength.max())
+    assert_allclose(field.strength(np.cos(angle), -np.sin(angle)), ours, atol=1e-9 * strength.max())
+    before = np.linspace(-broken + 0.01, broken - 0.01, 50)
+    assert np.all(field.strength(np.cos(before), np.sin(before)) == 0.0)
+
+
+def test_a_rotation_adds_its_own_far_field():
+    """Where neither breaks, K - k_xy X Y and what the break adds to K."""
+    c = scale_contact(MoesConditions(load_parameter=5.0, lubricant_parameter=1.0, radius_ratio=0.3, lubricant=OIL))
+    still, turned = far_field(c), far_field(replace(c, rotation=0.2))
+    X, Y = np.full(9, -3.0), np.linspace(-1.0, 1.0, 9)
+    assert turned.pressure_xy != 0.0
+    assert_allclose(turned.strength(X, Y), still.strength(X, Y) - turned.pressure_xy * X * Y, rtol=1e-12)
+
+
+def light(ratio=0.5):
+    """A light contact with a box and the gap of a paraboloid in it."""
+    c = scale_contact(MoesConditions(load_parameter=5.0, lubricant_parameter=1.0, radius_ratio=ratio, lubricant=OIL))
+    box = Grid(x_in=-5.0, hx=0.25, hy=0.25, nx=29, ny=13, symmetric=True)
 
     def gap(X, Y):
         return 0.8 + 0.5 * c.curvature_x * X**2 + 0.5 * c.curvature_y * Y**2
 
-    X, Y = np.arange(-300.0, 0.0, 0.05)[None, :] + 0.025, np.arange(0.0, 300.0, 0.05)[:, None] + 0.025
-    P = -field.pressure_x * X / gap(X, Y) ** 2
-    outside = (X < box.X[0]) | (Y > box.Y[-1])
-    brute = 2.0 * np.sum(P[outside]) * 0.05**2
+    return far_field(c), box, gap
+
+
+def beyond(field, box, gap, step, size=300.0):
+    """Places outside the box, over half a plane; their gap and s r, those with pressure only."""
+    X, Y = np.arange(-size, size, step)[None, :] + 0.5 * step, np.arange(0.0, size, step)[:, None] + 0.5 * step
+    outside = (X < box.X[0]) | (X > box.X[-1]) | (Y > box.Y[-1])
+    strength = field.strength(X, Y)
+    wet = outside & (strength > 0.0)
+    return gap(X, Y)[wet], strength[wet], np.hypot(X, Y)[wet]
+
+
+def test_deflection_outside_is_the_integral_of_the_far_field_over_the_distance():
+    """Against brute-force summation over a plane 60 times the box; little lies beyond."""
+    field, box, gap = light()
+    film, strength, distance = beyond(field, box, gap, 0.2)
+    brute = 2.0 * np.sum(strength / film**2 / distance) * 0.2**2
+    ours = deflection_outside(field, box, gap(box.X[None, :], box.Y[:, None]))
+    assert_allclose(ours, brute, rtol=5e-3)
+    near = deflection_outside(field, box, gap(box.X[None, :], box.Y[:, None]), layer=60.0)
+    within = film < 60.0
+    assert_allclose(near, 2.0 * np.sum((strength / film**2 / distance)[within]) * 0.2**2, rtol=5e-3)
+
+
+def test_exterior_load_is_the_integral_of_the_far_field():
+    """Against brute-force summation over a plane 60 times the box; the rest beyond carries 1/60 of it."""
+    field, box, gap = light()
+    film, strength, _ = beyond(field, box, gap, 0.1)
+    brute = 2.0 * np.sum(strength / film**2) * 0.1**2
     ours = exterior_load(field, box, gap(box.X[None, :], box.Y[:, None]))
     assert 0.97 * ours < brute < 1.0 * ours
 
 
 def test_squeeze_load_is_the_integral_of_one_over_the_gap_squared():
-    """Against brute-force summation over the half plane of the inlet, 60 times the box; little lies beyond."""
-    oil = Lubricant(viscosity=0.05, pressure_viscosity=1e-9)
-    c = scale_contact(MoesConditions(load_parameter=5.0, lubricant_parameter=1.0, radius_ratio=0.5, lubricant=oil))
-    box = Grid(x_in=-5.0, hx=0.25, hy=0.25, nx=29, ny=13, symmetric=True)
-
-    def gap(X, Y):
-        return 0.8 + 0.5 * c.curvature_x * X**2 + 0.5 * c.curvature_y * Y**2
-
-    X, Y = np.arange(-300.0, 0.0, 0.1)[None, :] + 0.05, np.arange(0.0, 300.0, 0.1)[:, None] + 0.05
-    outside = (X < box.X[0]) | (Y > box.Y[-1])
-    brute = 2.0 * np.sum(1.0 / gap(X, Y)[outside] ** 2) * 0.1**2
-    ours = squeeze_load(far_field(c), box, gap(box.X[None, :], box.Y[:, None]))
+    """Against brute-force summation over the oil that carries pressure, 60 times the box; little lies beyond."""
+    field, box, gap = light()
+    film, _, _ = beyond(field, box, gap, 0.1)
+    brute = 2.0 * np.sum(1.0 / film**2) * 0.1**2
+    ours = squeeze_load(field, box, gap(box.X[None, :], box.Y[:, None]))
     assert_allclose(ours, brute, rtol=5e-3)
 
 
-def test_edge_pressure_is_positive_upstream_only():
+def test_edge_pressure_is_positive_where_the_oil_holds():
+    """Upstream, and beside the contact to a little behind its middle."""
     c = scale_contact(INNER)
     grid = Grid(x_in=-4.0, hx=0.5, hy=2.0, nx=13, ny=9, symmetric=True)
     P, H = np.zeros((9, 13)), np.full((9, 13), 8.0)
     edge_pressure(far_field(c), grid, H, P)
     assert np.all(P[:, 0] > 0.0)
-    assert np.all(P[-1, grid.X < 0.0] > 0.0)
-    assert np.all(P[-1, grid.X >= 0.0] == 0.0)
+    assert np.all(P[-1, grid.X <= 1.0] > 0.0)
+    assert np.all(P[-1, grid.X > 1.0] == 0.0)
     assert np.all(P[:, -1] == 0.0)
     assert np.all(P[:-1, 1:-1] == 0.0)

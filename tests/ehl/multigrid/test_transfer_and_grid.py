@@ -7,7 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from ehl.grid import Grid, grid_hierarchy
-from ehl.multigrid.extrapolation import extrapolate, second_order
+from ehl.multigrid.extrapolation import extrapolate, extrapolate_approach, second_order
 from ehl.multigrid.history import STALLED_CYCLES, LevelHistory, central_film, film_values
 from ehl.multigrid.transfer import full_weighting, inject, interpolate_cubic, interpolate_linear
 
@@ -85,6 +85,8 @@ def levels(films, fineness=100.0, noise=0.0):
     return [
         LevelHistory(
             film=[(value * (1.0 + x), value) for x in (4.0 * noise, 2.0 * noise, 0.0)],
+            approach=[value - 1.0 + x for x in (4.0 * noise, 2.0 * noise, 0.0)],
+            load=[0.0, 0.0],
             mesh=value / fineness * 4.0 ** (count - 1 - number),
             residual=[0.0, 0.0],
         )
@@ -98,6 +100,18 @@ def test_extrapolation_finds_the_limit_of_a_second_order_sequence():
     assert_allclose(film.value, 1.0, rtol=1e-12)
     assert film.finest == values[-1]
     assert 0.0 < film.uncertainty < film.value - film.finest
+
+
+def test_approach_is_extrapolated_through_zero_with_a_bar_of_its_own():
+    """Limit 0 of a sequence of second order; the bar is no share of it, and holds the load's error."""
+    exact = levels([1.0 - 0.1 * 4.0**-level for level in range(4)])
+    found = extrapolate_approach(exact)
+    assert_allclose(found.value, 0.0, atol=1e-12)
+    assert found.finest == exact[-1].approach[-1]
+    assert 0.0 < found.uncertainty < found.value - found.finest
+    exact[-1].load = [0.0, 3e-3]
+    assert extrapolate_approach(exact).uncertainty == pytest.approx(found.uncertainty + 4e-3)
+    assert np.isnan(extrapolate_approach([]).value)
 
 
 @pytest.mark.parametrize("order", [1.2, 1.6, 3.0])
@@ -173,7 +187,7 @@ def test_second_order_of_two_meshes():
     ],
 )
 def test_cycles_that_come_no_nearer_have_stalled(residual, stalled):
-    assert LevelHistory(film=[(1.0, 1.0)], mesh=0.01, residual=residual).stalled is stalled
+    assert LevelHistory(film=[(1.0, 1.0)], approach=[0.0], mesh=0.01, residual=residual).stalled is stalled
 
 
 @pytest.mark.parametrize(
@@ -189,6 +203,10 @@ def test_cycles_that_come_no_nearer_have_stalled(residual, stalled):
 )
 def test_cycles_that_near_the_solution_go_on(residual, film, nearing):
     history = LevelHistory(
-        film=[(value, value) for value in film], mesh=0.01, residual=residual, load=[0.0] * len(residual)
+        film=[(value, value) for value in film],
+        approach=[0.0] * len(film),
+        mesh=0.01,
+        residual=residual,
+        load=[0.0] * len(residual),
     )
     assert history.nearing is nearing

@@ -16,7 +16,9 @@ from scipy.special import ellipe
 
 import ehl
 from ehl.kinematics import contact_kinematics
+from ehl.multigrid.far_field import far_field
 from ehl.scaling import scale_contact
+from ehl.solution import FilmValue
 from ehl.traction.rolling_moment import rolling_moment, scaled_as_solved
 from ehl.traction.shear import integrate_traction
 
@@ -47,7 +49,7 @@ def paraboloid(solution, approach=0.0, **changes):
         Y=Y,
         H=H,
         P=np.zeros_like(H),
-        approach_dimensionless=approach,
+        approach_dimensionless=FilmValue(value=approach, uncertainty=0.0, finest=approach),
         semi_axis_ratio=1.0,
         semi_axis_x=contact.semi_axis_x,
         film_scale=contact.film_scale,
@@ -56,10 +58,24 @@ def paraboloid(solution, approach=0.0, **changes):
 
 
 def per_logarithm(conditions):
-    """24 pi eta u Rx^2/((3 + 2 D) sqrt(D)), the moment of a distance e times as long [N m]."""
+    """24 pi eta u Rx^2/((3 + 2 D) sqrt(D)) of Kapitza's pressure, more as the oil breaks later: the moment of a
+    distance e times as long [N m].
+    """
     d = conditions.radius_x / conditions.radius_y
     flow = conditions.lubricant.viscosity * conditions.entrainment_speed * conditions.radius_x**2
-    return 24.0 * pi * flow / ((3.0 + 2.0 * d) * np.sqrt(d))
+    return by_the_break(conditions) * 24.0 * pi * flow / ((3.0 + 2.0 * d) * np.sqrt(d))
+
+
+def by_the_break(conditions):
+    """Moment of the far field over that of Kapitza's pressure, s cos over the angle [-]."""
+    field = far_field(scale_contact(conditions))
+    angle = (np.arange(field.profile.size) + 0.5) * 2.0 * pi / field.profile.size
+    along = np.cos(angle)
+    gap = field.curvature_x * along**2 + field.curvature_y * np.sin(angle) ** 2
+    kapitza = np.maximum(-field.pressure_x * along, 0.0)
+    share = float(np.sum(field.profile * along / gap**2) / np.sum(kapitza * along / gap**2))
+    assert 1.005 < share < 1.04
+    return share
 
 
 @pytest.mark.parametrize("radius_ratio", [1.0 / 45.0, 0.4, 1.0])
@@ -81,7 +97,7 @@ def test_approach_of_the_bodies_is_in_the_gap_beyond_the_box(solution):
     ends = (10.0, 14.0)  # the box ends at 4 and at 3 with sqrt(4^2 + 3^2) in its corners
     near, far = (rolling_moment(made, (0.7 + 0.5 * end**2) * made.film_scale).value for end in ends)
     r = np.linspace(*ends, 4001)
-    scale = contact.speed / 5.0 * made.hertz_pressure * made.semi_axis_x**3
+    scale = by_the_break(made.conditions) * contact.speed / 5.0 * made.hertz_pressure * made.semi_axis_x**3
     assert_allclose(far - near, scale * 0.5 * pi * np.trapezoid(r**3 / (0.7 + 0.5 * r**2) ** 2, r), rtol=1e-3)
 
 
@@ -96,7 +112,7 @@ def test_far_out_the_gap_is_that_of_circles(solution, conditions):
     assert_allclose([near.extent, far.extent], np.multiply(ends, radius), rtol=1e-6)
     r = np.linspace(*ends, 4001) * radius / made.semi_axis_x
     gap = (radius - np.sqrt(radius**2 - (r * made.semi_axis_x) ** 2)) / made.film_scale
-    scale = contact.speed / 5.0 * made.hertz_pressure * made.semi_axis_x**3
+    scale = by_the_break(made.conditions) * contact.speed / 5.0 * made.hertz_pressure * made.semi_axis_x**3
     assert_allclose(far.value - near.value, scale * pi * np.trapezoid(r**3 / gap**2, r) / 2.0, rtol=3e-3)
     ball = paraboloid(solution, radius_y=conditions.radius_x, load=5.0, ball_radius=conditions.radius_x)
     assert_allclose(rolling_moment(ball, layers[1]).value, far.value, rtol=1e-12)
@@ -231,7 +247,8 @@ def test_traction_takes_the_moment_given(solution, conditions):
     rheology = ehl.oil.rheology.Rheology()
     box = integrate_traction(solution, motion, rheology)
     found = integrate_traction(solution, motion, rheology, rolling_resistance=moment.value)
-    assert_allclose(moment.box, -box.hydrodynamic_moment, rtol=1e-9)
+    # the strips behind the box begin without the little pressure of the outlet's corners
+    assert_allclose(moment.box, -box.hydrodynamic_moment, rtol=2e-6)
     assert found.hydrodynamic_moment == -moment.value
     assert_allclose(found.rolling_moment_1 - found.curvature_moment, -moment.value, rtol=1e-12)
     assert_allclose(found.pumping_loss, moment.value * motion.rolling, rtol=1e-9)
