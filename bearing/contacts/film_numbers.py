@@ -27,9 +27,9 @@ from .formula_moment import flooded_moment
 
 # of R_x, the thickest film that counts: beyond, no elastohydrodynamic formula holds [-]
 THICKEST_FILM = 0.02
-# of Nijenbanning's formula, fitted to what was solved in wide ellipses from M = 1 to 6 (0.785 to
-# 0.791) [-]
-LIGHT_CONTACT = 0.785
+# of Nijenbanning's formula, fitted to what was solved in wide ellipses from M = 1 to 6 (R_x/R_y
+# 0.02 to 0.1: 0.823 to 0.846) [-]
+LIGHT_CONTACT = 0.83
 FORMULA_ERROR = 0.2  # of the central film of the formulas alone [-], see above
 # of formulas scaled to the atlas, per unit of ln A, ln L and z beyond its range [-]
 BEYOND_ERROR = 0.1

@@ -1,25 +1,25 @@
 r"""Hydrodynamic rolling moment of the oil that a contact has, up to its meniscus.
 
-Far from a flooded contact Kapitza's (1955) pressure is :math:`-k_x x/H^2`
+Far from a flooded contact the pressure is :math:`s(\theta) r/H^2`, near Kapitza's (1955)
+:math:`-k_x x/H^2` ahead of the contact and zero where oil breaks behind it
 (`ehl.multigrid.far_field`), so that the moment :math:`-\iint x p` of the oil between two distances
-from the centre of a paraboloid gap is
+from the centre of a paraboloid gap is, by Kapitza's,
 
 .. math:: \frac{24 \pi\,\eta_0 u R_x^2}{(3 + 2 R_x/R_y)\sqrt{R_x/R_y}}\,\ln\frac{r_2}{r_1},
 
 whatever the load: it grows with the logarithm of the oil's extent, half of that of the layer's.
 The extent is the oil's, not the solver's box. On each ray from the centre oil counts up to the
 meniscus, where the gap is as wide as the layer that the bodies carry in
-(`Lubricant.flooded_layer`): in the box the solved pressure, beyond its edge Kapitza's, which the
-solver has set on that edge. Farther out than 0.2 of the smaller radius of a ray's section the gap
+(`Lubricant.flooded_layer`): in the box the solved pressure, beyond its edge that of the far field,
+which the solver has set on that edge (1.4 % more than Kapitza's moment for a sphere, 3.5 % for
+:math:`R_x/R_y = 1/45`). Farther out than 0.2 of the smaller radius of a ray's section the gap
 is that of two circles (`oil_extent`); the pressure goes with its square there.
 
 What that leaves out. The film is solved without a meniscus: at one, where the pressure vanishes,
 mass conservation asks for a layer of 0.3675 of the gap under a sphere, and the moment is that of
 Kapitza's pressure up to a gap of 1.446 layers: 0.18 of the moment above per unit of logarithm more
-(`tests/ehl/traction/test_meniscus.py`), more yet in wide ellipses. Kapitza's positive half knows
-no rupture: its moment is too small by 1.4 % for a sphere and 3.5 % for :math:`R_x/R_y = 1/45`. And
-his pressure over the square of the gap of circles is, up to 0.3 of the radius, 1.2 % above that of
-Reynolds' equation in it.
+(`tests/ehl/traction/test_meniscus.py`), more yet in wide ellipses. And the pressure over the square
+of the gap of circles is, up to 0.3 of the radius, 1.2 % above that of Reynolds' equation in it.
 """
 
 from dataclasses import dataclass

@@ -40,6 +40,10 @@ PARTS = {
     "held oil": Part((7.0, 160.0), (0.0, 30.0), (0.01, 1.0), any_oil=True, random=True, seed=HELD_OUT + 1),
     "light": Part(LIGHT, LUBRICANT, SLIM, any_oil=False, random=False, seed=4),
     "held light": Part((2.4, 7.0), (0.0, 30.0), (0.01, 1.0), any_oil=False, random=True, seed=HELD_OUT + 2),
+    "light oil": Part(LIGHT, LUBRICANT, SLIM, any_oil=True, random=False, seed=6),
+    "held light oil": Part((2.4, 7.0), (0.0, 30.0), (0.01, 1.0), any_oil=True, random=True, seed=HELD_OUT + 4),
+    "light along": Part(LIGHT, LUBRICANT, WIDE, any_oil=False, random=False, seed=7),
+    "held light along": Part((2.4, 7.0), (0.0, 30.0), (1.0, 5.0), any_oil=False, random=True, seed=HELD_OUT + 5),
     "along": Part((6.3, 175.0), LUBRICANT, WIDE, any_oil=False, random=False, seed=5),
     "held along": Part((7.0, 160.0), (0.0, 30.0), (1.0, 5.0), any_oil=False, random=True, seed=HELD_OUT + 3),
 }

@@ -13,13 +13,17 @@ import numpy as np
 from solves import SOLVES
 
 from ehl.closed_form.hertz import hertz_coefficients
-from ehl.traction.atlas.table import FILE, oil_terms, radial, trend_terms
+from ehl.traction.atlas.table import FILE, Patch, Table, functions, oil_terms, patch_base, radial, trend_terms
 
 LABELS = Path(__file__).with_name("labels.csv.gz")
 COLUMNS = "kind number A L D alpha z central minimum approach t8 t25 t400 scale8 scale25 scale400".split()
-FITTED = ("heavy", "start", "along", "light")
-LEAST_LOAD = 5.0  # A of the lightest contacts that are fitted
-SCALES = (2.5, 4.0, 6.0)  # of ln A, sqrt L, ln D: by the errors of contacts left out
+FITTED = ("heavy", "start", "along", "light", "light along")
+OILS = ("oil", "light oil")
+LOADS = {"light": (2.2, 12.0), "heavy": (5.0, 175.0)}  # A that each patch is fitted to
+# of ln A, sqrt L, ln D: by the errors of contacts left out
+SCALES = {"light": (0.8, 4.0, 6.0), "heavy": (2.5, 4.0, 6.0)}
+# that judge, by patch: the base oil with Rx/Ry up to 1 and above, other oils
+JUDGES = (("held light", "held light along", "held light oil"), ("held", "held along", "held oil"))
 DEVIATION, TREND, NOISE = 0.3, 5.0, 1e-3  # prior deviations of the functions and of the labels
 MOMENT_ORDER = 1.45  # as in ehl.traction.rolling_moment
 STEEP = 0.1  # step from mesh to mesh beyond which none is extrapolated
@@ -74,10 +78,10 @@ def places(rows):
     return np.column_stack([np.log(rows[:, 0]), np.sqrt(rows[:, 1]), np.log(rows[:, 2])])
 
 
-def fitted(x, y):
+def fitted(x, y, scales):
     """Weights of trend and radial functions, outliers weighed down by what the other contacts say of them."""
     basis = trend_terms(x)
-    prior = DEVIATION**2 * radial(x, x, np.array(SCALES)) + TREND**2 * basis @ basis.T
+    prior = DEVIATION**2 * radial(x, x, scales) + TREND**2 * basis @ basis.T
     doubt = np.ones(len(y))
     for _ in range(3):
         inverse = np.linalg.inv(prior + np.diag(NOISE**2 * doubt))
@@ -101,34 +105,38 @@ def table(text, error):
     print(f"{text:11s} {len(error):4d}", *(f"{a:.2f}/{b:.2f}/{c:.2f}" for a, b, c in triples))
 
 
+def patch(name, kinds, rows):
+    """Functions over a part of the range."""
+    low, high = LOADS[name]
+    there = (rows[:, 0] > low) & (rows[:, 0] < high)
+    x, y, scales = places(rows), rows[:, 5:11], np.array(SCALES[name])
+    own = np.isin(kinds, FITTED) & there
+    mean = y[own].mean(0)
+    pairs = [fitted(x[own], y[own, k] - mean[k], scales) for k in range(y.shape[1])]
+    trend, weights = np.array([p[0] for p in pairs]).T, np.array([p[1] for p in pairs]).T
+    solved = x[own].astype(np.float32).astype(float)
+    base = Patch(solved, scales, mean, trend, weights, np.zeros(0))
+    oil = np.isin(kinds, OILS) & there
+    terms = oil_terms(x[oil], rows[oil, 3] * 1e-9, rows[oil, 4])
+    normal = terms.T @ terms + RIDGE * np.eye(terms.shape[1])
+    return base._replace(oils=np.linalg.solve(normal, terms.T @ (y[oil] - patch_base(base, x[oil]))))
+
+
 def main():
     """Fit, judge, write."""
     kinds, rows = labels()
+    light, heavy = (patch(name, kinds, rows) for name in ("light", "heavy"))
     x, y = places(rows), rows[:, 5:11]
-    own = np.isin(kinds, FITTED) & (rows[:, 0] > LEAST_LOAD)
-    mean = y[own].mean(0)
-    pairs = [fitted(x[own], y[own, k] - mean[k]) for k in range(y.shape[1])]
-    trend, weights = np.array([p[0] for p in pairs]).T, np.array([p[1] for p in pairs]).T
-    base = mean + trend_terms(x) @ trend + radial(x, x[own], np.array(SCALES)) @ weights
-    oil = kinds == "oil"
-    terms = oil_terms(x, rows[:, 3] * 1e-9, rows[:, 4])
-    normal = terms[oil].T @ terms[oil] + RIDGE * np.eye(terms.shape[1])
-    oils = np.linalg.solve(normal, terms[oil].T @ (y[oil] - base[oil]))
-    error = relative(base + terms @ oils - y, rows)
+    known = Table(light, heavy, np.zeros((*np.shape(JUDGES), y.shape[1])))
+    error = relative(functions(x, rows[:, 3] * 1e-9, rows[:, 4], known) - y, rows)
     print("max/95 %/rms [%]: central, minimum, approach (of a^2/Rx), moment within thin, thick, very thick layer")
     for kind in sorted(set(kinds)):
-        table(kind, error[(kinds == kind) & (rows[:, 0] > LEAST_LOAD)])
-    bars = [np.quantile(np.abs(error[kinds == k]), 0.95, axis=0) for k in ("held", "held along", "held oil")]
-    np.savez_compressed(
-        FILE,
-        places=x[own].astype(np.float32).astype(float),
-        scales=np.array(SCALES),
-        mean=mean,
-        trend=trend,
-        weights=weights,
-        oils=oils,
-        bars=np.array(bars),
-    )
+        table(kind, error[kinds == kind])
+    bars = [[np.quantile(np.abs(error[kinds == kind]), 0.95, axis=0) for kind in part] for part in JUDGES]
+    stored = {
+        f"{name} {key}": v for name, own in (("light", light), ("heavy", heavy)) for key, v in own._asdict().items()
+    }
+    np.savez_compressed(FILE, bars=np.array(bars), **stored)
 
 
 if __name__ == "__main__":

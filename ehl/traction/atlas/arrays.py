@@ -1,7 +1,7 @@
 """Films of many flooded contacts at once from the atlas.
 
-The functions of `table` in ln A, sqrt L and ln D are evaluated once on a lattice, and contacts
-take a cubic through its nodes: films are within 0.04 % of the table, a tenth of its error bars,
+The functions of `table` in ln A, sqrt L and ln D are evaluated once on a lattice for each of its
+patches, and contacts take a cubic through the nodes: films are within 0.04 % of the table, a tenth of its error bars,
 and take less than a microsecond (`python benchmarks/film_atlas.py`).
 """
 
@@ -17,7 +17,7 @@ from ...arrays import Array
 from ...closed_form.hertz import hertz_coefficients
 from . import _lookup_kernels
 from .films import RANGE, STIFFNESS_ERROR
-from .table import BASE_ALPHA, BASE_Z, bars_of, functions, table
+from .table import BASE_ALPHA, BASE_Z, SEAM, Patch, bars_of, heavy_share, patch_base, table
 
 NODES = (25, 21, 41)  # of ln A, sqrt L, ln D; with half as many, films are within 0.4 % only
 RATIOS = 129  # of ln D for f, within 2e-9; half as many within 3e-8
@@ -58,12 +58,12 @@ class FilmArrays:
 
 
 class _Lattice(NamedTuple):
-    """What contacts are looked up in [-]."""
+    """What contacts of a patch are looked up in [-]."""
 
     low: Array  # (3,) of x
     step: Array  # (3,)
     values: Array  # (*NODES, 3)
-    sizes: Array  # (RATIOS,) ln f over even ln D
+    oils: Array  # (20, 6)
 
 
 def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
@@ -75,18 +75,15 @@ def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
         If the arrays cannot be brought to one shape.
     """
     shape, columns = _columns(contacts)
-    lattice = _lattice()
     # 1. places in the table, those of contacts outside anywhere
-    place = _places(columns, lattice)
-    x = place.x
-    x[~place.inside] = lattice.low + 2.0 * lattice.step
+    place = _places(columns)
+    place.x[~place.inside] = np.log(SEAM[1]), 1.0, 0.0
     # 2. functions, films in a^2/Rx
-    found = np.empty((len(x), FUNCTIONS + 1))
-    of_oil = (place.exponent, place.coefficient)
-    grid = (lattice.low, lattice.step, lattice.values, table().oils)
-    _lookup_kernels.look_up(x, *of_oil, *grid, found)
+    x = place.x
+    found = _found(place)
     # 3. scales
-    bars = bars_of(np.exp(x[:, 2]), (of_oil[0] == 0.0) & (of_oil[1] == 0.0))
+    base = (place.exponent == 0.0) & (place.coefficient == 0.0)
+    bars = bars_of(np.exp(x[:, 0]), np.exp(x[:, 2]), base)
     height = place.height
     films = np.exp(found[:, :2] - x[:, :1]) * height[:, None]
     stiffness = -1.5 * columns[0] / (height * (found[:, 2] + found[:, 3]))
@@ -107,6 +104,21 @@ def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
     )
 
 
+def _found(place: "_Places") -> Array:
+    """ln(Hc A), ln(Hmin A), H0 and dH0/dlnA, shape (n, 4) [-]."""
+    share, rise = heavy_share(place.x[:, 0])
+    found = np.zeros((len(share), FUNCTIONS + 1))
+    signs = ((1.0 - share, -rise), (share, rise))
+    for lattice, (weight, slope) in zip(_lattices(), signs, strict=True):
+        own = np.flatnonzero(weight > 0.0)
+        values = np.empty((len(own), FUNCTIONS + 1))
+        oils = place.exponent[own], place.coefficient[own]
+        _lookup_kernels.look_up(place.x[own], *oils, *lattice, values)
+        found[own] += weight[own, None] * values
+        found[own, FUNCTIONS] += slope[own] * values[:, FUNCTIONS - 1]
+    return found
+
+
 def _columns(c: ContactArrays) -> tuple[tuple[int, ...], list[Array]]:
     """Shape of the contacts, and their numbers in the order of the fields, shape (n,)."""
     given = (c.load, c.radius_x, c.radius_y, c.reduced_modulus, c.entrainment_speed, c.viscosity)
@@ -125,7 +137,7 @@ class _Places(NamedTuple):
     inside: NDArray[np.bool_]
 
 
-def _places(columns: list[Array], lattice: _Lattice) -> _Places:
+def _places(columns: list[Array]) -> _Places:
     """L = alpha E' (2U)^(1/4), D and A = f^2 M^(2/3) = f^2 (F/(E' Rx^2))^(2/3)/sqrt(2U)."""
     force, along, across, modulus, speed, eta, alpha, z = columns
     x = np.empty((len(force), 3))
@@ -135,7 +147,7 @@ def _places(columns: list[Array], lattice: _Lattice) -> _Places:
         ratio = along / across
         x[:, 1] = np.sqrt(thick)
         x[:, 2] = np.log(ratio)
-        size = _axes(x[:, 2], lattice)
+        size = _axes(x[:, 2])
         unit = size**2 * (force / (modulus * along**2)) ** (2.0 / 3.0)
         heavy = unit / np.sqrt(twice)
         x[:, 0] = np.log(heavy)
@@ -150,33 +162,44 @@ def _places(columns: list[Array], lattice: _Lattice) -> _Places:
 
 
 @cache
-def _lattice() -> _Lattice:
-    """The lattice, made once."""
-    ends = (RANGE["A = a^2/(Rx^2 sqrt(2U))"], RANGE["L"], RANGE["Rx/Ry"])
-    heavy, thick, ratio = ends
-    low = np.array([log(heavy[0]), sqrt(thick[0]), log(ratio[0])])
-    high = np.array([log(heavy[1]), sqrt(thick[1]), log(ratio[1])])
+def _lattices() -> tuple[_Lattice, _Lattice]:
+    """That of light and that of heavy contacts, made once."""
+    known = table()
+    lightest, heaviest = RANGE["A = a^2/(Rx^2 sqrt(2U))"]
+    ends = ((known.light, lightest, SEAM[1]), (known.heavy, SEAM[0], heaviest))
+    light, heavy = (_lattice(*end) for end in ends)
+    return light, heavy
+
+
+def _lattice(patch: Patch, lightest: float, heaviest: float) -> _Lattice:
+    """Of a patch between two A."""
+    thick, ratio = RANGE["L"], RANGE["Rx/Ry"]
+    low = np.array([log(lightest), sqrt(thick[0]), log(ratio[0])])
+    high = np.array([log(heaviest), sqrt(thick[1]), log(ratio[1])])
     axes = [np.linspace(low[k], high[k], NODES[k]) for k in range(3)]
     x = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
     parts = np.array_split(x, NODES[0])  # a plane at a time: radial functions of all are large
-    found = [
-        functions(part, np.full(len(part), BASE_ALPHA), np.full(len(part), BASE_Z))
-        for part in parts
-    ]
-    values = np.concatenate(found)[:, :FUNCTIONS].reshape(*NODES, FUNCTIONS)
-    ratios = np.exp(np.linspace(low[2], high[2], RATIOS))
+    values = np.concatenate([patch_base(patch, part)[:, :FUNCTIONS] for part in parts])
     return _Lattice(
         low=low,
         step=(high - low) / (np.array(NODES) - 1.0),
-        values=np.ascontiguousarray(values),
-        sizes=np.log([hertz_coefficients(float(ratio))[0] for ratio in ratios]),
+        values=np.ascontiguousarray(values.reshape(*NODES, FUNCTIONS)),
+        oils=patch.oils,
     )
 
 
-def _axes(log_ratio: Array, lattice: _Lattice) -> Array:
+@cache
+def _axis_nodes() -> Array:
+    """ln f over even ln D, shape (RATIOS,) [-]."""
+    ratios = np.geomspace(*RANGE["Rx/Ry"], RATIOS)
+    return np.log([hertz_coefficients(float(ratio))[0] for ratio in ratios])
+
+
+def _axes(log_ratio: Array) -> Array:
     """f of contacts by ln D, shape (n,) [-]."""
-    step = lattice.step[2] * (NODES[2] - 1.0) / (RATIOS - 1.0)
-    return np.asarray(_lookup_kernels.axis_ratios(log_ratio, lattice.low[2], step, lattice.sizes))
+    low, high = np.log(RANGE["Rx/Ry"])
+    step = (high - low) / (RATIOS - 1.0)
+    return np.asarray(_lookup_kernels.axis_ratios(log_ratio, low, step, _axis_nodes()))
 
 
 def _inside(values: tuple[Array, ...]) -> NDArray[np.bool_]:

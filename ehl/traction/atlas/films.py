@@ -20,7 +20,7 @@ from .table import BASE_ALPHA, BASE_Z, bars_of, functions
 
 # of A, L, D, Roelands' z [-] and alpha [1/Pa] between which the table was judged
 RANGE = {
-    "A = a^2/(Rx^2 sqrt(2U))": (7.0, 160.0),
+    "A = a^2/(Rx^2 sqrt(2U))": (2.4, 160.0),
     "L": (0.0, 30.0),
     "Rx/Ry": (0.01, 5.0),
     "roelands_z": (0.4, 0.8),
@@ -107,7 +107,7 @@ def atlas_films(
     x = np.array([[log(load), sqrt(values[1]), log(values[2])]] * 3)
     x[1:, 0] += (-STEP, STEP)
     found = functions(x, np.full(3, oil.pressure_viscosity), np.full(3, oil.exponent))
-    bars = _bars(values[2], oil)
+    bars = _bars(load, values[2], oil)
     central, minimum = (exp(found[0, k]) / load for k in (0, 1))
     lowered, lobes = _by_rotation(values[2], contact.turning)
     minimum *= lowered
@@ -178,10 +178,10 @@ def _nearest(name: str, value: float) -> float:
     return low * (1.0 + EDGE) if value < low else high * (1.0 - EDGE)
 
 
-def _bars(ratio: float, oil: Lubricant) -> Array:
-    """Errors of the six functions at Rx/Ry with an oil, shape (6,) [-]."""
+def _bars(load: float, ratio: float, oil: Lubricant) -> Array:
+    """Errors of the six functions at A and Rx/Ry with an oil, shape (6,) [-]."""
     base = oil.exponent == BASE_Z and oil.pressure_viscosity == BASE_ALPHA
-    return bars_of(np.array([ratio]), np.array([base]))[0]
+    return bars_of(np.array([load]), np.array([ratio]), np.array([base]))[0]
 
 
 def _by_rotation(ratio: float, turning: float) -> tuple[float, float]:

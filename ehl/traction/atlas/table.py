@@ -8,6 +8,10 @@ mean, a trend of second degree and a sum of radial functions around the solved p
 (a Gaussian process with Matern's kernel of 5/2), fitted to solutions by `tools/atlas/fit.py`. The
 six are ln(Hc A), ln(Hmin A), H0, and T/C - ln s of the rolling moment at three layers s, see
 `films`. Another oil adds fitted terms in Roelands' z and ln(alpha/alpha_0).
+
+There are two patches: in light contacts, where rigid bodies become elastic ones, the central film
+rises with load over a small step of ln A, which asks for shorter scales. From `SEAM` on one gives
+way to the other.
 """
 
 from functools import cache
@@ -25,8 +29,12 @@ BASE_ALPHA = 22e-9  # its alpha [1/Pa]
 PAIRS = np.triu_indices(3)
 
 
-class Table(NamedTuple):
-    """What the file holds [-]."""
+# of A, between which the patch of light contacts gives way to that of heavy ones [-]
+SEAM = (7.0, 9.0)
+
+
+class Patch(NamedTuple):
+    """The functions over a part of the range [-]."""
 
     places: Array  # (n, 3) x_i
     scales: Array  # (3,) l
@@ -34,8 +42,16 @@ class Table(NamedTuple):
     trend: Array  # (10, 6)
     weights: Array  # (n, 6)
     oils: Array  # (20, 6)
-    # (3, 6) relative errors, of H0 absolute ones, within which nineteen of twenty fresh contacts
-    # lie: of the base oil with D up to 1, of that with D above 1, of other oils
+
+
+class Table(NamedTuple):
+    """What the file holds [-]."""
+
+    light: Patch
+    heavy: Patch
+    # (2, 3, 6) relative errors, of H0 absolute ones, within which nineteen of twenty fresh contacts
+    # lie, below and above the seam's beginning: of the base oil with D up to 1, of that with D
+    # above 1, of other oils
     bars: Array
 
 
@@ -43,16 +59,28 @@ class Table(NamedTuple):
 def table() -> Table:
     """The table, read once [-]."""
     with np.load(FILE) as file:
-        return Table(**{name: file[name] for name in Table._fields})
+        light, heavy = (
+            Patch(**{name: file[f"{patch} {name}"] for name in Patch._fields})
+            for patch in ("light", "heavy")
+        )
+        return Table(light=light, heavy=heavy, bars=file["bars"])
 
 
-def bars_of(ratio: Array, base: NDArray[np.bool_]) -> Array:
-    """Errors of the six functions at Rx/Ry of shape (m,), shape (m, 6) [-]; base: whether the oil
-    is that of the solves, shape (m,).
+def bars_of(load: Array, ratio: Array, base: NDArray[np.bool_]) -> Array:
+    """Errors of the six functions at A and Rx/Ry of shape (m,), shape (m, 6) [-]; base: whether
+    the oil is that of the solves, shape (m,).
     """
-    slim, wide, oils = table().bars
+    heavy = np.where(load < SEAM[0], 0, 1)
+    slim, wide, oils = (table().bars[heavy, k] for k in range(3))
     own = np.where(ratio[:, None] > 1.0, wide, slim)
     return np.where(base[:, None], own, np.maximum(own, oils))
+
+
+def heavy_share(log_load: Array) -> tuple[Array, Array]:
+    """Share of the patch of heavy contacts at ln A, and its derivative, in the shape of ln A [-]."""
+    low, high = np.log(SEAM)
+    t = np.clip((log_load - low) / (high - low), 0.0, 1.0)
+    return t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / (high - low)
 
 
 def trend_terms(x: Array) -> Array:
@@ -80,9 +108,25 @@ def oil_terms(x: Array, alpha: Array, z: Array) -> Array:
     return np.asarray((own[:, :, None] * with_one[:, None, :]).reshape(len(x), -1))
 
 
-def functions(x: Array, alpha: Array, z: Array) -> Array:
-    """The six functions at x of shape (m, 3), shape (m, 6) [-]; alpha [1/Pa]."""
-    known = table()
-    base = known.mean + trend_terms(x) @ known.trend
-    base = base + radial(x, known.places, known.scales) @ known.weights
-    return np.asarray(base + oil_terms(x, alpha, z) @ known.oils)
+def patch_base(patch: Patch, x: Array) -> Array:
+    """The six functions of a patch with the oil of the solves at x of shape (m, 3), shape (m, 6)
+    [-].
+    """
+    base = patch.mean + trend_terms(x) @ patch.trend
+    return np.asarray(base + radial(x, patch.places, patch.scales) @ patch.weights)
+
+
+def functions(x: Array, alpha: Array, z: Array, known: Table | None = None) -> Array:
+    """The six functions at x of shape (m, 3), shape (m, 6) [-]; alpha [1/Pa]; known: None for the
+    table as it is stored.
+    """
+    known = known or table()
+    share = heavy_share(x[:, 0])[0]
+    terms = oil_terms(x, alpha, z)
+    found = np.zeros((len(x), known.bars.shape[-1]))
+    for patch, weight in ((known.light, 1.0 - share), (known.heavy, share)):
+        own = weight > 0.0
+        if own.any():
+            values = patch_base(patch, x[own]) + terms[own] @ patch.oils
+            found[own] += weight[own, None] * values
+    return found
