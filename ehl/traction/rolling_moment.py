@@ -18,8 +18,8 @@ is that of two circles (`oil_extent`); the pressure goes with its square there.
 What that leaves out. The film is solved without a meniscus: at one, where the pressure vanishes,
 mass conservation asks for a layer of 0.3675 of the gap under a sphere, and the moment is that of
 Kapitza's pressure up to a gap of 1.446 layers: 0.18 of the moment above per unit of logarithm more
-(`tests/ehl/traction/test_meniscus.py`), more yet in wide ellipses. And the pressure over the square
-of the gap of circles is, up to 0.3 of the radius, 1.2 % above that of Reynolds' equation in it.
+(`tests/ehl/traction/test_meniscus.py`), more yet in wide ellipses. And the pressure over the
+square of the gap of circles is, up to 0.3 of the radius, 1.2 % above that of Reynolds' equation.
 """
 
 from dataclasses import dataclass

@@ -1,8 +1,8 @@
 """Films of many flooded contacts at once from the atlas.
 
 The functions of `table` in ln A, sqrt L and ln D are evaluated once on a lattice for each of its
-patches, and contacts take a cubic through the nodes: films are within 0.04 % of the table, a tenth of its error bars,
-and take less than a microsecond (`python benchmarks/film_atlas.py`).
+patches, and contacts take a cubic through the nodes: films are within 0.04 % of the table, a tenth
+of its error bars, and take less than a microsecond (`python benchmarks/film_atlas.py`).
 """
 
 from dataclasses import dataclass

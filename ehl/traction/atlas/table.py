@@ -49,9 +49,9 @@ class Table(NamedTuple):
 
     light: Patch
     heavy: Patch
-    # (2, 3, 6) relative errors, of H0 absolute ones, within which nineteen of twenty fresh contacts
-    # lie, below and above the seam's beginning: of the base oil with D up to 1, of that with D
-    # above 1, of other oils
+    # (2, 3, 6) relative errors, of H0 absolute ones, within which nineteen of twenty fresh
+    # contacts lie, below and above the beginning of the seam: of the base oil with D up to 1, of
+    # that with D above 1, of other oils
     bars: Array
 
 
@@ -77,7 +77,7 @@ def bars_of(load: Array, ratio: Array, base: NDArray[np.bool_]) -> Array:
 
 
 def heavy_share(log_load: Array) -> tuple[Array, Array]:
-    """Share of the patch of heavy contacts at ln A, and its derivative, in the shape of ln A [-]."""
+    """Share of the patch of heavy contacts at ln A, and its derivative, in its shape [-]."""
     low, high = np.log(SEAM)
     t = np.clip((log_load - low) / (high - low), 0.0, 1.0)
     return t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / (high - low)
