@@ -15,18 +15,17 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from ehl.closed_form.film import (
+    MAX_FILM_OVER_RADIUS,
     film_chittenden_central,
     film_hamrock_dowson_central,
     film_hamrock_dowson_minimum,
     film_nijenbanning_central,
 )
 from ehl.conditions import ContactConditions
-from ehl.traction.atlas.films import atlas_films, nearest_covered
+from ehl.traction.atlas.films import NotInAtlasError, atlas_films, nearest_covered
 
 from .formula_moment import flooded_moment
 
-# of R_x, the thickest film that counts: beyond, no elastohydrodynamic formula holds [-]
-THICKEST_FILM = 0.02
 # of Nijenbanning's formula, fitted to what was solved in wide ellipses from M = 1 to 6 (R_x/R_y
 # 0.02 to 0.1: 0.823 to 0.846) [-]
 LIGHT_CONTACT = 0.83
@@ -55,7 +54,10 @@ def film_numbers(conditions: ContactConditions, axes: tuple[float, float]) -> Fi
     near, distance = nearest_covered(conditions)
     if near is None:
         return own
-    known = atlas_films(near)
+    try:
+        known = atlas_films(near)
+    except NotInAtlasError:  # its film is too thick
+        return own
     there = own
     if distance:
         stretch = (near.load / conditions.load) ** (1.0 / 3.0)
@@ -82,7 +84,7 @@ def film_numbers(conditions: ContactConditions, axes: tuple[float, float]) -> Fi
 def _by_formulas(conditions: ContactConditions, axes: tuple[float, float]) -> FilmNumbers:
     """Those of the formulas alone."""
     central = formula_central(conditions)
-    counted = min(central, THICKEST_FILM * conditions.radius_x)
+    counted = min(central, MAX_FILM_OVER_RADIUS * conditions.radius_x)
     return FilmNumbers(
         central=central,
         ratio=_minimum_ratio(conditions),

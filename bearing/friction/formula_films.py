@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from ehl.closed_form.film import MAX_FILM_OVER_RADIUS
 from ehl.closed_form.hertz import hertz_deflection
 from ehl.conditions import ContactConditions
 from ehl.options import SolverOptions
@@ -20,7 +21,7 @@ from ehl.solution import ContactSolution, ConvergenceRecord, FilmValue
 from ehl.traction.rolling_moment import rolling_moment
 
 from ..contacts.contact import BearingContact
-from ..contacts.film_numbers import THICKEST_FILM, film_numbers
+from ..contacts.film_numbers import film_numbers
 from ..geometry import Array
 
 POINTS = 33  # along and across the ellipse [-]; 65 change the torque of a 6208 by 0.1 %
@@ -65,7 +66,7 @@ def formula_film(
     if conditions is None or hertz is None:
         return None
     axes = (hertz.semi_axis_y, hertz.semi_axis_x)
-    limit = THICKEST_FILM * conditions.radius_x
+    limit = MAX_FILM_OVER_RADIUS * conditions.radius_x
     own = film_numbers(conditions, axes)
     central = own.central
     ratio = own.ratio

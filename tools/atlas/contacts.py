@@ -32,6 +32,7 @@ class Part(NamedTuple):
 HELD_OUT = 20261123  # seed of the contacts that judge: the date on which they were drawn
 HEAVY, LIGHT, WIDE = (6.3, 175.0), (2.2, 8.2), (1.0, 5.2)
 SLIM, LUBRICANT = (0.0092, 1.1), (0.0, 31.4)
+RIGID, ANY_RATIO = (0.32, 2.6), (0.0092, 5.2)
 PARTS = {
     "heavy": Part(HEAVY, LUBRICANT, SLIM, any_oil=False, random=False, seed=1),
     "start": Part((6.3, 13.0), (0.0, 8.0), SLIM, any_oil=False, random=False, seed=2),
@@ -44,6 +45,10 @@ PARTS = {
     "held light oil": Part((2.4, 7.0), (0.0, 30.0), (0.01, 1.0), any_oil=True, random=True, seed=HELD_OUT + 4),
     "light along": Part(LIGHT, LUBRICANT, WIDE, any_oil=False, random=False, seed=7),
     "held light along": Part((2.4, 7.0), (0.0, 30.0), (1.0, 5.0), any_oil=False, random=True, seed=HELD_OUT + 5),
+    "rigid": Part(RIGID, LUBRICANT, ANY_RATIO, any_oil=False, random=False, seed=8),
+    "rigid oil": Part(RIGID, LUBRICANT, ANY_RATIO, any_oil=True, random=False, seed=9),
+    "held rigid": Part((0.35, 2.4), (0.0, 30.0), (0.01, 5.0), any_oil=False, random=True, seed=HELD_OUT + 6),
+    "held rigid oil": Part((0.35, 2.4), (0.0, 30.0), (0.01, 5.0), any_oil=True, random=True, seed=HELD_OUT + 7),
     "along": Part((6.3, 175.0), LUBRICANT, WIDE, any_oil=False, random=False, seed=5),
     "held along": Part((7.0, 160.0), (0.0, 30.0), (1.0, 5.0), any_oil=False, random=True, seed=HELD_OUT + 3),
 }

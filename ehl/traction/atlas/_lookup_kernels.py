@@ -54,7 +54,8 @@ def _oil_powers(dz, a, own):
 
 @compiled
 def look_up(x, dz, a, low, step, lattice, oils, out):
-    """ln(Hc A), ln(Hmin A), H0 and dH0/dlnA of contacts, shape (n, 4) `out`, at x of shape (n, 3):
+    """ln(Hc A), ln(Hmin A), Hc - H0 and the derivatives by ln A of first and last, `out` of shape
+    (n, 5), at x of shape (n, 3):
     a cubic through the lattice, and the terms of another oil, dz of Roelands' z and a =
     ln(alpha/alpha_0), shape (n,).
     """
@@ -68,7 +69,8 @@ def look_up(x, dz, a, low, step, lattice, oils, out):
             first[k] = _cubic(at, lattice.shape[k], weights[k], slopes[k])
         central = 0.0
         minimum = 0.0
-        approach = 0.0
+        deflection = 0.0
+        film_rise = 0.0
         rise = 0.0
         for i in range(4):
             for j in range(4):
@@ -79,8 +81,10 @@ def look_up(x, dz, a, low, step, lattice, oils, out):
                     weight = both * weights[2, k]
                     central += weight * node[0]
                     minimum += weight * node[1]
-                    approach += weight * node[2]
+                    deflection += weight * node[2]
+                    film_rise += steep * weights[2, k] * node[0]
                     rise += steep * weights[2, k] * node[2]
+        film_rise /= step[0]
         rise /= step[0]
         _oil_powers(dz[n], a[n], own)
         for m in range(5):
@@ -91,9 +95,11 @@ def look_up(x, dz, a, low, step, lattice, oils, out):
                     share = strength if k == 0 else strength * x[n, k - 1]
                     central += share * oils[row + k, 0]
                     minimum += share * oils[row + k, 1]
-                    approach += share * oils[row + k, 2]
+                    deflection += share * oils[row + k, 2]
+                film_rise += strength * oils[row + 1, 0]
                 rise += strength * oils[row + 1, 2]
         out[n, 0] = central
         out[n, 1] = minimum
-        out[n, 2] = approach
-        out[n, 3] = rise
+        out[n, 2] = deflection
+        out[n, 3] = film_rise
+        out[n, 4] = rise

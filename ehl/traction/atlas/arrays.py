@@ -14,14 +14,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...arrays import Array
+from ...closed_form.film import MAX_FILM_OVER_RADIUS
 from ...closed_form.hertz import hertz_coefficients
 from . import _lookup_kernels
-from .films import RANGE, STIFFNESS_ERROR
+from .films import LIGHT, RANGE, STIFFNESS_ERROR
 from .table import BASE_ALPHA, BASE_Z, SEAM, Patch, bars_of, heavy_share, patch_base, table
 
-NODES = (25, 21, 41)  # of ln A, sqrt L, ln D; with half as many, films are within 0.4 % only
+# nodes of ln A, sqrt L, ln D, of light and heavy contacts; with half as many of ln A, films of
+# light ones are within 0.7 % only, with half of all heavy ones within 0.4 %
+NODES = ((49, 21, 41), (25, 21, 41))
 RATIOS = 129  # of ln D for f, within 2e-9; half as many within 3e-8
-FUNCTIONS = 3  # ln(Hc A), ln(Hmin A), H0
+FUNCTIONS = 3  # ln(Hc A), ln(Hmin A), Hc - H0
+RISING = (0, 2)  # of these, whose derivatives by ln A are looked up as well
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,7 +57,7 @@ class FilmArrays:
     central_error: Array
     minimum_error: Array
     approach_error: Array
-    stiffness_error: float  # likewise [-]
+    stiffness_error: Array
     inside: NDArray[np.bool_]
 
 
@@ -62,7 +66,7 @@ class _Lattice(NamedTuple):
 
     low: Array  # (3,) of x
     step: Array  # (3,)
-    values: Array  # (*NODES, 3)
+    values: Array  # (..., 3) over a lattice of `NODES`
     oils: Array  # (20, 6)
 
 
@@ -85,37 +89,41 @@ def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
     base = (place.exponent == 0.0) & (place.coefficient == 0.0)
     bars = bars_of(np.exp(x[:, 0]), np.exp(x[:, 2]), base)
     height = place.height
-    films = np.exp(found[:, :2] - x[:, :1]) * height[:, None]
-    stiffness = -1.5 * columns[0] / (height * (found[:, 2] + found[:, 3]))
+    heavy = x[:, 0] >= log(LIGHT)
+    central, minimum = (np.exp(found[:, k] - x[:, 0]) * height for k in (0, 1))
+    approach = central - found[:, 2] * height
+    rise = central * (found[:, 3] - 1.0) - found[:, 4] * height  # dh_0/dlnA
+    stiffness = -1.5 * columns[0] / (approach + rise)
+    inside = place.inside & (central <= MAX_FILM_OVER_RADIUS * columns[1])
 
     def known(values: Array) -> Array:
-        return np.where(place.inside, values, np.nan).reshape(shape)
+        return np.where(inside, values, np.nan).reshape(shape)
 
     return FilmArrays(
-        central=known(films[:, 0]),
-        minimum=known(films[:, 1]),
-        approach=known(found[:, 2] * height),
+        central=known(central),
+        minimum=known(np.minimum(central, minimum)),
+        approach=known(approach),
         stiffness=known(stiffness),
         central_error=known(bars[:, 0]),
         minimum_error=known(bars[:, 1]),
-        approach_error=known(bars[:, 2] * height),
-        stiffness_error=STIFFNESS_ERROR,
-        inside=place.inside.reshape(shape),
+        approach_error=known(bars[:, 2] * height + bars[:, 0] * central),
+        stiffness_error=known(np.where(heavy, STIFFNESS_ERROR[1], STIFFNESS_ERROR[0])),
+        inside=inside.reshape(shape),
     )
 
 
 def _found(place: "_Places") -> Array:
-    """ln(Hc A), ln(Hmin A), H0 and dH0/dlnA, shape (n, 4) [-]."""
+    """The functions and the derivatives by ln A of those in `RISING`, shape (n, 5) [-]."""
     share, rise = heavy_share(place.x[:, 0])
-    found = np.zeros((len(share), FUNCTIONS + 1))
+    found = np.zeros((len(share), FUNCTIONS + len(RISING)))
     signs = ((1.0 - share, -rise), (share, rise))
     for lattice, (weight, slope) in zip(_lattices(), signs, strict=True):
         own = np.flatnonzero(weight > 0.0)
-        values = np.empty((len(own), FUNCTIONS + 1))
+        values = np.empty((len(own), FUNCTIONS + len(RISING)))
         oils = place.exponent[own], place.coefficient[own]
         _lookup_kernels.look_up(place.x[own], *oils, *lattice, values)
         found[own] += weight[own, None] * values
-        found[own, FUNCTIONS] += slope[own] * values[:, FUNCTIONS - 1]
+        found[own, FUNCTIONS:] += slope[own, None] * values[:, RISING]
     return found
 
 
@@ -167,23 +175,25 @@ def _lattices() -> tuple[_Lattice, _Lattice]:
     known = table()
     lightest, heaviest = RANGE["A = a^2/(Rx^2 sqrt(2U))"]
     ends = ((known.light, lightest, SEAM[1]), (known.heavy, SEAM[0], heaviest))
-    light, heavy = (_lattice(*end) for end in ends)
+    light, heavy = (_lattice(*end, nodes) for end, nodes in zip(ends, NODES, strict=True))
     return light, heavy
 
 
-def _lattice(patch: Patch, lightest: float, heaviest: float) -> _Lattice:
+def _lattice(
+    patch: Patch, lightest: float, heaviest: float, nodes: tuple[int, int, int]
+) -> _Lattice:
     """Of a patch between two A."""
     thick, ratio = RANGE["L"], RANGE["Rx/Ry"]
     low = np.array([log(lightest), sqrt(thick[0]), log(ratio[0])])
     high = np.array([log(heaviest), sqrt(thick[1]), log(ratio[1])])
-    axes = [np.linspace(low[k], high[k], NODES[k]) for k in range(3)]
+    axes = [np.linspace(low[k], high[k], nodes[k]) for k in range(3)]
     x = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
-    parts = np.array_split(x, NODES[0])  # a plane at a time: radial functions of all are large
+    parts = np.array_split(x, nodes[0])  # a plane at a time: radial functions of all are large
     values = np.concatenate([patch_base(patch, part)[:, :FUNCTIONS] for part in parts])
     return _Lattice(
         low=low,
-        step=(high - low) / (np.array(NODES) - 1.0),
-        values=np.ascontiguousarray(values.reshape(*NODES, FUNCTIONS)),
+        step=(high - low) / (np.array(nodes) - 1.0),
+        values=np.ascontiguousarray(values.reshape(*nodes, FUNCTIONS)),
         oils=patch.oils,
     )
 

@@ -6,11 +6,13 @@ were solved to judge the table. What the table does not cover is refused.
 """
 
 from dataclasses import dataclass, replace
-from math import exp, log, pi, sin, sqrt
+from math import exp, inf, log, pi, sin, sqrt
+from typing import NamedTuple
 
 import numpy as np
 
 from ...arrays import Array
+from ...closed_form.film import MAX_FILM_OVER_RADIUS
 from ...closed_form.hertz import hertz_coefficients
 from ...conditions import ContactConditions, MoesConditions
 from ...oil.lubricant import DensityLaw, Lubricant, ViscosityLaw
@@ -20,7 +22,7 @@ from .table import BASE_ALPHA, BASE_Z, bars_of, functions
 
 # of A, L, D, Roelands' z [-] and alpha [1/Pa] between which the table was judged
 RANGE = {
-    "A = a^2/(Rx^2 sqrt(2U))": (2.4, 160.0),
+    "A = a^2/(Rx^2 sqrt(2U))": (0.35, 160.0),
     "L": (0.0, 30.0),
     "Rx/Ry": (0.01, 5.0),
     "roelands_z": (0.4, 0.8),
@@ -31,22 +33,37 @@ ALIGNED = 1e-9  # sine of the angle between entrainment and principal direction 
 # counts
 ROTATION = 0.02
 ROTATION_WIDE = 0.65  # what the minimum film's bar grows by over it, Rx/Ry above `SLIM`
-# In ellipses as of ball bearings it lowers the minimum film by 1 - exp(-k t^2), and moves the
-# central one by `ROTATION_CENTRAL` t^2 at most: 80 contacts solved with and without, k 0.5 to 2.4
+SLIM = 0.1  # Rx/Ry up to which ellipses are as those of ball bearings
+LIGHT = 7.0  # A below which contacts are light
+# There it lowers the minimum film by 1 - exp(-k t^2), and moves the central one by some t^2: 80
+# contacts solved with and without, k 0.5 to 2.4, seven light ones, k 0.03 to 1.3
 # (`docs/theory/film_atlas.md`)
-SLIM = 0.1  # Rx/Ry up to which they count
-ROTATION_SLIM = 0.42  # t up to which they were solved
-ROTATION_CENTRAL = 0.03
-# Rx/Ry up to which k was found as given, and its error
-ROTATION_MINIMUM = ((0.06, 1.0, 0.65), (SLIM, 1.65, 0.85))
+
+
+class _Turning(NamedTuple):
+    """What a rotation does to films in slim ellipses [-]."""
+
+    load: float  # A up to which it counts
+    ratio: float  # Rx/Ry up to which it counts
+    largest: float  # t up to which contacts were solved
+    minimum: float  # k
+    minimum_error: float  # of k
+    central_error: float  # over t^2
+
+
+TURNING = (
+    _Turning(LIGHT, SLIM, 0.15, 0.65, 0.65, 0.12),
+    _Turning(inf, 0.06, 0.42, 1.0, 0.65, 0.03),
+    _Turning(inf, SLIM, 0.42, 1.65, 0.85, 0.03),
+)
 LAYERS = (8.0, 25.0, 400.0)  # of the tabulated moments, over 1 + H_c [-]
 THINNEST_LAYER = 3.0  # over 1 + H_c, beyond which the moment is extrapolated no further
 MOES_LAYER = 25.0  # of Moes conditions, over a^2/Rx
 EDGE = 1e-9  # within a range [-]
 STEP = 0.02  # of ln A, over which H0 is differentiated
-# relative error of the stiffness, assumed: direct solves at 0.98 and 1.02 of the load of 45
-# contacts were within 0.3 % of an earlier table
-STIFFNESS_ERROR = 0.01
+# relative error of the stiffness below and above A = `LIGHT`: 70 contacts solved at 0.985 and
+# 1.015 of the load were within 6.9 % (A 2.2 to 6.5, others below 0.6 %) and 0.6 % [-]
+STIFFNESS_ERROR = (0.07, 0.01)
 # of the moment that the gap of circles takes from that of paraboloids, its error: rigid bodies
 # tell it to a fifth in 12 contacts of 6208 and 7008 [-]
 CIRCLES = 0.25
@@ -98,9 +115,9 @@ def atlas_films(
         If the contact is none of those that the atlas covers; the message names the solver.
     """
     contact = scale_contact(conditions)
-    _require_covered(conditions, contact)
     oil = conditions.lubricant
     load = hertz_coefficients(contact.radius_ratio)[0] ** 2 * contact.moes_load ** (2.0 / 3.0)
+    _require_covered(conditions, contact, load)
     values = (load, contact.moes_lubricant, contact.radius_ratio)
     _require_range((*values, oil.exponent, oil.pressure_viscosity))
     # 1. the six functions at the contact, and at A a little smaller and larger
@@ -109,14 +126,18 @@ def atlas_films(
     found = functions(x, np.full(3, oil.pressure_viscosity), np.full(3, oil.exponent))
     bars = _bars(load, values[2], oil)
     central, minimum = (exp(found[0, k]) / load for k in (0, 1))
-    lowered, lobes = _by_rotation(values[2], contact.turning)
-    minimum *= lowered
-    middle = float(bars[0]) + ROTATION_CENTRAL * contact.turning**2
+    lowered, lobes, moved = _by_rotation(load, values[2], contact.turning)
+    minimum = min(minimum, central) * lowered
+    middle = float(bars[0]) + moved
     # 2. k = -3/2 F/(a^2/Rx)/(H0 + dH0/dlnA), as a^2 goes with F^(2/3) where U is constant
-    approach = float(found[0, 2])
-    stiffness = -1.5 / (approach + float(found[2, 2] - found[1, 2]) / (2.0 * STEP))
+    approaches = np.exp(found[:, 0] - x[:, 0]) - found[:, 2]
+    approach = float(approaches[0])
+    stiffness = -1.5 / (approach + float(approaches[2] - approaches[1]) / (2.0 * STEP))
+    approach_error = float(bars[2]) + middle * central
     # 3. scales of the conditions
     unit = contact.film_scale or 1.0
+    if isinstance(conditions, ContactConditions):
+        _require_thin(central * unit / conditions.radius_x)
     force = 1.0
     moment_unit = 1.0
     if isinstance(conditions, ContactConditions) and contact.semi_axis_x is not None:
@@ -132,9 +153,12 @@ def atlas_films(
     return AtlasFilms(
         central=AtlasValue(central * unit, middle * central * unit),
         minimum=AtlasValue(minimum * unit, (float(bars[1]) + lobes) * minimum * unit),
-        approach=AtlasValue(approach * unit, float(bars[2]) * unit),
+        approach=AtlasValue(approach * unit, approach_error * unit),
         rolling_moment=rolling,
-        stiffness=AtlasValue(stiffness * force / unit, STIFFNESS_ERROR * stiffness * force / unit),
+        stiffness=AtlasValue(
+            stiffness * force / unit,
+            STIFFNESS_ERROR[int(load >= LIGHT)] * stiffness * force / unit,
+        ),
         inside=True,
     )
 
@@ -148,6 +172,9 @@ def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | 
     axis = hertz_coefficients(contact.radius_ratio)[0]
     own = axis**2 * contact.moes_load ** (2.0 / 3.0)
     wanted = _nearest("A = a^2/(Rx^2 sqrt(2U))", own)
+    slim = _slim(wanted, contact.radius_ratio)
+    if slim is not None and contact.turning > slim.largest:
+        wanted = max(wanted, LIGHT)
     thick = _nearest("L", contact.moes_lubricant)
     oil = conditions.lubricant
     if oil.viscosity_law is not ViscosityLaw.ROELANDS:
@@ -160,7 +187,7 @@ def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | 
         oil = replace(oil, pressure_viscosity=coefficient, roelands_z=oil.exponent)
     near = replace(conditions, load=conditions.load * (wanted / own) ** 1.5, lubricant=oil)
     try:
-        _require_covered(near, contact)
+        _require_covered(near, contact, wanted)
         _require_range((wanted, thick, contact.radius_ratio, oil.exponent, oil.pressure_viscosity))
     except NotInAtlasError:
         return None, 0.0
@@ -184,12 +211,21 @@ def _bars(load: float, ratio: float, oil: Lubricant) -> Array:
     return bars_of(np.array([load]), np.array([ratio]), np.array([base]))[0]
 
 
-def _by_rotation(ratio: float, turning: float) -> tuple[float, float]:
-    """What a rotation t of the entrainment leaves of the minimum film, and its error [-]."""
-    for largest, k, error in ROTATION_MINIMUM:
-        if ratio <= largest:
-            return exp(-k * turning**2), error * turning**2
-    return 1.0, ROTATION_WIDE * turning
+def _slim(load: float, ratio: float) -> _Turning | None:
+    """What is known of a rotation at A and Rx/Ry; None in wide ellipses."""
+    return next((own for own in TURNING if load < own.load and ratio <= own.ratio), None)
+
+
+def _by_rotation(load: float, ratio: float, turning: float) -> tuple[float, float, float]:
+    """What a rotation t of the entrainment leaves of the minimum film, its error and that of the
+    central film [-].
+    """
+    own = _slim(load, ratio)
+    if own is None:
+        return 1.0, ROTATION_WIDE * turning, TURNING[0].central_error * turning**2
+    square = turning**2
+    lowered = exp(-own.minimum * square)
+    return lowered, own.minimum_error * square, own.central_error * square
 
 
 def _moment(
@@ -224,11 +260,12 @@ def _of_circles(
 
 
 def _require_covered(
-    conditions: ContactConditions | MoesConditions, contact: ScaledContact
+    conditions: ContactConditions | MoesConditions, contact: ScaledContact, load: float
 ) -> None:
-    """NotInAtlasError unless the equations are those of the atlas."""
+    """NotInAtlasError unless the equations are those of the atlas; load: A [-]."""
     oil = conditions.lubricant
-    turning = ROTATION_SLIM if contact.radius_ratio <= SLIM else ROTATION
+    slim = _slim(load, contact.radius_ratio)
+    turning = ROTATION if slim is None else slim.largest
     faults = {
         "entrainment_angle: entrainment along x": abs(sin(conditions.entrainment_angle)) > ALIGNED,
         f"mean_spin: entrainment that turns at the end of the ellipse by less than "
@@ -242,6 +279,15 @@ def _require_covered(
     for fault, found in faults.items():
         if found:
             raise NotInAtlasError(f"{fault} is what the film atlas covers")
+
+
+def _require_thin(share: float) -> None:
+    """NotInAtlasError unless the film over R_x leaves the gap a paraboloid [-]."""
+    if share > MAX_FILM_OVER_RADIUS:
+        raise NotInAtlasError(
+            f"a central film of {share:.2g} of R_x is outside the model: the gap there is no "
+            f"paraboloid, {MAX_FILM_OVER_RADIUS:g} is the most"
+        )
 
 
 def _require_range(values: tuple[float, ...]) -> None:

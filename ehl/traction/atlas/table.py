@@ -6,12 +6,12 @@ mean, a trend of second degree and a sum of radial functions around the solved p
     F(x) = m + trend(x) + sum_i w_i k(|(x - x_i)/l|),   k(d) = (1 + t + t^2/3) e^-t,  t = sqrt(5) d
 
 (a Gaussian process with Matern's kernel of 5/2), fitted to solutions by `tools/atlas/fit.py`. The
-six are ln(Hc A), ln(Hmin A), H0, and T/C - ln s of the rolling moment at three layers s, see
+six are ln(Hc A), ln(Hmin A), Hc - H0, and T/C - ln s of the rolling moment at three layers s, see
 `films`. Another oil adds fitted terms in Roelands' z and ln(alpha/alpha_0).
 
 There are two patches: in light contacts, where rigid bodies become elastic ones, the central film
-rises with load over a small step of ln A, which asks for shorter scales. From `SEAM` on one gives
-way to the other.
+rises with load over a small step of ln A. It lies at smaller A the larger D is: there x_1 is
+ln A + c ln D, and scales are shorter. Over `SEAM` one patch gives way to the other.
 """
 
 from functools import cache
@@ -36,6 +36,7 @@ SEAM = (7.0, 9.0)
 class Patch(NamedTuple):
     """The functions over a part of the range [-]."""
 
+    slant: float  # c
     places: Array  # (n, 3) x_i
     scales: Array  # (3,) l
     mean: Array  # (6,)
@@ -49,7 +50,7 @@ class Table(NamedTuple):
 
     light: Patch
     heavy: Patch
-    # (2, 3, 6) relative errors, of H0 absolute ones, within which nineteen of twenty fresh
+    # (2, 3, 6) relative errors, of Hc - H0 absolute ones, within which nineteen of twenty fresh
     # contacts lie, below and above the beginning of the seam: of the base oil with D up to 1, of
     # that with D above 1, of other oils
     bars: Array
@@ -60,7 +61,7 @@ def table() -> Table:
     """The table, read once [-]."""
     with np.load(FILE) as file:
         light, heavy = (
-            Patch(**{name: file[f"{patch} {name}"] for name in Patch._fields})
+            Patch(**{name: file[f"{patch}_{name}"] for name in Patch._fields})
             for patch in ("light", "heavy")
         )
         return Table(light=light, heavy=heavy, bars=file["bars"])
@@ -81,6 +82,11 @@ def heavy_share(log_load: Array) -> tuple[Array, Array]:
     low, high = np.log(SEAM)
     t = np.clip((log_load - low) / (high - low), 0.0, 1.0)
     return t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / (high - low)
+
+
+def slanted(x: Array, slant: float) -> Array:
+    """Places (ln A + c ln D, sqrt L, ln D) of (ln A, sqrt L, ln D), shape (m, 3) [-]."""
+    return x + slant * np.stack([x[:, 2], 0.0 * x[:, 1], 0.0 * x[:, 2]], axis=1)
 
 
 def trend_terms(x: Array) -> Array:
@@ -112,8 +118,9 @@ def patch_base(patch: Patch, x: Array) -> Array:
     """The six functions of a patch with the oil of the solves at x of shape (m, 3), shape (m, 6)
     [-].
     """
-    base = patch.mean + trend_terms(x) @ patch.trend
-    return np.asarray(base + radial(x, patch.places, patch.scales) @ patch.weights)
+    own = slanted(x, patch.slant)
+    base = patch.mean + trend_terms(own) @ patch.trend
+    return np.asarray(base + radial(own, patch.places, patch.scales) @ patch.weights)
 
 
 def functions(x: Array, alpha: Array, z: Array, known: Table | None = None) -> Array:

@@ -50,6 +50,6 @@ def test_what_the_atlas_does_not_know_is_not_compared():
     """A box of choice, a light contact, a film that the mesh does not resolve."""
     solution = wrong_by(solved(GROUPS), 0.2)
     boxed = replace(solution, options=replace(solution.options, domain=(-4.0, 1.5, 2.0)))
-    light = replace(solution, conditions=moes(5.0, 10.0, 0.4, oil=OIL))
+    light = replace(solution, conditions=moes(0.1, 10.0, 0.4, oil=OIL))
     for other in (boxed, light, replace(solution, resolved=False), replace(solution, converged=False)):
         assert not list(beyond_both_bars(other))

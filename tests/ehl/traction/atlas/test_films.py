@@ -8,6 +8,7 @@ from dataclasses import replace
 from math import exp
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import ehl
@@ -33,7 +34,18 @@ def films_of(row):
     return ehl.atlas_films(moes(load, max(row["L"], 1e-3), row["D"], oil=oil))
 
 
-@pytest.mark.parametrize(("kind", "central", "minimum"), [("held", 0.005, 0.015), ("held oil", 0.02, 0.025)])
+FRESH = [
+    ("held", 0.005, 0.015),
+    ("held oil", 0.02, 0.025),
+    ("held light", 0.01, 0.01),
+    ("held light along", 0.01, 0.01),
+    ("held light oil", 0.025, 0.015),
+    ("held rigid", 0.02, 0.02),
+    ("held rigid oil", 0.02, 0.02),
+]
+
+
+@pytest.mark.parametrize(("kind", "central", "minimum"), FRESH)
 def test_films_of_fresh_contacts(kind, central, minimum):
     """Solved after the choice of the table, seed of the day; of twenty one may lie farther off."""
     outside = [0, 0]
@@ -140,12 +152,54 @@ def test_the_moment_ends_in_the_gap_of_circles(layer):
     assert flat - kapitza_moment(contact, solution.film_central) > 0.02 * moment.value
 
 
-@pytest.mark.parametrize(("load", "distance"), [(0.5, True), (300.0, False), (1e4, True)])
+@pytest.mark.parametrize(("load", "distance"), [(5.0, False), (300.0, False), (1e4, True)])
 def test_the_nearest_contact_covered(load, distance):
     near, way = nearest_covered(ball_and_race(load))
     assert (way > 0.0) is distance
     assert ehl.atlas_films(near).inside
     assert near.radius_y == 95e-3
+
+
+@pytest.mark.parametrize("lubricant", [2.0, 12.0, 25.0])
+def test_nothing_jumps_where_light_contacts_become_heavy_ones(lubricant):
+    """Film, approach and moment in 60 steps of A from 5 to 11, half a percent of a step apart from a straight line."""
+    ratio = 0.06
+    loads = np.geomspace(5.0, 11.0, 61)
+    found = [
+        ehl.atlas_films(moes((load / hertz_coefficients(ratio)[0] ** 2) ** 1.5, lubricant, ratio, oil=OIL))
+        for load in loads
+    ]
+    for name in ("central", "minimum", "rolling_moment", "stiffness"):
+        values = np.log([getattr(films, name).value for films in found])
+        bend = np.abs(np.diff(values, 2))
+        assert bend.max() < (0.002 if name != "stiffness" else 0.01)
+    assert all(films.minimum.value <= films.central.value for films in found)
+
+
+def test_a_film_too_thick_for_a_paraboloid_is_refused():
+    light = replace(ball_and_race(load=1.5), entrainment_speed=60.0, lubricant=replace(OIL, viscosity=0.06))
+    with pytest.raises(ValueError, match=r"of R_x is outside the model.*solve_contact"):
+        ehl.atlas_films(light)
+    names = ("load", "radius_x", "radius_y", "reduced_modulus", "entrainment_speed")
+    given = {name: getattr(light, name) for name in names}
+    given |= {name: getattr(light.lubricant, name) for name in ("viscosity", "pressure_viscosity", "roelands_z")}
+    found = ehl.atlas_arrays(ehl.ContactArrays(**given))
+    assert not found.inside
+
+
+def test_light_contacts_that_turn():
+    """Less than heavy ones do; beyond what was solved they are refused."""
+    contact = ball_and_race(load=15.0)
+    scaled = scale_contact(contact)
+    end = contact.entrainment_speed / (scaled.semi_axis_x * scaled.semi_axis_ratio)
+    turning = replace(contact, mean_spin=0.14 * end)
+    films, solution = ehl.atlas_films(turning), ehl.solve_contact(turning, ehl.SolverOptions(points=257))
+    assert films.minimum.value == pytest.approx(solution.film_minimum, abs=films.minimum.uncertainty)
+    assert films.central.value == pytest.approx(solution.film_central, abs=films.central.uncertainty)
+    with pytest.raises(ValueError, match=r"mean_spin.*less than 0.15.*solve_contact"):
+        ehl.atlas_films(replace(contact, mean_spin=0.16 * end))
+    near, way = nearest_covered(replace(contact, mean_spin=0.16 * end))
+    assert near.load > contact.load and way > 0.0
 
 
 def test_nothing_is_near_another_law():
