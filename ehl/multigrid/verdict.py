@@ -13,6 +13,7 @@ from .history import CENTRAL, MINIMUM, RESOLVED
 from .open_box import approach_by_box, box_uncertainty
 
 LARGEST_BAR = 0.15  # relative error bar above which a film is reported as unresolved
+LARGEST_DIP = 0.1  # by which the film may fall below its smallest node, over that minimum [-]
 
 
 def film_value(result: AttemptResult, kind: int) -> FilmValue:
@@ -44,7 +45,8 @@ def _centre(result: AttemptResult) -> float:
 
 def judged(solution: ContactSolution) -> ContactSolution:
     """The solution as its films let it stand: the minimum not above the centre, not converged
-    where the film is outside the model, unresolved where a bar is wider than `LARGEST_BAR`.
+    where the film is outside the model, unresolved where a bar is wider than `LARGEST_BAR` or the
+    minimum lies far below all nodes.
     """
     solution = _minimum_below_centre(solution)
     if not solution.converged:
@@ -56,10 +58,18 @@ def judged(solution: ContactSolution) -> ContactSolution:
             "no film is given"
         )
         return replace(solution, converged=False, resolved=False, message=message)
-    bar = solution.widest_bar
-    if not solution.resolved or bar <= LARGEST_BAR:
+    if not solution.resolved:
         return solution
-    message = f"converged but unresolved: error bar {bar:.0%} of the film; try more points"
+    bar = solution.widest_bar
+    minimum = solution.film_minimum_dimensionless.finest
+    dip = float(solution.H.min()) / minimum - 1.0
+    if bar > LARGEST_BAR:
+        why = f"error bar {bar:.0%} of the film"
+    elif dip > LARGEST_DIP:
+        why = f"the film at the nodes is {dip:.0%} above the minimum between them"
+    else:
+        return solution
+    message = f"converged but unresolved: {why}; try more points"
     return replace(solution, resolved=False, message=message)
 
 

@@ -55,9 +55,8 @@ def _oil_powers(dz, a, own):
 @compiled
 def look_up(x, dz, a, low, step, lattice, oils, out):
     """ln(Hc A), ln(Hmin A), Hc - H0 and the derivatives by ln A of first and last, `out` of shape
-    (n, 5), at x of shape (n, 3):
-    a cubic through the lattice, and the terms of another oil, dz of Roelands' z and a =
-    ln(alpha/alpha_0), shape (n,).
+    (n, 5), at x of shape (n, 3): a cubic through the lattice, and the terms of another oil, dz of
+    Roelands' z and a = ln(alpha/alpha_0), shape (n,).
     """
     weights = np.empty((3, 4))
     slopes = np.empty((3, 4))
@@ -67,11 +66,7 @@ def look_up(x, dz, a, low, step, lattice, oils, out):
         for k in range(3):
             at = (x[n, k] - low[k]) / step[k]
             first[k] = _cubic(at, lattice.shape[k], weights[k], slopes[k])
-        central = 0.0
-        minimum = 0.0
-        deflection = 0.0
-        film_rise = 0.0
-        rise = 0.0
+        out[n] = 0.0
         for i in range(4):
             for j in range(4):
                 both = weights[0, i] * weights[1, j]
@@ -79,13 +74,12 @@ def look_up(x, dz, a, low, step, lattice, oils, out):
                 for k in range(4):
                     node = lattice[first[0] + i, first[1] + j, first[2] + k]
                     weight = both * weights[2, k]
-                    central += weight * node[0]
-                    minimum += weight * node[1]
-                    deflection += weight * node[2]
-                    film_rise += steep * weights[2, k] * node[0]
-                    rise += steep * weights[2, k] * node[2]
-        film_rise /= step[0]
-        rise /= step[0]
+                    out[n, 0] += weight * node[0]
+                    out[n, 1] += weight * node[1]
+                    out[n, 2] += weight * node[2]
+                    out[n, 3] += steep * weights[2, k] * node[0]
+                    out[n, 4] += steep * weights[2, k] * node[2]
+        out[n, 3:] /= step[0]
         _oil_powers(dz[n], a[n], own)
         for m in range(5):
             if own[m] != 0.0:
@@ -93,13 +87,8 @@ def look_up(x, dz, a, low, step, lattice, oils, out):
                 row = 4 * m
                 for k in range(4):
                     share = strength if k == 0 else strength * x[n, k - 1]
-                    central += share * oils[row + k, 0]
-                    minimum += share * oils[row + k, 1]
-                    deflection += share * oils[row + k, 2]
-                film_rise += strength * oils[row + 1, 0]
-                rise += strength * oils[row + 1, 2]
-        out[n, 0] = central
-        out[n, 1] = minimum
-        out[n, 2] = deflection
-        out[n, 3] = film_rise
-        out[n, 4] = rise
+                    out[n, 0] += share * oils[row + k, 0]
+                    out[n, 1] += share * oils[row + k, 1]
+                    out[n, 2] += share * oils[row + k, 2]
+                out[n, 3] += strength * oils[row + 1, 0]
+                out[n, 4] += strength * oils[row + 1, 2]

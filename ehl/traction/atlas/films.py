@@ -136,31 +136,48 @@ def atlas_films(
     approach_error = float(bars[2]) + middle * central
     # 3. scales of the conditions
     unit = contact.film_scale or 1.0
+    force = 1.0
     if isinstance(conditions, ContactConditions):
         _require_thin(central * unit / conditions.radius_x)
-    force = 1.0
-    moment_unit = 1.0
-    if isinstance(conditions, ContactConditions) and contact.semi_axis_x is not None:
         force = conditions.load
-        moment_unit = contact.hertz_pressure * contact.semi_axis_x**3
-    if layer is None:
-        layer = MOES_LAYER if contact.semi_axis_x is None else oil.flooded_layer
-    scale = moment_unit * pi * contact.speed / ((3.0 + 2.0 * values[2]) * sqrt(values[2]))
-    share = float(bars[3:].max())
-    rolling = _moment(found[0, 3:], layer / unit, central, share, scale)
-    if rolling is not None and isinstance(conditions, ContactConditions):
-        rolling = _of_circles(rolling, conditions, central * unit, layer)
+    stiffness *= force / unit
     return AtlasFilms(
         central=AtlasValue(central * unit, middle * central * unit),
         minimum=AtlasValue(minimum * unit, (float(bars[1]) + lobes) * minimum * unit),
         approach=AtlasValue(approach * unit, approach_error * unit),
-        rolling_moment=rolling,
-        stiffness=AtlasValue(
-            stiffness * force / unit,
-            STIFFNESS_ERROR[int(load >= LIGHT)] * stiffness * force / unit,
+        rolling_moment=_rolling_moment(
+            conditions, contact, found[0], float(bars[3:].max()), layer
         ),
+        stiffness=AtlasValue(stiffness, STIFFNESS_ERROR[int(load >= LIGHT)] * stiffness),
         inside=True,
     )
+
+
+def _rolling_moment(
+    conditions: ContactConditions | MoesConditions,
+    contact: ScaledContact,
+    found: Array,
+    share: float,
+    layer: float | None,
+) -> AtlasValue | None:
+    """Moment up to a layer as `atlas_films` takes it, by the six functions, shape (6,), and their
+    relative error.
+    """
+    load = hertz_coefficients(contact.radius_ratio)[0] ** 2 * contact.moes_load ** (2.0 / 3.0)
+    central = exp(found[0]) / load
+    unit = contact.film_scale or 1.0
+    moment_unit = 1.0
+    if isinstance(conditions, ContactConditions) and contact.semi_axis_x is not None:
+        moment_unit = contact.hertz_pressure * contact.semi_axis_x**3
+    if layer is None:
+        dimensionless = contact.semi_axis_x is None
+        layer = MOES_LAYER if dimensionless else conditions.lubricant.flooded_layer
+    ratio = contact.radius_ratio
+    scale = moment_unit * pi * contact.speed / ((3.0 + 2.0 * ratio) * sqrt(ratio))
+    rolling = _moment(found[3:], layer / unit, central, share, scale)
+    if rolling is not None and isinstance(conditions, ContactConditions):
+        rolling = _of_circles(rolling, conditions, central * unit, layer)
+    return rolling
 
 
 def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | None, float]:

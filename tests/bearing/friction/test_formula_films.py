@@ -33,8 +33,8 @@ def numbers(conditions):
 
 
 def test_films_go_on_without_a_step_beyond_the_atlas():
-    """Over three decades of load: no film and no moment jumps where the range of the atlas ends."""
-    found = [numbers(contact(load)) for load in np.geomspace(1.0, 3000.0, 161)]
+    """Over five decades of load: no film and no moment jumps where the range of the atlas ends."""
+    found = [numbers(contact(load, 1.0)) for load in np.geomspace(0.01, 1000.0, 201)]
     edges = [i for i, (a, b) in enumerate(pairwise(found)) if a.atlas is not b.atlas]
     assert len(edges) == 2
     for name in ("central", "ratio", "moment"):
@@ -65,6 +65,8 @@ def test_a_bearing_without_maps_has_films_of_the_atlas():
         assert film == pytest.approx(known[f"film_{name}_um"], abs=bar + known[f"film_{name}_uncertainty_um"])
     assert heaviest["points"] is heaviest["pressure_maximum_GPa"] is None
     light = none["contacts"][5]
-    assert light["load_N"] < 20.0 and light["film_origin"] is light["film_central_um"] is None
-    assert any("films of the film atlas (film_origin) at 6 contacts" in message for message in none["messages"])
-    assert any("films of the film atlas at 6 and of formulas at 6" in message for message in none["messages"])
+    assert light["load_N"] < 20.0 and light["film_origin"] == "atlas"
+    film, bar = light["film_central_um"], light["film_central_uncertainty_um"]
+    assert film == pytest.approx(solved["contacts"][5]["film_central_um"] or film, abs=2.0 * bar)
+    assert any("films of the film atlas (film_origin) at 12 contacts" in message for message in none["messages"])
+    assert any("films of the film atlas at 12" in message for message in none["messages"])

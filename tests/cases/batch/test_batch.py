@@ -250,8 +250,8 @@ def test_files_of_a_batch(tmp_path):
         assert data["contact.load_N"].dims == ("point", "ball", "race")
         assert data["contact.load_N"].attrs["units"] == "N"
         loads = data["contact.load_N"].values
-        films = data["contact.film_central_um"].values  # of the film atlas, of the balls that both races load
-        assert (np.isnan(films) | (loads > 30.0)).all() and np.isfinite(films[:, 0]).all()
+        films = data["contact.film_central_um"].values  # of the film atlas, of all that carry load
+        assert (np.isnan(films) | (loads > 0.0)).all() and np.isfinite(films[:, 0]).all()
         assert float(rows[4]["load_maximum_N [N]"]) == loads[4].max()
         case = json.loads(data["case"].values[4])
         assert case["operation"]["radial_load_N"] == 900.0

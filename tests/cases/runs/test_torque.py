@@ -212,7 +212,7 @@ def test_without_film_maps_the_torque_is_that_of_films_without_a_solve(radial):
     assert torque["total"] == torque["models"]["integrated"]["total"]
     open_part = radial[0]["rolling_extent"]["uncertainty"]
     assert torque["total"] == pytest.approx(radial[0]["total"], abs=0.1 * torque["total"] + open_part)
-    assert any("films of the film atlas at 6 and of formulas at 6" in message for message in document["messages"])
+    assert any("films of the film atlas at 12" in message for message in document["messages"])
     assert all(c["traction_coefficient"] is None for c in document["contacts"])
 
 
