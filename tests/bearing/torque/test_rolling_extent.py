@@ -17,7 +17,7 @@ from bearing.torque.rolling_extent import rolling_extent, rolling_moments
 from ehl import Lubricant, SolverOptions, solve_contact
 from ehl.oil.lubricant import FLOODED_LAYER
 from ehl.oil.rheology import Rheology
-from ehl.traction.shear import integrate_traction
+from ehl.traction.shear import Cavitation, integrate_traction
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9, density=870.0)
 
@@ -47,8 +47,10 @@ def test_integrated_torque_has_the_oil_up_to_its_meniscus(rolling):
     contacts = [c for c in contact_conditions(state, OIL) if c.ball in (1, 4)]
     running = [film for film in running_films(contacts, films) if film]
     assert found.within_extent == pytest.approx(integrated_torque(state, known, running).rolling, rel=1e-9)
+    # strips prolong the box beyond its outlet, whose corners carry 1e-5 of the moment
+    own = Cavitation.FULL_WIDTH
     boxes = [
-        replace(t, result=integrate_traction(film, t.kinematics, Rheology()))
+        replace(t, result=integrate_traction(film, t.kinematics, Rheology(), cavitation=own))
         for t, film in zip(known, [film for film in films if film], strict=True)
     ]
     assert found.box == pytest.approx(integrated_torque(state, boxes, running).rolling, rel=1e-9)
