@@ -131,7 +131,6 @@ def relax(state: Multigrid, index: int) -> None:
     """One line sweep, even lines before odd ones, and the film that belongs to it."""
     level = state.levels[index]
     grid = level.grid
-    starved = level.fill is not None
     flow(state, level)
     lines = _line_sweep(level, state.damping)
     first = 0 if grid.symmetric else 1
@@ -147,7 +146,6 @@ def relax(state: Multigrid, index: int) -> None:
         level.scratch,
         *mesh,
         state.damping.jacobi,
-        starved,
     )
     state.threads.run(changes, range(first, grid.ny - 1), level.P.size)
     update_film(state, index)
@@ -212,9 +210,9 @@ def reynolds_residual(state: Multigrid, index: int) -> Array:
 
 
 def relative_residual(state: Multigrid, index: int) -> tuple[float, float]:
-    """Sums of |f - L(P)| and of f - L(P) over the fluid nodes, both over the sum of |div(rho u H)|
-    there: how far the equations are from holding, and the oil that appears or is lost; of a layer
-    at the inlet that over what enters [-].
+    """Sum of |f - L(P)|, and that of f - L(P) over the fluid nodes, both over the sum of |div(rho
+    u H)| there: how far the equations are from holding, and the oil that appears or is lost; of a
+    layer at the inlet that over what enters [-].
     """
     level = state.levels[index]
     residual = reynolds_residual(state, index)

@@ -104,7 +104,7 @@ def test_relax_lines(fields):
             flooded = (False, spread, kinds, spread)
             sweep = (*couette, f, kernel.near, *mesh(g), *flooded, 0.8, 0.7, kinds, spread, *ends)
             _relaxation_kernels.relax_lines(ours, H, flow.eps, *sweep)
-        _relaxation_kernels.spread_changes(ours, kinds, spread, g.hx, g.hy, 0.3, False, first, g.ny - 1)
+        _relaxation_kernels.spread_changes(ours, kinds, spread, g.hx, g.hy, 0.3, first, g.ny - 1)
         twin = relaxation.relax_lines(P, H, flow, f, g, kernel, (0.3, 0.8, 0.7))
         assert np.abs(twin - P).max() > 1e-3  # the sweep did something
         assert_allclose(ours, twin, rtol=0.0, atol=1e-9)  # elimination without and with pivoting
