@@ -29,6 +29,11 @@ class Quantity:
     words: bool = False  # a name, a number of a part or a truth value: without unit
 
     @property
+    def name(self) -> str:
+        """Title and symbol."""
+        return " ".join(filter(None, (self.title, self.symbol)))
+
+    @property
     def header(self) -> str:
         """Title and unit of a column."""
         return self.title if self.words else f"{self.title} [{unit_of(self.key) or '-'}]"

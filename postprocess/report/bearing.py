@@ -42,7 +42,7 @@ BLOCKS = {
 }
 # of the keys of blocks, as people call them
 NAMES = {
-    block: {row.key: " ".join(filter(None, (row.title, row.symbol))) for row in rows}
+    block: {row.key: row.name for row in rows}
     for block, rows in (
         ("life", (*LIFE_RATING, *LOAD_RATING, *FILM_LIFE)),
         ("duty_cycle", DUTY_CYCLE),

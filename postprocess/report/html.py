@@ -2,7 +2,7 @@
 
 import base64
 import platform
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from html import escape
 from importlib import metadata
 from math import isfinite
@@ -85,8 +85,12 @@ def result(row: dict[str, Any], key: str) -> str:
     """A result of a row, a film with its uncertainty, a life without a power of ten."""
     if key.startswith("film_"):
         return with_error(row, key)
-    value = row.get(key)
-    return in_figures(value, 4) if key.endswith(LIVES) and value is not None else figure(value)
+    return _shown(key, row.get(key), figure)
+
+
+def _shown(key: str, value: Any, plain: Callable[[Any], str]) -> str:
+    """A life without a power of ten, other values as `plain` writes them."""
+    return in_figures(value, 4) if key.endswith(LIVES) and value is not None else plain(value)
 
 
 def without_noise(values: Sequence[Any]) -> list[Any]:
@@ -115,8 +119,7 @@ def title_text(key: str, quantities: Mapping[str, Quantity]) -> str:
     """Title and symbol of a quantity, or its key in words where none is known."""
     if key not in quantities:
         return name_text(key)
-    row = quantities[key]
-    return escape(" ".join(filter(None, (row.title, row.symbol))))
+    return escape(quantities[key].name)
 
 
 def key_head(keys: Iterable[str]) -> list[tuple[str, str]]:
@@ -170,7 +173,7 @@ def facts(
         name = escape(names[key]) if names and key in names else name_text(key)
         name += ' <span class="mark">*</span>' if is_assumed else ""
         unit = unit_symbol(key) if value is not None else ""
-        shown = in_figures(value, 4) if key.endswith(LIVES) and value is not None else text(value)
+        shown = _shown(key, value, text)
         content = f"{shown}&nbsp;{escape(unit)}" if unit else shown
         cells = f"<td>{name}</td><td>{content}</td>"
         if len(content) > MAX_BESIDE_KEY:  # words, such as a source

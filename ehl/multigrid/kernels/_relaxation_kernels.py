@@ -209,7 +209,7 @@ def spread_changes(P, kinds, spread, hx, hy, damping, first, stop):
 
     Fixed nodes stay without pressure: what neighbours that are driven below zero distribute would
     give them a trace that the next sweep takes away, and the edge of the cavity never came to rest
-    (350 random contacts: 34 instead of 48 need more than the plain cycles). Behind a layer the
+    (250 random contacts: 21 instead of 38 need a second attempt). Behind a layer the
     trace would make them full, and their lines drag the neighbours down.
     """
     wx, wy = _neighbour_weights(hx, hy)

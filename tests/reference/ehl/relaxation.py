@@ -225,6 +225,7 @@ def relax_lines(
     above = np.vstack((spread[1:], 0.0 * spread[:1]))
     below = np.vstack((spread[1:2] if grid.symmetric else 0.0 * spread[:1], spread[:-1]))
     change = -wy * (above + below) + np.where(kinds == GAUSS_SEIDEL, 0.0, spread - wx * _sides(spread))
+    change = np.where(kinds == FIXED, 0.0, change)
     rows = slice(first, -1)
     P[rows, 1:-1] = np.maximum(P + jacobi * change, 0.0)[rows, 1:-1]
     return P
