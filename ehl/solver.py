@@ -273,7 +273,7 @@ def _solve_finer(
     are what stands if their solution does not lead to one with more damping either.
     """
     results: list[AttemptResult] = []
-    dampings = [] if coarse.attempt.newton or not coarse.converged else [coarse.state.damping]
+    dampings = [] if coarse.attempt.newton or not coarse.converged else [coarse.attempt.damping]
     for damping in dampings if attempts else [*dampings, CAUTIOUS]:
         if results:
             progress.fallbacks.append(CAUTIOUS_LEVEL)

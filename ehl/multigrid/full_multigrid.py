@@ -223,9 +223,11 @@ def full_multigrid(
         start_from_hertz(state, first)
     levels: list[LevelHistory] = []
     for index in range(first, finest + 1):
-        # 1. start from the level below, Venner and Lubrecht (2000), sec. 3.5
+        # 1. start from the level below, Venner and Lubrecht (2000), sec. 3.5; what a level too
+        # coarse for the film needed in damping does not slow the finer ones
         if index > first:
             _start_from_below(state, index)
+            state.damping = result.attempt.damping
         # 2. cycles until film, load and equations are at rest
         most = options.max_cycles if index == finest else SETTLING_CYCLES
         below = levels[-1] if levels else None
