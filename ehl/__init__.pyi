@@ -1,3 +1,4 @@
+from .closed_form.film_formula import film_formula
 from .conditions import ContactConditions, MoesConditions
 from .oil.inlet_layer import InletLayer
 from .oil.lubricant import DensityLaw, Lubricant, ViscosityLaw
@@ -25,5 +26,6 @@ __all__ = [
     "ViscosityLaw",
     "atlas_arrays",
     "atlas_films",
+    "film_formula",
     "solve_contact",
 ]

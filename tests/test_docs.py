@@ -20,6 +20,7 @@ DOCS = ROOT / "docs"
     [
         "case_reference",
         "libraries",
+        "film_formula",
         "validation_003",
         "validation_004",
         pytest.param("validation_002_torque", marks=pytest.mark.slow),

@@ -1,4 +1,4 @@
-"""Picture of the errors of atlas and classic formulas on held-out contacts: `python tools/atlas/picture.py`."""
+"""Picture of the errors of atlas and formulas on held-out contacts: `python tools/atlas/picture.py`."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from matplotlib.style import context
 
 import ehl
 from ehl.closed_form import film
+from ehl.closed_form.film_formula import RANGE
 from ehl.closed_form.hertz import hertz_coefficients
 from ehl.scaling import scale_contact
 from postprocess.plot_style import INNER_COLOUR, RC, REFERENCE
@@ -29,21 +30,38 @@ SHOWN = {  # formula: name, mark, colour
     "hamrock_dowson": ("Hamrock and Dowson (1977)", "o", "#c1440e"),
     "chittenden": ("Chittenden et al. (1985)", "^", "#a6761d"),
     "nijenbanning": ("Nijenbanning, Venner and Moes (1994)", "s", REFERENCE),
+    "fifty": ("formula of fifty coefficients", "x", "#00796b"),
 }
 WIDTH, HEIGHT, DPI = 7.1, 3.6, 140  # [in], [in], [1/in]
 
 
+def held_out(kind, least_lubricant=0.0):
+    """Numbers of the contacts that judge, of those in the range of the formula of fifty coefficients."""
+    with gzip.open(LABELS, "rt") as file:
+        rows = [
+            {k: float(v) for k, v in row.items() if k != "kind"} for row in csv.DictReader(file) if row["kind"] == kind
+        ]
+    (least, most), (slim, wide) = RANGE["A"], RANGE["Rx/Ry"]
+    return [r for r in rows if least <= r["A"] <= most and slim <= r["D"] <= wide and r["L"] >= least_lubricant]
+
+
+def formula_errors(rows, name):
+    """|error| [%] of the central or minimum film by the formula of fifty coefficients."""
+    A, L, D, alpha, z, exact = (np.array([row[key] for row in rows]) for key in ("A", "L", "D", "alpha", "z", name))
+    films = dict(zip(("central", "minimum"), ehl.film_formula(A, L, D, 1e-9 * alpha, z), strict=True))
+    return 100.0 * np.abs(films[name] / np.exp(exact) - 1.0)
+
+
 def errors(name):
     """A and |error| [%] by formula or atlas of the central or minimum film."""
-    with gzip.open(LABELS, "rt") as file:
-        rows = [row for row in csv.DictReader(file) if row["kind"] == "held" and float(row["L"]) > LEAST_LUBRICANT]
+    rows = held_out("held", LEAST_LUBRICANT)
     found = {key: [] for key in ("atlas", *SHOWN)}
-    loads = [float(row["A"]) for row in rows]
+    loads = [row["A"] for row in rows]
     for row, load in zip(rows, loads, strict=True):
-        ratio = float(row["D"])
-        groups = ((load / hertz_coefficients(ratio)[0] ** 2) ** 1.5, float(row["L"]), ratio)
-        oil = replace(OIL, roelands_z=float(row["z"]), pressure_viscosity=float(row["alpha"]) * 1e-9)
-        exact = exp(float(row[name])) / load
+        ratio = row["D"]
+        groups = ((load / hertz_coefficients(ratio)[0] ** 2) ** 1.5, row["L"], ratio)
+        oil = replace(OIL, roelands_z=row["z"], pressure_viscosity=row["alpha"] * 1e-9)
+        exact = exp(row[name]) / load
         own = moes(*groups, oil=oil)
         found["atlas"].append(getattr(ehl.atlas_films(own), name).value / exact - 1.0)
         contact = from_groups(own, modulus=MODULUS)
@@ -52,7 +70,8 @@ def errors(name):
             formula = getattr(film, f"film_{key}_{name}", None)
             if formula is not None:
                 values.append(formula(contact) / unit / exact - 1.0)
-    return np.array(loads), {key: 100.0 * np.abs(values) for key, values in found.items() if values}
+    shares = {key: 100.0 * np.abs(values) for key, values in found.items() if values}
+    return np.array(loads), {**shares, "fifty": formula_errors(rows, name)}
 
 
 def main():
@@ -65,7 +84,16 @@ def main():
             loads, found = errors(name)
             for key, (label, mark, colour) in SHOWN.items():
                 if key in found:
-                    axes.plot(loads, found[key], mark, ms=3.0, mfc="none", mew=0.7, color=colour, label=label)
+                    axes.plot(
+                        loads,
+                        np.maximum(found[key], SMALLEST),
+                        mark,
+                        ms=3.0,
+                        mfc="none",
+                        mew=0.7,
+                        color=colour,
+                        label=label,
+                    )
             axes.plot(loads, np.maximum(found["atlas"], SMALLEST), "D", ms=2.5, color=INNER_COLOUR, label="film atlas")
             axes.set(xscale="log", yscale="log", xlabel="A = a²/(R$_x$² √(2U)) [-]", title=f"{name} film")
             axes.set_xticks([7, 10, 20, 50, 100, 160], ["7", "10", "20", "50", "100", "160"])
@@ -75,7 +103,7 @@ def main():
                 print(f"{name} {key}: {error.max():.3g} / {np.quantile(error, 0.95):.3g} ({len(error)} contacts)")
         left.set(ylabel="|error| against solved film [%]", ylim=(SMALLEST / 1.3, 150.0))
         left.set_yticks([0.01, 0.1, 1, 10, 100], ["0.01", "0.1", "1", "10", "100"])
-        figure.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncols=4)
+        figure.legend(*left.get_legend_handles_labels(), loc="outside lower center", ncols=3)
         figure.savefig(PICTURE, dpi=DPI)
 
 
