@@ -10,6 +10,7 @@ Flooded, isothermal, Newtonian, entrainment along x; oil after Roelands with the
 and Higginson. Errors: `docs/theory/film_formula.md`.
 """
 
+from collections.abc import Sequence
 from functools import cache
 from math import nan
 from pathlib import Path
@@ -64,20 +65,17 @@ def film_formula(
         inside &= (own >= low * (1.0 - EDGE)) & (own <= high * (1.0 + EDGE))
     exponents, coefficients = _coefficients()
     films = np.full((flat[0].size, 2), nan)
-    films[inside] = np.exp(monomials(*(v[inside] for v in flat), exponents) @ coefficients)
+    terms = monomials([v[inside] for v in flat], exponents)
+    films[inside] = np.exp(terms @ coefficients)
     central, minimum = (np.reshape(film, values[0].shape) for film in films.T)
     return central, minimum
 
 
-def monomials(
-    load: Array,
-    lubricant_parameter: Array,
-    radius_ratio: Array,
-    pressure_viscosity: Array,
-    roelands_z: Array,
-    exponents: NDArray[np.int_],
-) -> Array:
-    """Terms of the formula at n contacts, of exponents of shape (m, 5), shape (n, m) [-]."""
+def monomials(places: Sequence[Array], exponents: NDArray[np.int_]) -> Array:
+    """Terms of the formula at n contacts, of exponents of shape (m, 5), shape (n, m) [-]; places:
+    the inputs of `film_formula`, each of shape (n,).
+    """
+    load, lubricant_parameter, radius_ratio, pressure_viscosity, roelands_z = places
     low, high = RANGE["A"]
     thick = np.sqrt(lubricant_parameter / RANGE["L"][1])
     variables = (

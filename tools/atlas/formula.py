@@ -70,7 +70,7 @@ def main():
     rows = []
     for count, oil, values in ((BASE, False, of_base), (OIL, True, of_oil)):
         known = np.array(powers(oil))
-        columns = monomials(load, root**2, ratio, alpha, z, known)
+        columns = monomials((load, root**2, ratio, alpha, z), known)
         chosen = selected(columns, values, count)
         found, *_ = np.linalg.lstsq(columns[:, chosen], values, rcond=None)
         for exponents, pair in zip(known[chosen], found, strict=True):
