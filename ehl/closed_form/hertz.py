@@ -23,6 +23,7 @@ from ..ranges import require_positive
 # Rx/Ry and its inverse, ellipticity about 1e5; beyond lies the line contact
 RADIUS_RATIO_LIMIT = 1.0e8
 MAX_NEWTON_STEPS = 60
+LAST_STEP = 1.0e-8  # of ln k, after which a step of second order leaves round-off alone
 MEAN_PRESSURE_RATIO = 2.0 / 3.0  # of a semi-ellipsoid over its largest value [-]
 
 
@@ -59,10 +60,9 @@ def ellipse_ratio(radius_ratio: float) -> float:
         residual -= target
         low, high = (t, high) if residual > 0.0 else (low, t)
         step = -residual / slope
-        t_next = t + step if low < t + step < high else 0.5 * (low + high)
-        if abs(t_next - t) <= 4.0e-16 * max(1.0, abs(t)):
-            return exp(t_next)
-        t = t_next
+        if abs(step) <= LAST_STEP:
+            return exp(t + step)
+        t = t + step if low < t + step < high else 0.5 * (low + high)
     return exp(t)
 
 

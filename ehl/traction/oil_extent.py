@@ -34,6 +34,15 @@ class Sections(NamedTuple):
         """
         return height_scale * (_excess(self.ball, r) + _excess(self.race, r))
 
+    def gap(self, r: Array) -> Array:
+        """Gap of the two circles at a distance over a, at most `end`, over a [-]."""
+        return _height(self.ball, r) + _height(self.race, r)
+
+    def rise(self, r: Array) -> Array:
+        """Derivative of `gap` by the square of the distance [-]."""
+        ball, race = (c / np.sqrt(1.0 - (c * r) ** 2) for c in (self.ball, self.race))
+        return np.asarray(0.5 * (ball + race))
+
     @property
     def end(self) -> Array:
         """Distance over a at which the smaller circle ends [-]."""
@@ -43,6 +52,12 @@ class Sections(NamedTuple):
     def largest(self) -> Array:
         """Curvature of the smaller circle [-]."""
         return np.maximum(np.abs(self.ball), np.abs(self.race))
+
+
+def _height(curvature: Array, r: Array) -> Array:
+    """Height of a circle, signed as its curvature, over a [-]."""
+    squared = np.minimum((curvature * r) ** 2, 1.0)
+    return np.asarray(curvature * r**2 / (1.0 + np.sqrt(1.0 - squared)))
 
 
 def _excess(curvature: Array, r: Array) -> Array:
