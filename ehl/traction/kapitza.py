@@ -61,13 +61,15 @@ def _meniscus(film: float, layer: float, bodies: Sections) -> Array:
     smaller circle ends: Newton's method in the square of the distance, by which the gap is convex,
     kept inside a bracket.
     """
-    low, high = np.zeros_like(bodies.end), bodies.end**2
+    low = np.zeros_like(bodies.end)
+    high = bodies.end**2
     opens = film + bodies.gap(bodies.end) > layer
     square = np.minimum(2.0 * (layer - film) / (bodies.ball + bodies.race), 0.5 * high)
     for _ in range(NEWTON_STEPS):
         r = np.sqrt(square)
         excess = film + bodies.gap(r) - layer
-        low, high = np.where(excess < 0.0, square, low), np.where(excess < 0.0, high, square)
+        low = np.where(excess < 0.0, square, low)
+        high = np.where(excess < 0.0, high, square)
         step = -excess / bodies.rise(r)
         inside = (square + step >= low) & (square + step <= high)
         square = np.where(inside, square + step, 0.5 * (low + high))
