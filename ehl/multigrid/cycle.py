@@ -237,7 +237,9 @@ def cycle(state: Multigrid, index: int) -> None:
     """One cycle from level `index` down; the coarsest level also moves H0 towards the load
     balance, Venner and Lubrecht (2000), chapters 3 and 6.
 
-    W between the levels of `SINGLE_VISITS`, V above and below.
+    W between the levels of `SINGLE_VISITS`, V above and below; V alone where cycles swing: thick
+    films near the edge of the box press there the more the thinner they are, which the coarser
+    levels do not know, and two visits overshoot twice as far.
     """
     if index == 0:
         _solve_coarsest(state)
@@ -250,7 +252,8 @@ def cycle(state: Multigrid, index: int) -> None:
         approach = state.approach
         # 3. its solution by cycles of the levels below
         lowest, highest = SINGLE_VISITS
-        for _ in range(2 if lowest < index < len(state.levels) - highest else 1):
+        twice = lowest < index < len(state.levels) - highest and not state.swings
+        for _ in range(2 if twice else 1):
             cycle(state, index - 1)
         # 4. correction of pressure and film
         _correct(state, index, start, approach)

@@ -30,6 +30,7 @@ CONVERGED = (5e-3, 1e-3)
 OIL_LOST = (1e-5, 1e-2)
 # cycles with no smaller residual, all above CONVERGED, after which the finest level is given up
 STALLED_CYCLES = 6
+SWING = 0.5  # of the load error that a cycle leaves on the other side, above which cycles swing
 LARGEST_REMAINING = 0.03  # relative film change still to come, above which nothing has converged
 # the film is at rest where the cycles leave this share of the step between the levels, and no
 # less than the first nor more than the second of the film
@@ -83,6 +84,14 @@ class LevelHistory:
         if len(residual) <= STALLED_CYCLES or min(residual) < CONVERGED[0]:
             return False
         return min(residual[-STALLED_CYCLES:]) >= min(residual[:-STALLED_CYCLES])
+
+    @property
+    def swings(self) -> bool:
+        """Whether the last cycle took the load from one side to the other and hardly nearer."""
+        if len(self.load) < 2:
+            return False
+        before, last = self.load[-2:]
+        return before * last < 0.0 and abs(last) > max(SWING * abs(before), CONVERGED[1])
 
     @property
     def nearing(self) -> bool:

@@ -77,6 +77,7 @@ class Multigrid:
     threads: Threads = field(default_factory=Threads)
     approach: float = 0.0  # H0
     exterior: float = 0.0  # load outside the box
+    swings: bool = False  # whether cycles took the load from one side to the other, see `settle`
     deflections: dict[int, int] = field(default_factory=dict)  # level -> number of deflection FFTs
 
     def deflected_nodes(self) -> int:

@@ -22,7 +22,8 @@ LEVEL_CYCLES = 3  # cycles on levels that the mesh does not resolve
 PRESSURE_LIMIT = 40.0
 # of the residual in one cycle, above which it has, too, where the equations do not hold any more
 GROWTH_LIMIT = 10.0
-PLAIN_CYCLES = 5  # on a level, before the cycles are accelerated
+# on a level, before the cycles are accelerated; those that swing are from the second on
+PLAIN_CYCLES = 5
 DIVERGED = (inf, inf)  # in place of residual and mass imbalance after a cycle
 HALVINGS = 3  # of the damping on one level before it counts as diverged
 
@@ -67,7 +68,8 @@ def settle(
             break
         if cycles >= most and not history.nearing:
             break
-        if PLAIN_CYCLES < cycles != most:
+        state.swings |= history.swings
+        if (state.swings or cycles > PLAIN_CYCLES) and cycles != most:
             mixed, state.approach = acceleration.next(before, (level.P, state.approach))
             level.P = mixed if level.fill is None else np.where(level.P > 0.0, mixed, 0.0)
             update_film(state, index)
