@@ -87,8 +87,10 @@ class LevelHistory:
 
     @property
     def swings(self) -> bool:
-        """Whether the last cycle took the load from one side to the other and hardly nearer."""
-        if len(self.load) < 2:
+        """Whether the last cycle took the load from one side to the other and hardly nearer, on a
+        mesh that resolves the film: on coarser ones the load does so in heavy contacts, too.
+        """
+        if len(self.load) < 2 or not self.resolved:
             return False
         before, last = self.load[-2:]
         return before * last < 0.0 and abs(last) > max(SWING * abs(before), CONVERGED[1])
