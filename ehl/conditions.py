@@ -100,14 +100,16 @@ def surface_motion(
 
 
 def speed_load_material(conditions: ContactConditions) -> tuple[float, float, float]:
-    """U = eta_0 u_m/(E' Rx), W = F/(E' Rx^2), G = alpha E' [-], Hamrock and Dowson (1977)."""
+    """U = eta_0 u_m/(E' Rx), W = F/(E' Rx^2), G = alpha E' [-], Hamrock and Dowson (1977); G is
+    zero for an isoviscous oil, whatever its coefficient.
+    """
     c = conditions
     oil = conditions.lubricant
     speed = oil.viscosity * c.entrainment_speed / (c.reduced_modulus * c.radius_x)
     return (
         speed,
         c.load / (c.reduced_modulus * c.radius_x**2),
-        oil.pressure_viscosity * c.reduced_modulus,
+        oil.pressure_viscosity * c.reduced_modulus if oil.piezoviscous else 0.0,
     )
 
 

@@ -98,13 +98,13 @@ def _by_formulas(conditions: ContactConditions, axes: tuple[float, float]) -> Fi
 def formula_central(conditions: ContactConditions) -> float:
     """Central film of the formulas [m]: the thicker one, each is far too thin beyond its range."""
     light = LIGHT_CONTACT * film_nijenbanning_central(conditions)
-    if conditions.lubricant.pressure_viscosity <= 0.0:
+    if not conditions.lubricant.piezoviscous:
         return light
     return max(light, film_chittenden_central(conditions))
 
 
 def _minimum_ratio(conditions: ContactConditions) -> float | None:
     """Minimum over central film of the formulas [-]; None without pressure-viscosity."""
-    if conditions.lubricant.pressure_viscosity <= 0.0:
+    if not conditions.lubricant.piezoviscous:
         return None
     return film_hamrock_dowson_minimum(conditions) / film_hamrock_dowson_central(conditions)

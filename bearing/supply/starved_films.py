@@ -6,7 +6,7 @@ from math import inf
 
 import numpy as np
 
-from ehl import ContactSolution, ViscosityLaw
+from ehl import ContactSolution
 
 from ..contacts.contact import BearingContact
 from ..contacts.film_numbers import film_numbers
@@ -139,7 +139,7 @@ def _flooded(
         if central is not None and minimum is not None:
             return central, minimum, True
     oil = contact.conditions.lubricant
-    if oil.viscosity_law is ViscosityLaw.ISOVISCOUS or oil.pressure_viscosity <= 0.0:
+    if not oil.piezoviscous:
         return None
     hertz = contact.hertz
     known = film_numbers(contact.conditions, (hertz.semi_axis_y, hertz.semi_axis_x))

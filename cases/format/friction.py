@@ -305,7 +305,7 @@ def rheology(oil: Oil, lubricant: Lubricant) -> Rheology:
     coefficient = keys.get("limiting_stress_coefficient")
     assumed = []
     eyring = keys.get("eyring_stress_MPa")
-    if law is ShearLaw.REE_EYRING and eyring is None and lubricant.pressure_viscosity == 0.0:
+    if law is ShearLaw.REE_EYRING and eyring is None and not lubricant.piezoviscous:
         law = ShearLaw.NEWTONIAN  # nothing to take a stress from, nor a need of one
     if coefficient is None and law is not ShearLaw.NEWTONIAN:
         coefficient, source = _limiting_coefficient(oil, lubricant)

@@ -115,6 +115,13 @@ class Lubricant:
         _require_constants(self)
 
     @property
+    def piezoviscous(self) -> bool:
+        """Whether the viscosity rises with the pressure; the coefficient of an isoviscous oil is
+        not used.
+        """
+        return self.viscosity_law is not ViscosityLaw.ISOVISCOUS and self.pressure_viscosity > 0.0
+
+    @property
     def exponent(self) -> float:
         """Roelands' z [-]: as given, or z = alpha p_r / (ln eta_0 + 9.67), Roelands (1966)."""
         if self.roelands_z is not None:

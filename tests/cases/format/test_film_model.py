@@ -118,3 +118,16 @@ film_model = "shear-thinning"
     results = run_case(case_from_text(text, "case.toml"))
     assert results.converged
     assert any("uniform temperature" in message for message in results.messages)
+
+
+def test_an_isoviscous_oil_shears_as_one_whatever_its_coefficient():
+    """Eyring's stress 2 Lambda/alpha is not of an oil whose viscosity does not rise with the pressure."""
+    own = 'viscosity_mPa_s = 40.0\nviscosity_law = "isoviscous"\ndensity_law = "incompressible"\n'
+    soft = CONTACT.replace('name = "iso vg 32"\n', own)
+    soft = soft.replace('material_1 = "bearing steel"\nmaterial_2 = "bearing steel"', "reduced_modulus_GPa = 1.0")
+    plain = solved(soft)
+    given = solved(soft.replace(own, own + "pressure_viscosity_1_GPa = 20.0\n"))
+    assert plain["converged"]
+    assert plain["traction_coefficient"] > 0.0
+    for key in ("moes_L", "film_central_um", "film_minimum_um", "traction_coefficient", "rolling_moment_N_mm"):
+        assert given[key] == plain[key], key

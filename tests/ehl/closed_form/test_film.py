@@ -12,7 +12,7 @@ from math import log
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl import ContactConditions, Lubricant
+from ehl import ContactConditions, Lubricant, ViscosityLaw
 from ehl.closed_form.film import (
     film_chittenden_central,
     film_hamrock_dowson_central,
@@ -143,3 +143,12 @@ def test_reduction_by_heat_by_hand():
     with pytest.raises(ValueError, match="thermal properties"):
         thermal_loading(CONTACT)
     assert film_reduction_gupta(0.005, 0.1, -0.1) == pytest.approx(0.974907 / 1.064890, rel=1e-5)
+
+
+def test_films_of_an_isoviscous_oil_know_no_coefficient():
+    """L = 0 by its law, as by no coefficient."""
+    given = replace(CONTACT, lubricant=replace(OIL, viscosity_law=ViscosityLaw.ISOVISCOUS))
+    none = replace(CONTACT, lubricant=replace(given.lubricant, pressure_viscosity=0.0))
+    assert moes_groups(given) == moes_groups(none)
+    assert moes_groups(given)[1] == 0.0
+    assert film_nijenbanning_central(given) == film_nijenbanning_central(none) > 0.0
