@@ -38,7 +38,7 @@ class Certificate:
 
     certified: bool
     message: str
-    # sum |R| over the fluid nodes over sum |div(rho u H)|, at the start and after each Newton step
+    # sum |R| over sum |div(rho u H)| of the fluid nodes, at the start and after each Newton step
     residual: tuple[float, ...]
     force_error: tuple[float, ...]  # relative error of the load balance, likewise
     # largest relative change of central and minimum film; zero where the state was left as it was
@@ -51,8 +51,9 @@ class Certificate:
 class ConvergenceRecord:
     """History of a solve: one entry of each tuple per cycle on the finest level [-]."""
 
-    # sum |R| over sum |div(rho u H)|, both over the fluid nodes: how far the equations are from
-    # holding [-]; of finite elements that of the solution alone
+    # sum |R| over sum |div(rho u H)| of the fluid nodes, R zero where a cavitated node asks for no
+    # pressure: how far the equations are from holding [-]; of finite elements that of the solution
+    # alone
     residual: tuple[float, ...]
     force_error: tuple[float, ...]  # relative error of the load balance [-]
     film_change: tuple[float, ...]  # relative change of central and minimum film in the cycle [-]

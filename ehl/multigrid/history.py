@@ -21,7 +21,7 @@ FILMS = (CENTRAL, MINIMUM)
 # Hmin/(S hx^2) below this is unresolved, S the gap's curvature along the entrainment
 RESOLVED = 5.0
 CONTRACTION = (0.4, 0.9)  # bounds of the contraction of a cycle in the estimate of what it leaves
-# sum |R| / sum |div(rho u H)| over the fluid nodes, and relative error of the load balance: at
+# sum |R| / sum |div(rho u H)| of the fluid nodes, and relative error of the load balance: at
 # which the cycles may stop, and above which a film at rest is no solution
 FINISHED = (2e-4, 1e-4)
 CONVERGED = (5e-3, 1e-3)
