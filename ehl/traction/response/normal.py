@@ -4,6 +4,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import hypot, inf, nan, pi
 
+from ...closed_form.hertz import hertz_contact
 from ...conditions import ContactConditions, MoesConditions
 from ...multigrid.bordered import LinearSolverError
 from ...multigrid.newton import MOST_NODES
@@ -16,6 +17,9 @@ POINTS = (257, 513)  # the first that resolves the film, and half of them
 COARSEST = 65
 # error of the extrapolated value over the step between the meshes; a third is what order 2 adds
 MESH_SHARE = 0.5
+# error of a stiffness k over (1 - k/k_H) k/points, k_H of the dry contact: the edge of the cavity
+# stands by a node, and what the film gives in changes with its place from mesh to mesh
+EDGE_ERROR = 2.6
 LAYER_SHARE = 2.0  # behind a layer, where values depend on the meniscus' place in its cell
 # angular frequency times a/u_m, below which movement is slow: damping differs by 0.02 % at most
 # there, and is too small a part of the reaction to be told from it
@@ -57,8 +61,9 @@ def normal_response(
 
     The contact is solved on 257 points along x (513 if those do not resolve the film), or those of
     the options, and on half as many; both values are extrapolated with order 2. The error bar
-    holds a part of that step and what is not known of the squeeze beyond an open box: half of what
-    it adds at most. Behind a layer nothing is extrapolated and the bar is twice the step. There
+    holds a part of that step, of the stiffness what the edge of the cavity leaves at least, and
+    what is not known of the squeeze beyond an open box: half of what it adds at most. Behind a
+    layer nothing is extrapolated and the bar is twice the step. There
     the damping of slow movement may be negative: bodies that close in feed the meniscus, at the
     cost of the film; faster than the meniscus follows it is positive. Where oil flows across the
     lines of the grid, as with an entrainment that turns, a layer's response is not known.
@@ -92,7 +97,7 @@ def normal_response(
     if not meshes or meshes[-1].points < finest[0]:
         return _none(fault)
     starved = conditions.inlet_layer is not None
-    return _extrapolated(meshes[-2:], tuple(frequencies), starved)
+    return _extrapolated(meshes[-2:], tuple(frequencies), starved, _dry_stiffness(conditions))
 
 
 def highest_frequency(conditions: ContactConditions) -> float:
@@ -100,6 +105,13 @@ def highest_frequency(conditions: ContactConditions) -> float:
     a = scale_contact(conditions).semi_axis_x
     assert a is not None
     return FASTEST * conditions.entrainment_speed / (2.0 * pi * a)
+
+
+def _dry_stiffness(conditions: ContactConditions) -> float:
+    """Of Hertz' contact, 3/2 of the load over the approach [N/m]."""
+    c = conditions
+    dry = hertz_contact(c.load, c.radius_x, c.radius_y, c.reduced_modulus)
+    return 1.5 * c.load / dry.approach
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -150,10 +162,10 @@ def _mesh(
 
 
 def _extrapolated(
-    meshes: list[_Mesh], frequencies: tuple[float, ...], starved: bool
+    meshes: list[_Mesh], frequencies: tuple[float, ...], starved: bool, dry: float
 ) -> NormalResponse:
     """Values without mesh, behind a layer those of the finer one; of a single mesh their bars are
-    as wide as the values.
+    as wide as the values. dry: stiffness of Hertz' contact [N/m].
     """
     coarse = meshes[0]
     fine = meshes[-1]
@@ -170,15 +182,20 @@ def _extrapolated(
         without_mesh = after if starved else after + step / 3.0
         return ResponseValue(value=without_mesh - shift, uncertainty=bar)
 
+    def stiffness(before: float, after: float) -> ResponseValue:
+        edge = EDGE_ERROR / fine.points * abs(after) * abs(1.0 - after / dry)
+        found = value(before, after, 0.0)
+        return replace(found, uncertainty=max(found.uncertainty, edge))
+
     samples = list(zip(coarse.over_frequency, fine.over_frequency, strict=True))
     return NormalResponse(
-        stiffness=value(coarse.stiffness, fine.stiffness, 0.0),
+        stiffness=stiffness(coarse.stiffness, fine.stiffness),
         damping=value(coarse.damping, fine.damping, half),
         converged=True,
         resolved=fine.resolved,
         message="single mesh: error bars as wide as the values" if single else "converged",
         frequencies=frequencies,
-        stiffnesses=tuple(value(c[0], f[0], 0.0) for c, f in samples),
+        stiffnesses=tuple(stiffness(c[0], f[0]) for c, f in samples),
         dampings=tuple(value(c[1], f[1], half) for c, f in samples),
     )
 

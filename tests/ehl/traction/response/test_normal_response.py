@@ -16,7 +16,7 @@ from ehl.solver import solve_attempts
 from ehl.traction import normal_response
 from ehl.traction.response import normal
 from ehl.traction.response.linear import _Right, linear_contact
-from verification.contacts import DEGREE
+from verification.contacts import DEGREE, from_groups
 from verification.contacts import moes as groups
 
 OPEN = None
@@ -170,3 +170,14 @@ def test_a_coarse_mesh_that_fails_leaves_a_wide_bar(monkeypatch):
     assert alone.stiffness.uncertainty >= alone.stiffness.value > 0.0
     none = normal_response(replace(STEEL, load=300.0), SolverOptions(points=129))
     assert not none.converged and none.message == "129 points: no"
+
+
+@pytest.mark.parametrize(("m", "l", "ratio"), [(5.06, 14.2, 0.261), (445.0, 14.1, 0.0739)])
+def test_a_stiffness_whose_meshes_agree_by_chance_keeps_a_bar(m, l, ratio):
+    """Two meshes differed by 0.1 and 0.02 %, the next by 0.7 and 0.05 %: thirteen and two bars off."""
+    law = ViscosityLaw.BARUS if m < 10.0 else ViscosityLaw.ISOVISCOUS
+    oil = Lubricant(viscosity=0.02, pressure_viscosity=2e-8, viscosity_law=law)
+    contact = from_groups(groups(m, l, ratio, oil=oil))
+    coarse, fine = (normal_response(contact, SolverOptions(points=points)).stiffness for points in (129, 257))
+    assert abs(coarse.value - fine.value) < coarse.uncertainty < 0.025 * coarse.value
+    assert fine.uncertainty < coarse.uncertainty
