@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from math import nan
 
 from ..solution import FilmValue
-from .history import CENTRAL, LevelHistory
+from .history import CENTRAL, MINIMUM, LevelHistory
 
 ORDER_STEP = 3.0  # 2^2 - 1: the step to the limit is the difference of two levels over this
 # Error bars, in steps of the extrapolation, chosen on 125 random contacts so that they cover 97 %
@@ -13,6 +13,8 @@ ORDER_STEP = 3.0  # 2^2 - 1: the step to the limit is the difference of two leve
 STEP_SHARES = ((0.12, 0.35), (0.25, 0.7))
 APPROACH_SHARE = 0.35  # of the approach, likewise; on 100 random contacts
 SHORT_SEQUENCE = 0.5  # where the second level below the finest is none or not resolved
+# there, of a step above that share of the minimum film: two skewed contacts needed 0.75 and 1.07
+LARGE_STEP, OF_LARGE_STEP = (0.05, 1.1)
 UNRESOLVED_BELOW = 1.0  # where the level below is not
 LOWEST_RATIO = 2.0  # of two steps: first order
 LARGEST_FALL = 0.25  # over the film, beyond which none is extrapolated: the finest value stands
@@ -86,7 +88,8 @@ def _step(
     if not levels[-2].resolved:
         return step, max(share, UNRESOLVED_BELOW) * abs(step)
     if len(values) < 3 or not levels[-3].resolved:
-        return step, max(share, SHORT_SEQUENCE) * abs(step)
+        large = abs(step) > LARGE_STEP * abs(levels[-1].film[-1][MINIMUM])
+        return step, max(share, OF_LARGE_STEP if large else SHORT_SEQUENCE) * abs(step)
     before = (values[-2] - values[-3]) / ORDER_STEP
     return step, max(share * max(abs(step), 0.25 * abs(before)), _departure(step, before))
 

@@ -132,6 +132,13 @@ def test_bars_widen_where_the_order_is_not_seen_and_where_levels_miss():
     assert np.isnan(extrapolate([], 0).value)
 
 
+def test_bars_of_two_levels_far_apart_hold_the_whole_step():
+    """A skewed contact of M 1801 was 1.07 steps off on 257 points, with a bar of 0.7."""
+    for fall, share in ((0.05, 0.5), (0.3, 1.1)):
+        film = extrapolate(levels([1.0 + fall, 1.0]), 0)
+        assert film.uncertainty == pytest.approx(share * fall / 3.0)
+
+
 def test_a_level_below_that_is_not_solved_is_left_out():
     """Its film is open by more than itself: the finest stands alone, with the bar of a single level."""
     below, finest = levels([0.5, 0.99])
