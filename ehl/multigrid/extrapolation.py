@@ -13,8 +13,8 @@ ORDER_STEP = 3.0  # 2^2 - 1: the step to the limit is the difference of two leve
 STEP_SHARES = ((0.12, 0.35), (0.25, 0.7))
 APPROACH_SHARE = 0.35  # of the approach, likewise; on 100 random contacts
 SHORT_SEQUENCE = 0.5  # where the second level below the finest is none or not resolved
-# there, of a step above that share of the minimum film: two skewed contacts needed 0.75 and 1.07
-LARGE_STEP, OF_LARGE_STEP = (0.05, 1.1)
+LARGE_STEP = 0.05  # of the minimum film, above which the bar there is
+OF_LARGE_STEP = 1.1  # of it: two skewed contacts needed 0.75 and 1.07
 UNRESOLVED_BELOW = 1.0  # where the level below is not
 LOWEST_RATIO = 2.0  # of two steps: first order
 LARGEST_FALL = 0.25  # over the film, beyond which none is extrapolated: the finest value stands
