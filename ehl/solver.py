@@ -29,6 +29,7 @@ from .multigrid.supply.oil_supply import inlet_ratio, oil_supply, starved_film_g
 from .multigrid.supply.starvation_law import behind_layer
 from .multigrid.verdict import (
     approach_value,
+    error_by_box,
     film_over_radius,
     film_value,
     judged,
@@ -101,6 +102,8 @@ def solve_attempts(
     while tolerance is not None and points < options.most_points:
         if _reached(solution, tolerance) or film_over_radius(solution) > MAX_FILM_OVER_RADIUS:
             break
+        if error_by_box(result) > max(tolerance, 0.5 * solution.widest_bar):
+            break  # of which no mesh takes anything away
         given = replace(given, points=2 * points - 1)
         sound = solution.converged and solution.resolved
         anew = () if sound else attempts
@@ -308,7 +311,7 @@ def _assembled(
         ),
         result,
     )
-    return judged(_solution(conditions, options, result, record))
+    return judged(_solution(conditions, options, result, record), error_by_box(result))
 
 
 def with_history(record: ConvergenceRecord, result: AttemptResult) -> ConvergenceRecord:

@@ -21,8 +21,13 @@ def film_value(result: AttemptResult, kind: int) -> FilmValue:
     contact = result.state.contact
     oblique = not contact.symmetric
     film = extrapolate(result.levels, kind, oblique=oblique)
-    by_box = box_uncertainty(result.state, _centre(result)) * abs(film.value)
+    by_box = error_by_box(result) * abs(film.value)
     return replace(film, uncertainty=film.uncertainty + by_box)
+
+
+def error_by_box(result: AttemptResult) -> float:
+    """Relative error of the films by the load outside an open box [-]."""
+    return box_uncertainty(result.state, _centre(result))
 
 
 def approach_value(result: AttemptResult) -> FilmValue:
@@ -43,10 +48,10 @@ def _centre(result: AttemptResult) -> float:
     return result.levels[-1].film[-1][CENTRAL] if result.levels else nan
 
 
-def judged(solution: ContactSolution) -> ContactSolution:
+def judged(solution: ContactSolution, by_box: float = 0.0) -> ContactSolution:
     """The solution as its films let it stand: the minimum not above the centre, not converged
     where the film is outside the model, unresolved where a bar is wider than `LARGEST_BAR` or the
-    minimum lies far below all nodes.
+    minimum lies far below all nodes; `by_box`: relative error by the load outside the box [-].
     """
     solution = _minimum_below_centre(solution)
     if not solution.converged:
@@ -63,13 +68,17 @@ def judged(solution: ContactSolution) -> ContactSolution:
     bar = solution.widest_bar
     minimum = solution.film_minimum_dimensionless.finest
     dip = float(solution.H.min()) / minimum - 1.0
+    advice = "try more points"
     if bar > LARGEST_BAR:
-        why = f"error bar {bar:.0%} of the film"
+        why = f"error bar {bar:.0%} of the film" if bar < 1.0 else "error bar wider than the film"
+        if by_box > 0.5 * bar:
+            why += f", by the load outside the box ({by_box:.0%}) while the entrainment turns"
+            advice = "no mesh narrows it"
     elif dip > LARGEST_DIP:
         why = f"the film at the nodes is {dip:.0%} above the minimum between them"
     else:
         return solution
-    message = f"converged but unresolved: {why}; try more points"
+    message = f"converged but unresolved: {why}; {advice}"
     return replace(solution, resolved=False, message=message)
 
 

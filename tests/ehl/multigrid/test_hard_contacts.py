@@ -7,13 +7,14 @@ from math import inf
 
 import pytest
 
-from ehl import DensityLaw, Lubricant, MoesConditions, SolverOptions, ViscosityLaw
+from ehl import DensityLaw, Lubricant, MoesConditions, SolverOptions, ViscosityLaw, solve_contact
 from ehl.closed_form.film import moes_film_nijenbanning
 from ehl.closed_form.hertz import hertz_coefficients
 from ehl.multigrid.full_multigrid import ATTEMPTS
 from ehl.multigrid.settling import DIVERGED, guarded_cycle
 from ehl.scaling import scale_contact
 from ehl.solver import solve_attempts
+from verification.contacts import from_groups, moes
 from verification.draws import draws
 
 SEED = 20261124  # of docs/validation/robustness.md
@@ -82,3 +83,14 @@ def test_a_cycle_after_which_the_equations_hold_is_not_undone():
     equations = guarded_cycle(state, len(state.levels) - 1, last=1e-9)
     assert equations != DIVERGED
     assert 1e-8 < equations[0] < inf
+
+
+def test_a_thick_film_whose_entrainment_turns_is_not_resolved_by_its_box():
+    """Two thirds of the bar and more are of the load outside, which no mesh narrows: told, and not refined for."""
+    conditions = from_groups(moes(6.0, 20.0, 0.27), rotation=0.39)
+    solution = solve_contact(conditions, SolverOptions())
+    assert solution.converged
+    assert not solution.resolved
+    assert "by the load outside the box" in solution.message
+    assert "more points" not in solution.message
+    assert solution.P.shape[0] < 1025
