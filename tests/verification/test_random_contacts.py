@@ -120,9 +120,12 @@ def test_mirrored_contacts_have_mirrored_films(conditions, axis):
         mirrored = replace(conditions, entrainment_angle=conditions.entrainment_angle + pi)
     one, other = (solve_contact(c, SolverOptions(points=129)) for c in (conditions, mirrored))  # 65 resolve one in five
     assume(one.converged and other.converged and one.resolved and other.resolved)
+    same_mesh = one.P.shape == other.P.shape  # not where one of them needed an attempt on another mesh across
     for film in FILMS:
         a, b = getattr(one, film), getattr(other, film)
-        assert_allclose(a.finest, b.finest, rtol=4e-3)  # two iterations, each to 4e-4 of its film, on other lines
+        assert abs(a.value - b.value) <= a.uncertainty + b.uncertainty
+        if same_mesh:
+            assert_allclose(a.finest, b.finest, rtol=4e-3)  # two iterations, each to 4e-4 of its film, on other lines
 
 
 @pytest.mark.slow

@@ -17,8 +17,9 @@ GROUPS = moes(200.0, 10.0, 0.4, oil=OIL)
 
 
 @cache
-def solved(conditions, **options):
-    return ehl.solve_contact(conditions, ehl.SolverOptions(points=129, **options))
+def solved(conditions):
+    """On 257 points: on 129 the bar is 5 %, as wide as what the tests add."""
+    return ehl.solve_contact(conditions, ehl.SolverOptions(points=257))
 
 
 def wrong_by(solution, share):
