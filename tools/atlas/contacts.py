@@ -16,6 +16,7 @@ from verification.contacts import OIL, from_groups, moes
 # E' so large that contacts are small beside their radii, and circles parabolas
 MODULUS = 226e11
 BOX_L, BOX_Z, BOX_ALPHA = (0.0, 30.0), (0.4, 0.8), (10e-9, 30e-9)
+WIDE_OILS = (0.3, 1.1), (8e-9, 32e-9)
 
 
 class Part(NamedTuple):
@@ -27,6 +28,7 @@ class Part(NamedTuple):
     any_oil: bool
     random: bool  # else of a low-discrepancy sequence
     seed: int
+    oils: tuple[tuple[float, float], tuple[float, float]] = (BOX_Z, BOX_ALPHA)  # z and alpha of any oil
 
 
 HELD_OUT = 20261123  # seed of the contacts that judge: the date on which they were drawn
@@ -49,6 +51,10 @@ PARTS = {
     "rigid oil": Part(RIGID, LUBRICANT, ANY_RATIO, any_oil=True, random=False, seed=9),
     "held rigid": Part((0.35, 2.4), (0.0, 30.0), (0.01, 5.0), any_oil=False, random=True, seed=HELD_OUT + 6),
     "held rigid oil": Part((0.35, 2.4), (0.0, 30.0), (0.01, 5.0), any_oil=True, random=True, seed=HELD_OUT + 7),
+    # oils of other laws stand for Roelands oils of these z, see `ehl.traction.atlas.oils`
+    "wide oil": Part(HEAVY, LUBRICANT, SLIM, any_oil=True, random=False, seed=10, oils=WIDE_OILS),
+    "light wide oil": Part(LIGHT, LUBRICANT, SLIM, any_oil=True, random=False, seed=11, oils=WIDE_OILS),
+    "rigid wide oil": Part(RIGID, LUBRICANT, ANY_RATIO, any_oil=True, random=False, seed=12, oils=WIDE_OILS),
     "along": Part((6.3, 175.0), LUBRICANT, WIDE, any_oil=False, random=False, seed=5),
     "held along": Part((7.0, 160.0), (0.0, 30.0), (1.0, 5.0), any_oil=False, random=True, seed=HELD_OUT + 3),
 }
@@ -83,13 +89,12 @@ def places(kind, count):
         A = exp(log(part.load[0]) + u[0] * log(part.load[1] / part.load[0]))
         low, high = (sqrt(value) for value in part.lubricant)
         D = exp(log(part.ratio[0]) + u[2] * log(part.ratio[1] / part.ratio[0]))
-        oil = _any_oil(u[3], u[4]) if part.any_oil else OIL
+        oil = _any_oil(part, u[3], u[4]) if part.any_oil else OIL
         found.append(Place(kind, number, A, (low + u[1] * (high - low)) ** 2, D, oil))
     return found
 
 
-def _any_oil(u, v):
-    """Roelands' law with z and alpha of the box."""
-    z = BOX_Z[0] + u * (BOX_Z[1] - BOX_Z[0])
-    alpha = BOX_ALPHA[0] + v * (BOX_ALPHA[1] - BOX_ALPHA[0])
+def _any_oil(part, u, v):
+    """Roelands' law with z and alpha of the part's box."""
+    z, alpha = (low + share * (high - low) for share, (low, high) in zip((u, v), part.oils, strict=True))
     return replace(OIL, roelands_z=z, pressure_viscosity=alpha)

@@ -18,7 +18,7 @@ from ehl.traction.atlas.table import FILE, Patch, Table, functions, oil_terms, p
 LABELS = Path(__file__).with_name("labels.csv.gz")
 COLUMNS = "kind number A L D alpha z central minimum approach t8 t25 t400 scale8 scale25 scale400".split()
 FITTED = ("heavy", "start", "along", "light", "light along", "rigid")
-OILS = ("oil", "light oil", "rigid oil")
+OILS = ("oil", "light oil", "rigid oil", "wide oil", "light wide oil", "rigid wide oil")
 LOADS = {"light": (0.3, 12.0), "heavy": (6.2, 175.0)}  # A that each patch is fitted to
 # of ln A + c ln D, sqrt L, ln D, and c: by the errors of contacts left out of the fit
 SCALES = {"light": (0.8, 4.0, 3.0), "heavy": (2.5, 4.0, 6.0)}

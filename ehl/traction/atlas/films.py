@@ -1,8 +1,9 @@
 """Films, rolling moment and stiffness of a flooded contact by the atlas, without a solve.
 
 Newtonian and isothermal, flooded, entrainment along x; the oil after Roelands with the density of
-Dowson and Higginson. Each value has the error within which nineteen of twenty contacts lay that
-were solved to judge the table. What the table does not cover is refused.
+Dowson and Higginson, or one of another law, for which a Roelands oil stands (`oils`). Each value
+has the error within which nineteen of twenty contacts lay that were solved to judge the table.
+What the table does not cover is refused.
 """
 
 from dataclasses import dataclass, replace
@@ -15,9 +16,10 @@ from ...arrays import Array
 from ...closed_form.film import MAX_FILM_OVER_RADIUS
 from ...closed_form.hertz import hertz_coefficients
 from ...conditions import ContactConditions, MoesConditions
-from ...oil.lubricant import DensityLaw, Lubricant, ViscosityLaw
+from ...oil.lubricant import Lubricant
 from ...scaling import ScaledContact, scale_contact
 from ..kapitza import kapitza_moment
+from .oils import LIGHT_DENSITY, by_density, density_excess, law_error, with_inlet_oil
 from .table import BASE_ALPHA, BASE_Z, bars_of, functions
 
 # of A, L, D, Roelands' z [-] and alpha [1/Pa] between which the table was judged
@@ -25,8 +27,8 @@ RANGE = {
     "A = a^2/(Rx^2 sqrt(2U))": (0.35, 160.0),
     "L": (0.0, 30.0),
     "Rx/Ry": (0.01, 5.0),
-    "roelands_z": (0.4, 0.8),
-    "pressure_viscosity": (10e-9, 30e-9),
+    "roelands_z": (0.3, 1.1),
+    "pressure_viscosity": (8e-9, 32e-9),
 }
 ALIGNED = 1e-9  # sine of the angle between entrainment and principal direction that counts as none
 # speed at the end of the ellipse by a rotation of the entrainment, over u_m, up to which the table
@@ -114,19 +116,19 @@ def atlas_films(
     NotInAtlasError
         If the contact is none of those that the atlas covers; the message names the solver.
     """
+    given = conditions.lubricant
+    conditions = with_inlet_oil(conditions)
     contact = scale_contact(conditions)
-    oil = conditions.lubricant
     load = hertz_coefficients(contact.radius_ratio)[0] ** 2 * contact.moes_load ** (2.0 / 3.0)
     _require_covered(conditions, contact, load)
-    values = (load, contact.moes_lubricant, contact.radius_ratio)
-    _require_range((*values, oil.exponent, oil.pressure_viscosity))
+    ratio = contact.radius_ratio
     # 1. the six functions at the contact, and at A a little smaller and larger
-    x = np.array([[log(load), sqrt(values[1]), log(values[2])]] * 3)
+    x = np.array([[log(load), sqrt(contact.moes_lubricant), log(ratio)]] * 3)
     x[1:, 0] += (-STEP, STEP)
-    found = functions(x, np.full(3, oil.pressure_viscosity), np.full(3, oil.exponent))
-    bars = _bars(load, values[2], oil)
+    found = _functions(x, load, contact, (conditions.lubricant, given))
+    bars = _bars(load, ratio, given)
     central, minimum = (exp(found[0, k]) / load for k in (0, 1))
-    lowered, lobes, moved = _by_rotation(load, values[2], contact.turning)
+    lowered, lobes, moved = _by_rotation(load, ratio, contact.turning)
     minimum = min(minimum, central) * lowered
     middle = float(bars[0]) + moved
     # 2. k = -3/2 F/(a^2/Rx)/(H0 + dH0/dlnA), as a^2 goes with F^(2/3) where U is constant
@@ -185,32 +187,34 @@ def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | 
     the atlas covers, and how far it is off, |ln(A/A')| + |ln(L/L')| + |z - z'| [-]; None where
     these do not bring it into the range.
     """
-    contact = scale_contact(conditions)
+    standing = with_inlet_oil(conditions)
+    assert isinstance(standing, ContactConditions)
+    contact = scale_contact(standing)
     axis = hertz_coefficients(contact.radius_ratio)[0]
     own = axis**2 * contact.moes_load ** (2.0 / 3.0)
     wanted = _nearest("A = a^2/(Rx^2 sqrt(2U))", own)
     slim = _slim(wanted, contact.radius_ratio)
     if slim is not None and contact.turning > slim.largest:
         wanted = max(wanted, LIGHT)
+    # 1. the oil; that of an isoviscous one does not count
+    alpha, z = _oil(standing.lubricant)
     thick = _nearest("L", contact.moes_lubricant)
-    oil = conditions.lubricant
-    if oil.viscosity_law is not ViscosityLaw.ROELANDS:
-        return None, 0.0
-    rise = _nearest("roelands_z", oil.exponent)
-    if rise != oil.exponent:
+    rise = _nearest("roelands_z", z)
+    way = abs(log(own / wanted)) + abs(z - rise)
+    oil = standing.lubricant
+    if rise != z:
         oil = replace(oil, roelands_z=rise)
     if thick != contact.moes_lubricant:
-        coefficient = oil.pressure_viscosity * thick / contact.moes_lubricant
-        oil = replace(oil, pressure_viscosity=coefficient, roelands_z=oil.exponent)
-    near = replace(conditions, load=conditions.load * (wanted / own) ** 1.5, lubricant=oil)
+        alpha *= thick / contact.moes_lubricant
+        oil = replace(oil, pressure_viscosity=alpha, roelands_z=rise)
+        way += abs(log(contact.moes_lubricant / thick))
+    # 2. whether that brings it into the range
+    near = replace(standing, load=conditions.load * (wanted / own) ** 1.5, lubricant=oil)
     try:
         _require_covered(near, contact, wanted)
-        _require_range((wanted, thick, contact.radius_ratio, oil.exponent, oil.pressure_viscosity))
+        _require_range((wanted, thick, contact.radius_ratio, rise, alpha))
     except NotInAtlasError:
         return None, 0.0
-    way = abs(log(own / wanted)) + abs(conditions.lubricant.exponent - rise)
-    if thick != contact.moes_lubricant:
-        way += abs(log(contact.moes_lubricant / thick))
     return (near, way) if way else (conditions, 0.0)
 
 
@@ -222,10 +226,41 @@ def _nearest(name: str, value: float) -> float:
     return low * (1.0 + EDGE) if value < low else high * (1.0 - EDGE)
 
 
+def _functions(
+    x: Array, load: float, contact: ScaledContact, oils: tuple[Lubricant, Lubricant]
+) -> Array:
+    """The six functions at x, shape (m, 3), of a contact, A, with the oil that stands for its own
+    and its own, shape (m, 6) [-].
+    """
+    standing, own = oils
+    alpha, z = _oil(standing)
+    _require_range((load, contact.moes_lubricant, contact.radius_ratio, z, alpha))
+    _require_density(own, contact.hertz_pressure, load)
+    found = functions(x, np.full(len(x), alpha), np.full(len(x), z))
+    return _with_density(found, x, by_density(own, contact.hertz_pressure, load))
+
+
+def _with_density(found: Array, x: Array, added: Array) -> Array:
+    """The six functions at x, shape (m, 6), with what density adds, to moments a share [-]."""
+    layers = 1.0 + np.exp(found[:, :1] - x[:, :1])
+    moments = found[:, 3:] + np.log(np.array(LAYERS) * layers)  # T/C
+    return found + np.concatenate([np.tile(added[:3], (len(x), 1)), added[3:] * moments], axis=1)
+
+
+def _oil(oil: Lubricant) -> tuple[float, float]:
+    """alpha [1/Pa] and z of a Roelands oil; of an isoviscous one, where they do not count, those
+    of the base oil.
+    """
+    if not oil.piezoviscous:
+        return BASE_ALPHA, BASE_Z
+    return oil.pressure_viscosity, oil.exponent
+
+
 def _bars(load: float, ratio: float, oil: Lubricant) -> Array:
     """Errors of the six functions at A and Rx/Ry with an oil, shape (6,) [-]."""
-    base = oil.exponent == BASE_Z and oil.pressure_viscosity == BASE_ALPHA
-    return bars_of(np.array([load]), np.array([ratio]), np.array([base]))[0]
+    base = np.array([_oil(oil) == (BASE_ALPHA, BASE_Z)])
+    own = bars_of(np.array([load]), np.array([ratio]), base)[0]
+    return np.maximum(own, law_error(oil, load >= LIGHT))
 
 
 def _slim(load: float, ratio: float) -> _Turning | None:
@@ -280,7 +315,6 @@ def _require_covered(
     conditions: ContactConditions | MoesConditions, contact: ScaledContact, load: float
 ) -> None:
     """NotInAtlasError unless the equations are those of the atlas; load: A [-]."""
-    oil = conditions.lubricant
     slim = _slim(load, contact.radius_ratio)
     turning = ROTATION if slim is None else slim.largest
     faults = {
@@ -289,13 +323,23 @@ def _require_covered(
         f"{turning:g} of it, not {contact.turning:.2g},": contact.turning > turning,
         "coating: bodies without one": contact.coating is not None,
         "inlet_layer: flooded contacts": contact.inlet_layer is not None,
-        "viscosity_law: Roelands' law": oil.viscosity_law is not ViscosityLaw.ROELANDS,
-        "density_law: that of Dowson and Higginson": oil.density_law
-        is not DensityLaw.DOWSON_HIGGINSON,
     }
     for fault, found in faults.items():
         if found:
             raise NotInAtlasError(f"{fault} is what the film atlas covers")
+
+
+def _require_density(oil: Lubricant, hertz_pressure: float, load: float) -> None:
+    """NotInAtlasError for an oil of another density in a light contact, A [-], p_h [Pa]."""
+    if load >= LIGHT or not oil.piezoviscous:
+        return
+    excess = density_excess(oil, hertz_pressure)
+    if abs(excess) > LIGHT_DENSITY:
+        raise NotInAtlasError(
+            f"density_law: in light contacts, A below {LIGHT:g}, a density within "
+            f"{LIGHT_DENSITY:.0%} of that of Dowson and Higginson at Hertz' pressure, not "
+            f"{abs(excess):.0%} off, is what the film atlas covers"
+        )
 
 
 def _require_thin(share: float) -> None:

@@ -77,9 +77,9 @@ def bars_of(load: Array, ratio: Array, base: NDArray[np.bool_]) -> Array:
     return np.where(base[:, None], own, np.maximum(own, oils))
 
 
-def heavy_share(log_load: Array) -> tuple[Array, Array]:
+def heavy_share(log_load: Array, seam: tuple[float, float] = SEAM) -> tuple[Array, Array]:
     """Share of the patch of heavy contacts at ln A, and its derivative, in its shape [-]."""
-    low, high = np.log(SEAM)
+    low, high = np.log(seam)
     t = np.clip((log_load - low) / (high - low), 0.0, 1.0)
     return t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / (high - low)
 

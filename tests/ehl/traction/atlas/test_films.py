@@ -14,6 +14,7 @@ import pytest
 import ehl
 from ehl.closed_form.hertz import hertz_coefficients
 from ehl.scaling import scale_contact
+from ehl.solid.coating import Coating
 from ehl.traction.atlas.films import nearest_covered
 from ehl.traction.kapitza import kapitza_moment
 from ehl.traction.rolling_moment import rolling_moment
@@ -82,8 +83,8 @@ def test_films_stiffness_and_moment_of_a_solve():
         (moes(1e6, 10.0, oil=OIL), "A = "),
         (moes(200.0, 40.0, oil=OIL), "L must"),
         (moes(200.0, 10.0, angle=0.3, oil=OIL), "entrainment_angle"),
-        (moes(200.0, 10.0, oil=replace(OIL, viscosity_law=ehl.ViscosityLaw.BARUS)), "viscosity_law"),
         (moes(200.0, 10.0, oil=replace(OIL, pressure_viscosity=40e-9)), "pressure_viscosity"),
+        (moes(200.0, 10.0, oil=replace(OIL, roelands_z=1.2)), "roelands_z"),
     ],
 )
 def test_what_is_not_covered_is_refused(conditions, fault):
@@ -202,7 +203,18 @@ def test_light_contacts_that_turn():
     assert near.load > contact.load and way > 0.0
 
 
-def test_nothing_is_near_another_law():
+def test_oils_of_other_laws_have_films_too():
     contact = ball_and_race()
-    barus = replace(contact.lubricant, viscosity_law=ehl.ViscosityLaw.BARUS)
-    assert nearest_covered(replace(contact, lubricant=barus)) == (None, 0.0)
+    barus = replace(contact, lubricant=replace(contact.lubricant, viscosity_law=ehl.ViscosityLaw.BARUS))
+    assert nearest_covered(barus) == (barus, 0.0)
+    near, way = nearest_covered(replace(barus, load=1e4))
+    assert 0.0 < way < 1.0
+    assert near.load < 1e4
+    assert near.lubricant.exponent == pytest.approx(1.0, abs=1e-3)
+
+
+def test_nothing_is_near_a_coated_contact():
+    layer = {"thickness": 2e-6, "youngs_modulus": 300e9, "poisson_ratio": 0.2}
+    below = {"substrate_youngs_modulus": 206e9, "substrate_poisson_ratio": 0.3}
+    contact = replace(ball_and_race(), coating=Coating(**layer, **below))
+    assert nearest_covered(contact) == (None, 0.0)
