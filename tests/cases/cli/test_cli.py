@@ -521,7 +521,15 @@ def test_a_set_of_two_gives_off_heat_by_two_widths(tmp_path):
         (("--bore", "28"), "--bore without --outside, --width"),
         (("--bearing", "6205", "--from", "moes_20_10"), "--from and --bearing together"),
         (("--bearing", "6205", "--C", "12"), "--C without --bore"),
-        (("--bore", "58", "--outside", "28", "--width", "16"), "outside_diameter must exceed"),
+        (("--bore", "58", "--outside", "28", "--width", "16"), "--outside: found 28 mm; allowed: above --bore, 58 mm"),
+        (
+            ("--bore", "28", "--outside", "58", "--width", "16", "--angle", "90"),
+            "--angle: found 90 deg; allowed: from 0",
+        ),
+        (("--bore", "28", "--outside", "58", "--width", "0"), "--width: found 0; allowed: above 0"),
+        (("--bore", "28", "--outside", "58", "--width", "16", "--C", "-1"), "--C: found -1; allowed: above 0"),
+        (("--bearing", "6205", "--speed", "1e9"), "operation.inner_speed_rpm: found 1000000000.0; allowed: a number"),
+        (("--bearing", "6205", "--radial", "1e12"), "operation.radial_load_N: found 1000000000000.0; allowed: "),
         (("--bore", "200", "--outside", "280", "--width", "40"), "bore must lie between"),
     ],
 )
