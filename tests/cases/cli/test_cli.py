@@ -422,6 +422,26 @@ def test_a_new_case_is_laid_out_for_its_speed(tmp_path):
     assert written(tmp_path, "--bearing", "7014C")["friction"]["lubrication"] == "oil jet"
 
 
+def test_loads_and_speed_that_were_not_given_say_so(tmp_path):
+    """An axial load alone is one, as of a vertical shaft; angular contact keeps its axial load beside a radial one."""
+
+    def lines(*options):
+        assert oilfilm("init", "new", *options).exit_code == 0
+        text = (tmp_path / "new.toml").read_text(encoding="utf-8")
+        (tmp_path / "new.toml").unlink()
+        return [line for line in text.splitlines() if line.startswith(("inner_speed", "radial_load", "axial_load"))]
+
+    rated = 1e3 * written(tmp_path, "--bearing", "6208")["bearing"]["basic_dynamic_rating_kN"]
+    speed, radial, axial = lines("--bearing", "6208")
+    assert speed.endswith("  # chosen")
+    assert radial == f"radial_load_N = {round(0.05 * rated, -2)!r}  # chosen: 5% of C"
+    assert axial == "axial_load_N = 0.0"
+    given = lines("--bearing", "6208", "--speed", "500", "--axial", "900")
+    assert given == ["inner_speed_rpm = 500.0", "radial_load_N = 0.0", "axial_load_N = 900.0"]
+    assert lines("--bearing", "7208B", "--radial", "700")[2].endswith("  # chosen: 4% of C")
+    assert lines("--bearing", "7208B", "--axial", "700")[1:] == ["radial_load_N = 0.0", "axial_load_N = 700.0"]
+
+
 def test_the_flow_of_a_jet_takes_the_heat_of_palmgrens_viscous_torque(tmp_path):
     """By hand: VG 22 at 70 C, f_0 6.6, d_m 90 mm, 12 000 r/min; 20 K."""
     case = written(tmp_path, "--bearing", "7014C", "--speed", "12000")
