@@ -32,15 +32,20 @@ ANGLE_LETTERS = (
     (rf"C(?:{SET_FOLLOWS}|[DE]?)(?!\d)", "C"),
 )
 MAKERS = "SKF|FAG|INA|NSK|NTN|KOYO|NACHI|SNR|TIMKEN|BARDEN|GMN|NMB|URB|ZVL"
-# B, HCB: FAG's spindle bearings; HC, XC: their ceramic balls; W: stainless steel of SKF
-PREFIXES = {"HCB": "hybrid", "XCB": "hybrid", "HC": "hybrid", "XC": "hybrid", "B": "", "": ""}
+# B, HCB: FAG's spindle bearings; HC, XC: their ceramic balls; E2: SKF's of low friction;
+# S of angular contact: SKF's with seals that do not rub
+PREFIXES = {
+    "HCB": "hybrid", "XCB": "hybrid", "HC": "hybrid", "XC": "hybrid",
+    "E2": "", "B": "", "S": "", "": "",
+}  # fmt: skip
 CLEARANCES = {"C2": "C2", "CN": "CN", "C0": "CN", "CM": "CM", "C3": "C3", "C4": "C4", "C5": "C5"}
 TOLERANCES = {
     "P0": "normal", "PN": "normal", "P6": "P6", "P5": "P5",
     "P4A": "P4", "P4S": "P4", "P4": "P4", "PA9A": "P2", "P2": "P2",
 }  # fmt: skip
-CONTACT_SEALS = ("2RS1", "2RSR", "2RSH", "2RS", "DDU", "DDW", "DD", "LLU", "LLH", "EE")
-SHIELDS = ("2RSL", "2RZ", "2ZR", "2Z", "ZZ", "VV", "LLB")  # with seals that do not rub
+CONTACT_SEALS = ("2RS1", "2RSR", "2RSH", "2RS", "2HRS", "DDU", "DDW", "DD", "LLU", "LLH", "EE")
+# with seals that do not rub
+SHIELDS = ("2RSL", "2RSD", "2BRS", "2RZ", "2ZR", "2Z", "ZZ", "VV", "LLB")
 HYBRID = ("HYBRID", "HC5", "HC")
 FULL_CERAMIC = ("FULLCERAMIC", "CERAMIC")
 # sets of two, and how far they are preloaded
@@ -56,23 +61,33 @@ SETS = (
 WITHOUT_EFFECT = (
     # current insulation, grease, packing
     r"VL\d{4}|V[JT]?\d{3,4}|LHT\d+|HT\d*|LT\d*|MT\d+|GJN|WT|5K|2AS|NS7S?|NS|AV2S?|L\d{3}|S\d|"
+    # FAG's present design: 7205-B-XL, 6205-C-2HRS
+    r"XL|C(?!\w)|"
     # one seal or shield alone
-    "RS1|RSR|RSH|RSL|RS|RZ|ZR|DU|LU|LB|Z|V|"
+    "HRS|BRS|RS1|RSR|RSH|RSL|RS|RZ|ZR|DU|LU|LB|Z|V|"
     # cages, snap rings
     "TN9|TNH|TVP2|TVP|TVH|TYN|TR|TN|TA|MPA|MPB|MA|MB|JR|PHAS|PH|BP|J|M|Y|T|P|F|NR|N|W|DG|U|G"
 )
 # why a designation is none of the bearings here, by its beginning
+SINGLE_ROWS = "the catalogue has deep groove and angular contact ones"
 BALLS_HERE = "the catalogue has ball bearings only"
 NOT_HERE = (
+    (r"QJ?\d", f"a four-point contact bearing; {SINGLE_ROWS}"),
+    (
+        r"(?:S|SS|W) ?(?:618|619|60|62|63|64)\d\d(?!\d)",
+        "a bearing of stainless steel, whose ratings the catalogue does not have; name it without "
+        "the letter before the digits, and give ring_material and ball_material, 'x105crmo17' say",
+    ),
+    (
+        r"(?:622|623|630)\d\d(?!\d)",
+        "a wide bearing of the series 622, 623 or 630, which the catalogue does not have",
+    ),
     (r"(?:NU|NJ|NUP|NN|N|RN|RNU|NF|NH)\d", f"a cylindrical roller bearing; {BALLS_HERE}"),
     (r"(?:NA|NK|NKI|HK|BK|RNA|K)\d", f"a needle roller bearing; {BALLS_HERE}"),
     (r"(?:30|31|32|33)\d{3}", f"a tapered roller bearing; {BALLS_HERE}"),
     (r"(?:21|22|23|24)\d{3}", f"a spherical roller bearing; {BALLS_HERE}"),
     (r"5[1-4]\d{3}", "a thrust ball bearing; the catalogue has radial ones only"),
-    (
-        r"(?:12|13|22|23)\d\d(?!\d)",
-        "a self-aligning ball bearing; the catalogue has deep groove and angular contact ones",
-    ),
+    (r"(?:12|13|22|23)\d\d(?!\d)", f"a self-aligning ball bearing; {SINGLE_ROWS}"),
     (
         r"(?:32|33|42|43|52|53)\d\d(?!\d)",
         "a double-row bearing; the catalogue has single rows, and pairs of them (DB, DF, DT)",
@@ -84,7 +99,7 @@ NOT_HERE = (
         "the letters of its contact angle are missing or not known: C is 15 deg, AC 25, B 40",
     ),
     (r"(?:60|62|63)\d(?!\d)", "its bore is below 10 mm"),
-    ("|".join(sorted({*SERIES, *SYNONYMS})), "its bore is not known"),
+    ("|".join(sorted({*SERIES, *SYNONYMS})), "its bore is not among those of the catalogue"),
 )
 
 
@@ -151,13 +166,16 @@ def _read(text: str) -> tuple[Designation | None, str]:
         return None, ""
     prefix, series, bore, rest = match.groups()
     read = Designation(
-        series=SYNONYMS.get(series, series), bore_number=int(bore), balls=PREFIXES[prefix]
+        series=SYNONYMS.get(series, series),
+        bore_number=int(bore),
+        balls=PREFIXES[prefix],
+        greased=prefix == "S",
     )
     if SERIES[read.series][1]:
         read, rest = _with_angle(read, rest)
         if not read.angle_suffix:
             return None, ""
-    elif prefix == "B":
+    elif prefix in ("B", "S"):
         return None, ""
     return _with_suffixes(read, rest)
 
@@ -220,11 +238,15 @@ def _set(match: re.Match[str]) -> dict[str, object]:
 
 def why_unknown(text: str) -> str:
     """What a designation that is not known seems to be; empty if nothing can be said."""
-    rest = _read(text)[1]
-    if rest:
-        return f"'{rest.split()[0]}' in it is not known"
+    oil = re.search(r"\b(?:ISO ?)?VG ?\d+", text.upper())
+    if oil is not None:
+        return f"{oil.group()} is an oil, which goes to [lubricant] name"
     plain = _without_maker(text)
-    return next((why for pattern, why in NOT_HERE if re.match(pattern, plain)), "")
+    rest = _read(text)[1]
+    seems = next((why for pattern, why in NOT_HERE if re.match(pattern, plain)), "")
+    if rest and not re.match(r"\d", rest):
+        return f"'{rest.split()[0]}' in it is not known"
+    return seems
 
 
 def series_and_bore(text: str) -> Designation | None:

@@ -18,7 +18,15 @@ from ehl.units import HOUR, MILLION
 
 from ..geometry import Bearing
 from ..operation import Operation
-from .life import LIFE_EXPONENT, SMALLEST_KAPPA, LifeRating, life_factor, time_of, viscosity_ratio
+from .life import (
+    LIFE_EXPONENT,
+    SMALLEST_KAPPA,
+    LifeRating,
+    life_factor,
+    overload,
+    time_of,
+    viscosity_ratio,
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -202,3 +210,4 @@ def _messages(cases: Sequence[LoadCase]) -> Iterator[str]:
             yield f"duty_cycle: torque null, no model gives that of load case {number}"
     for number, case in enumerate(cases, 1):
         yield from (f"load case {number}: {message}" for message in case.messages)
+        yield from (f"load case {number}: {message}" for message in overload(case.life))

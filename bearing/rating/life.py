@@ -183,7 +183,18 @@ def _static(known: LifeRating, solution: QuasistaticSolution) -> tuple[LifeRatin
         static_load=load,
         static_safety_factor=capacity / load if capacity is not None and load else None,
     )
-    return known, messages
+    return known, [*messages, *overload(known)]
+
+
+def overload(life: LifeRating) -> Iterator[str]:
+    """That ball and race are permanently deformed, where a static safety is below 1, ISO 76."""
+    found = {"S_0": life.static_safety_factor, "static safety by pressure": life.static_safety}
+    low = [f"{name} = {value:.3g}" for name, value in found.items() if value and value < 1.0]
+    if low:
+        yield (
+            f"life: {', '.join(low)}, beyond the static rating: ball and race keep a deformation "
+            "of more than 0.0001 of the ball diameter (ISO 76)"
+        )
 
 
 def _no_life(solution: QuasistaticSolution, rating: RatingInput, speed: float) -> str:

@@ -6,6 +6,7 @@ import json
 from enum import StrEnum
 from math import isfinite
 from pathlib import Path
+from shlex import quote
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
@@ -138,7 +139,7 @@ def init(  # noqa: PLR0913
 ) -> None:
     """Write a new case file: of a bearing by its designation or its size, or copied."""
     from .first_operation import FirstOperation
-    from .new_case import BoundaryDimensions, case_of_designation, case_of_dimensions
+    from .new_case import BoundaryDimensions, case_of_designation, case_of_dimensions, checked
 
     size = {"bore": bore, "outside": outside, "width": width}
     given = [f"--{key}" for key, value in size.items() if value is not None]
@@ -153,19 +154,17 @@ def init(  # noqa: PLR0913
     operation = FirstOperation(speed=speed, radial_load=radial, axial_load=axial)
     try:
         if bearing is not None:
-            text = case_of_designation(bearing, operation)
+            text = checked(case_of_designation(bearing, operation))
         elif bore is not None and outside is not None and width is not None:
-            text = case_of_dimensions(
-                BoundaryDimensions(
-                    bore=bore,
-                    outside_diameter=outside,
-                    width=width,
-                    dynamic_rating=dynamic,
-                    static_rating=static,
-                    contact_angle=angle,
-                ),
-                operation,
+            dimensions = BoundaryDimensions(
+                bore=bore,
+                outside_diameter=outside,
+                width=width,
+                dynamic_rating=dynamic,
+                static_rating=static,
+                contact_angle=angle,
             )
+            text = checked(case_of_dimensions(dimensions, operation))
         else:
             text = _shipped_text(template or "6208_full_ceramic")
     except ValueError as error:
@@ -233,7 +232,7 @@ def _write_new(path: Path, text: str) -> None:
     except (OSError, ValueError) as error:
         reason = getattr(error, "strerror", None) or error
         raise CaseError(f"{path}: cannot be written: {reason}") from None
-    print_lines(f"{path} written; change it, then: oilfilm validate {path}")
+    print_lines(f"{path} written; change it, then: oilfilm validate {quote(str(path))}")
 
 
 @app.command()

@@ -85,22 +85,23 @@ def _operation(
     """Speed and loads; an axial load keeps the balls of one bearing of angular contact rolling."""
     capacity = _capacity(entry)
     alone = kind.angular and not kind.pair
-    radial = RADIAL_SHARE_ANGULAR if alone else RADIAL_SHARE
-    loads = {"radial": two_digits(radial * capacity), "axial": 0.0}
-    if alone:
-        loads["axial"] = two_digits(AXIAL_SHARE * capacity)
-    loads |= {
-        name: load
-        for name, load in (("radial", given.radial_load), ("axial", given.axial_load))
-        if load is not None
-    }
+    radial = 0.0 if given.axial_load else RADIAL_SHARE_ANGULAR if alone else RADIAL_SHARE
+    axial = AXIAL_SHARE if alone else 0.0
     return {
-        "inner_speed_rpm": f"{float(speed)!r}",
-        "radial_load_N": f"{float(loads['radial'])!r}",
-        "axial_load_N": f"{float(loads['axial'])!r}",
+        "inner_speed_rpm": f"{float(speed)!r}" + "  # chosen" * (given.speed is None),
+        "radial_load_N": _load(given.radial_load, radial, capacity),
+        "axial_load_N": _load(given.axial_load, axial, capacity),
         "temperature_C": "70.0  # where no heat balance is found",
         "temperature": '"self-heated"',
     }
+
+
+def _load(given: float | None, share: float, capacity: float) -> str:
+    """A load [N], or the chosen share of the dynamic rating [N] with a comment."""
+    if given is not None:
+        return f"{float(given)!r}"
+    chosen = f"  # chosen: {share:.0%} of C" if share else ""
+    return f"{float(two_digits(share * capacity) if share else 0.0)!r}{chosen}"
 
 
 def _bath(entry: Mapping[str, Any], kind: BearingKind) -> dict[str, str]:

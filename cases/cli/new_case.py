@@ -1,8 +1,9 @@
 """A new case file for a bearing by its designation or its boundary dimensions."""
 
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
-from math import radians
+from math import isfinite, radians
 from typing import Any
 
 from bearing.library.bearings import load_catalogue_entry, named_designation
@@ -10,10 +11,13 @@ from bearing.library.catalogue import boundary_dimensions, with_designation
 from bearing.library.designation import Designation, series_and_bore
 from bearing.rating.geometry_estimate import CatalogueData, estimate_bearing
 
+from ..format.document import validate_text
+from ..format.problems import CaseError
 from .first_operation import BearingKind, FirstOperation, first_tables, typical
 
 SPINDLE_SERIES = ("70", "719")
 SPINDLE_ANGLE = 26.0  # of bearings known by their size that count likewise [deg]
+RIGHT_ANGLE = 90.0  # [deg]
 EXAMPLE_SIZE = (25.0, (47.0, 8.0))  # bore, outside diameter and width of an example [mm]
 PRECISE = ("P5", "P4", "P2")
 PRELOADS = {"DB": ("+x", "-x"), "DF": ("-x", "+x"), "DT": ("+x", "+x")}
@@ -86,6 +90,7 @@ def case_of_dimensions(size: BoundaryDimensions, given: FirstOperation) -> str:
     """Text of a case file for a bearing whose internal geometry is estimated [mm, kN, deg];
     ValueError names what is impossible.
     """
+    _check_size(size)
     ratings = (size.dynamic_rating, size.static_rating)
     dynamic, static = (None if rating is None else 1e3 * rating for rating in ratings)
     entry = estimate_bearing(
@@ -100,6 +105,29 @@ def case_of_dimensions(size: BoundaryDimensions, given: FirstOperation) -> str:
     )
     name = f"{size.bore:g} x {size.outside_diameter:g} x {size.width:g}"
     return _text(name, entry, None, given)
+
+
+def _check_size(size: BoundaryDimensions) -> None:
+    """ValueError that names the option whose value makes no bearing, in its unit."""
+    lengths = {"bore": size.bore, "outside": size.outside_diameter, "width": size.width}
+    for key, value in (lengths | {"C": size.dynamic_rating, "C0": size.static_rating}).items():
+        if value is not None and not (isfinite(value) and value > 0.0):
+            raise ValueError(f"--{key}: found {value:g}; allowed: above 0")
+    if size.outside_diameter <= size.bore:
+        found = f"--outside: found {size.outside_diameter:g} mm"
+        raise ValueError(f"{found}; allowed: above --bore, {size.bore:g} mm")
+    if not 0.0 <= size.contact_angle < RIGHT_ANGLE:
+        raise ValueError(f"--angle: found {size.contact_angle:g} deg; allowed: from 0, below 90")
+
+
+def checked(text: str) -> str:
+    """The text of a new case; ValueError where a number given for it, a speed say, is none."""
+    try:
+        validate_text(text, "")
+    except CaseError as error:
+        faults = (re.sub(r"^:\d+: ", "", message) for message in error.messages)
+        raise ValueError("; ".join(faults)) from error
+    return text
 
 
 def _with_normal_clearance(entry: dict[str, Any], designation: Designation) -> dict[str, Any]:

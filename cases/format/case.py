@@ -1,7 +1,7 @@
 """A case: what a checked file describes, in SI."""
 
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from math import radians
 from pathlib import Path
@@ -147,9 +147,16 @@ def _load_cases(
         alone = file.model_copy(update={"operation": table, "load_cases": None})
         case = case_of_file(alone, name, text)
         assert isinstance(case, Case)  # a bearing
-        notes = (note for note in case.warnings if not note.startswith(SHEAR_ASSUMED))
-        own = tuple(note for note in notes if note not in known)
+        own = tuple(own_notes(case.warnings, known))
         yield LoadCaseInput(time_share=share, case=replace(case, warnings=own))
+
+
+def own_notes(notes: Iterable[str], known: Iterable[str]) -> list[str]:
+    """Warnings of a state of the duty cycle that are not those of [operation], nor on the shear of
+    its films, which are not sheared.
+    """
+    seen = set(known)
+    return [note for note in notes if note not in seen and not note.startswith(SHEAR_ASSUMED)]
 
 
 def oil_of_file(file: BearingFile | ContactFile) -> Oil:

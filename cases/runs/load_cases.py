@@ -11,7 +11,7 @@ from bearing.rating.life import bearing_life
 from bearing.torque.breakdown import torque_breakdown
 from bearing.torque.films_torque import films_torque
 
-from ..format.case import Case, LoadCaseInput
+from ..format.case import Case, LoadCaseInput, own_notes
 from .equilibrium import case_equilibrium, without_traction_equilibrium
 from .films import Progress
 from .heating import at_its_temperature
@@ -33,13 +33,14 @@ def solve_load_cases(case: Case, notify: Progress) -> DutyCycle | None:
     solved = []
     for number, state in enumerate(case.load_cases):
         notify(number, len(case.load_cases), "load cases")
-        solved.append(_load_case(state))
+        solved.append(_load_case(state, case.warnings))
     return duty_cycle(case.bearing, solved)
 
 
-def _load_case(state: LoadCaseInput) -> LoadCase:
+def _load_case(state: LoadCaseInput, known: tuple[str, ...]) -> LoadCase:
+    """One state, with the messages that are not `known`, those of [operation]."""
     case = at_its_temperature(state.case)
-    messages = list(case.warnings)
+    messages = own_notes(case.warnings, known)
     if case.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
         case = replace(case, model=without_traction_equilibrium(case.model))
         messages.append(HALF_AND_HALF)

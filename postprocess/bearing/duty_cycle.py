@@ -66,6 +66,8 @@ def duty_cycle_rows(results: BearingResults) -> dict[str, str]:
     if basic is not None:
         rows["duty cycle"] += f", equivalent load {known['dynamic_equivalent_load_N']:.4g} N"
         rows["life of the cycle"] = hours_text(basic, known["modified_reference_rating_h"])
+    if known["static_safety_factor"] is not None:
+        rows["safety of the cycle"] = f"S_0 {known['static_safety_factor']:.3g}, the smallest"
     if known["mean_power_W"] is not None:
         torque = known["mean_torque_N_mm"]
         mean = "" if torque is None else f"mean torque {torque:.4g} N mm, "

@@ -25,6 +25,10 @@ NOT_BRITTLE = (
     "strength: failure probabilities null, the rings have no bending_strength_MPa and "
     "weibull_modulus, or no width_mm"
 )
+LOOSE = (
+    "strength: the case gives no [fit], rings of ceramic are taken as loose on shaft and in "
+    "housing; the interference of a seat, as of a warm steel shaft, is left out of their tension"
+)
 
 
 def strength_block(results: BearingResults) -> dict[str, Any]:
@@ -75,6 +79,8 @@ def strength_messages(results: BearingResults) -> Iterator[str]:
         return
     brittle = [ring for ring in strength.rings if ring.failure_probability is not None]
     yield NO_STANDARD if brittle else NOT_BRITTLE
+    if brittle and not results.case.get("fit"):
+        yield LOOSE
     for ring in strength.rings:
         name = f"{ring.race.value} ring"
         share = ring.strength_share

@@ -17,8 +17,10 @@ NOT_COMPARED = frozenset(
 )
 OF_THE_SOLUTION = frozenset(  # how a result was computed
     "domain points iterations residual mass_imbalance message cycles fft_equivalents "
-    "flooded_fft_equivalents wall_s".split()
+    "flooded_fft_equivalents wall_s imbalance relative_error energy_error "
+    "energy_balance_error".split()
 )
+TWICE = "power_balance"  # block of a bearing that stands under its torque, too
 # of the magnitude of a quantity: a smaller difference is round-off, amplified by the solvers
 ROUND_OFF = 1e-9
 NOTHING = 1e-12  # of any unit of a summary: less is round-off of zero
@@ -78,7 +80,7 @@ def _main(summary: dict[str, Any]) -> dict[str, Any]:
 
 def _results(summary: dict[str, Any]) -> dict[str, Any]:
     """What is compared, balls, contacts and points by their names."""
-    values = {key: value for key, value in summary.items() if key not in NOT_COMPARED}
+    values = {key: value for key, value in summary.items() if key not in (*NOT_COMPARED, TWICE)}
     if "contacts" in values:
         values["contacts"] = {f"ball {c['ball']} {c['race']}": c for c in values["contacts"]}
     if isinstance(values.get("balls"), list):

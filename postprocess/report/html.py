@@ -2,6 +2,7 @@
 
 import base64
 import platform
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from html import escape
 from importlib import metadata
@@ -30,6 +31,7 @@ ABBREVIATIONS = {
     "hertz": "Hertz",
     "coulomb": "Coulomb",
     "hurst": "Hurst",
+    "weibull": "Weibull",
     "roelands": "Roelands",
     "palmgren": "Palmgren",
     "csv": "CSV",
@@ -115,6 +117,15 @@ def name_text(key: str) -> str:
     return escape(" ".join(ABBREVIATIONS.get(word, word) for word in words))
 
 
+def _keys_in_words(source: Any) -> str:
+    """A source whose parts begin with the key that they are of, each key in words."""
+    parts = re.split(r"((?:^|; )[a-z]+(?:_[A-Za-z0-9]+)+(?=: ))", text(source))
+    return "".join(
+        f"{part[: -len(part.lstrip('; '))]}{name_text(part.lstrip('; '))}" if odd % 2 else part
+        for odd, part in enumerate(parts)
+    )
+
+
 def title_text(key: str, quantities: Mapping[str, Quantity]) -> str:
     """Title and symbol of a quantity, or its key in words where none is known."""
     if key not in quantities:
@@ -173,7 +184,7 @@ def facts(
         name = escape(names[key]) if names and key in names else name_text(key)
         name += ' <span class="mark">*</span>' if is_assumed else ""
         unit = unit_symbol(key) if value is not None else ""
-        shown = _shown(key, value, text)
+        shown = _keys_in_words(value) if key == "source" else _shown(key, value, text)
         content = f"{shown}&nbsp;{escape(unit)}" if unit else shown
         cells = f"<td>{name}</td><td>{content}</td>"
         if len(content) > MAX_BESIDE_KEY:  # words, such as a source

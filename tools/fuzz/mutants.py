@@ -5,9 +5,10 @@
 
 `mutants.toml` holds groups of mutants: the tests to run (arguments of pytest), and file, old text and new text of each
 mutant. Each is applied alone in a temporary copy of the tree. Right is a test that fails: "killed". Wrong is
-"survived". A list that does not fit the tree is a fault of the list: an old text that does not stand exactly once,
-tests that fail without a mutant, a mutant that cannot be imported. Exit code 1 if there is such a fault or fewer than
-95 % are killed.
+"survived". Tests that do not end within ten times their time without a mutant, and 300 s, are "no end": counted as
+killed, and apart. A list that does not fit the tree is a fault of the list: an old text that does not stand exactly
+once, tests that fail without a mutant, a mutant that cannot be imported. Exit code 1 if there is such a fault or fewer
+than 95 % are killed.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ import shlex
 import shutil
 import sys
 import tempfile
+import time
 import tomllib
 from dataclasses import dataclass
 from pathlib import Path
@@ -30,7 +32,9 @@ ROOT = Path(__file__).resolve().parents[2]
 LIST = Path(__file__).with_suffix(".toml")
 COPIED = "bearing cases docs ehl postprocess tests tools verification pyproject.toml README.md CONTRIBUTING.md".split()
 LEAST_SHARE = 0.95  # killed of all
-LONGEST = 300.0  # of one run of tests [s]
+LONGEST = 300.0  # of one run of tests, unless these take more than a tenth of it without a mutant [s]
+LONGEST_UNCHANGED = 1800.0  # of one without a mutant [s]
+SLOWER = 10.0  # longest run with a mutant over that without [-]
 PASSED, FAILED = 0, 1  # exit codes of pytest
 BROKEN = 99  # of a run that pytest did not end itself
 LIBRARIES = (
@@ -63,11 +67,11 @@ def copy_tree(target: Path) -> None:
         (shutil.copytree if source.is_dir() else shutil.copy2)(source, target / name)
 
 
-def run_tests(tree: Path, tests: str) -> int | None:
-    """Exit code of pytest in the copy, in a fork that has the libraries already; None after the longest time."""
+def run_tests(tree: Path, tests: str, longest: float) -> int | None:
+    """Exit code of pytest in the copy, in a fork that has the libraries already; None after the longest time [s]."""
     child = multiprocessing.get_context("fork").Process(target=_pytest, args=(tree, shlex.split(tests)))
     child.start()
-    child.join(LONGEST)
+    child.join(longest)
     if child.is_alive():
         child.kill()
         child.join()
@@ -90,47 +94,60 @@ def _pytest(tree: Path, tests: list[str]) -> None:
         os._exit(code)
 
 
-def judge(tree: Path, mutant: Mutant) -> str:
-    """What became of a mutant in one word, or the fault of the list."""
+def judge(tree: Path, mutant: Mutant, longest: float) -> str:
+    """What became of a mutant in one word, or the fault of the list; `longest` is of its tests [s]."""
     original, path = ROOT / mutant.file, tree / mutant.file
     text = original.read_text(encoding="utf-8")
     if text.count(mutant.old) != 1 or mutant.old == mutant.new:
         return f"fault: the old text stands {text.count(mutant.old)} times, not once"
     path.write_text(text.replace(mutant.old, mutant.new), encoding="utf-8")
     try:
-        code = run_tests(tree, mutant.tests)
+        code = run_tests(tree, mutant.tests, longest)
     finally:
         shutil.copy2(original, path)
-    known = {PASSED: "survived", FAILED: "killed", None: "killed"}
+    known = {PASSED: "survived", FAILED: "killed", None: "no end"}
     return known.get(code, f"fault: pytest ends with {code}")
+
+
+def judge_group(tree: Path, tests: str, mutants: list[Mutant]) -> list[str]:
+    """A word for each of the mutants of the same tests, which have to pass without any of them."""
+    start = time.monotonic()
+    if run_tests(tree, tests, LONGEST_UNCHANGED) != PASSED:
+        print(f"fault: without a mutant these tests do not pass: {tests}", flush=True)
+        return ["fault"]
+    longest = max(LONGEST, SLOWER * (time.monotonic() - start))
+    found = []
+    for mutant in mutants:
+        found.append(judge(tree, mutant, longest))
+        change = " ".join(f"{mutant.old} -> {mutant.new}".split())
+        print(f"{mutant.number:3d} {found[-1]:8s} {mutant.file}: {change}", flush=True)
+    return found
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--only", type=int, action="append", metavar="N", help="number of a mutant")
     wanted = parser.parse_args().only
-    mutants = [mutant for mutant in read_mutants() if not wanted or mutant.number in wanted]
-    found = []
-    faults = 0
+    groups: dict[str, list[Mutant]] = {}
+    for mutant in read_mutants():
+        if not wanted or mutant.number in wanted:
+            groups.setdefault(mutant.tests, []).append(mutant)
     sys.dont_write_bytecode = True
     sys.path[:] = [place for place in sys.path if Path(place).resolve() != ROOT]
     for name in LIBRARIES:  # once for all forks; none of our own
         importlib.import_module(name)
+    found = []
     with tempfile.TemporaryDirectory(prefix="mutants-") as folder:
-        tree = Path(folder)
-        copy_tree(tree)
-        for tests in dict.fromkeys(mutant.tests for mutant in mutants):
-            if run_tests(tree, tests) != PASSED:
-                faults += 1
-                print(f"fault: without a mutant these tests do not pass: {tests}", flush=True)
-        for mutant in mutants if not faults else ():
-            found.append(judge(tree, mutant))
-            change = " ".join(f"{mutant.old} -> {mutant.new}".split())
-            print(f"{mutant.number:3d} {found[-1]:8s} {mutant.file}: {change}", flush=True)
-    killed = found.count("killed")
-    faults += sum(word.startswith("fault") for word in found)
-    print(f"{len(found)} mutants: {killed} killed, {found.count('survived')} survived, {faults} faults of the list")
-    return 0 if killed >= LEAST_SHARE * len(found) and not faults else 1
+        copy_tree(Path(folder))
+        for tests, mutants in groups.items():
+            found += judge_group(Path(folder), tests, mutants)
+    count = sum(map(len, groups.values()))
+    hung = found.count("no end")
+    killed = found.count("killed") + hung
+    survived = found.count("survived")
+    faults = sum(word.startswith("fault") for word in found)
+    print(f"{count} mutants: {killed} killed ({hung} without an end), {survived} survived, {faults} faults of the list")
+    return 0 if killed >= LEAST_SHARE * count and not faults else 1
 
 
 if __name__ == "__main__":

@@ -17,7 +17,7 @@ from bearing import (
 )
 from bearing.library.bearings import catalogue_name, published_bearings, warn_of_estimates
 from bearing.library.catalogue import boundary_dimensions, clearance_class, nearest_series
-from bearing.library.designation import read_designation
+from bearing.library.designation import read_designation, why_unknown
 from bearing.library.names import matching_name, plain_name
 from bearing.library.typical_geometry import ball_sizes, most_balls
 from bearing.rating.geometry_estimate import _bearing, _pair
@@ -208,6 +208,10 @@ def test_clearance_classes_follow_each_other():
         ("7324 BCBM", {"free_contact_angle_deg": 40.0}),
         ("71910 A5", {"free_contact_angle_deg": 25.0}),
         ("6808", {"bore_mm": 40.0, "outside_diameter_mm": 52.0}),
+        ("7205-B-XL-TVP", {"free_contact_angle_deg": 40.0, "skf_series": "72 B"}),
+        ("6205-C-2HRS-C3", {"clearance_class": "C3", "type": "deep groove"}),
+        ("E2.6206-2Z/C3", {"clearance_class": "C3"}),
+        ("S71910 CD/HCP4A", {"ball_material": "silicon nitride", "tolerance_class": "P4"}),
         ("6305 full ceramic", {"ring_material": "silicon nitride", "ball_material": "silicon nitride"}),
     ],
 )
@@ -248,7 +252,9 @@ def test_a_slash_goes_before_a_bore_in_millimetres(text, basic):
     assert (read and read.basic) == basic
 
 
-@pytest.mark.parametrize("name", ["6200-2Z/C3VT143", "6305ZZ", "6205-2RS1/C3HT", "6204LLB", "6206-2RSLTN9"])
+@pytest.mark.parametrize(
+    "name", ["6200-2Z/C3VT143", "6305ZZ", "6205-2RS1/C3HT", "6204LLB", "6206-2RSLTN9", "S7010 CD/P4A"]
+)
 def test_seals_or_shields_on_both_sides_hold_grease(name):
     assert read_designation(name).greased
 
@@ -266,6 +272,26 @@ def test_low_friction_seals_do_not_rub():
 @pytest.mark.parametrize("text", ["7208", "6205 banana", "6225", "NU208", "62 and 05", "6205 C7", "7014"])
 def test_what_is_no_designation_is_unknown(text):
     assert catalogue_name(text) is None
+
+
+@pytest.mark.parametrize(
+    ("text", "why"),
+    [
+        ("62205-2RS1", "a wide bearing of the series 622"),
+        ("63005", "a wide bearing"),
+        ("S6205-2RS", "stainless steel"),
+        ("W 6205", "stainless steel"),
+        ("QJ208", "a four-point contact bearing"),
+        ("6205-2RS C3 VG68", "VG68 is an oil, which goes to [lubricant] name"),
+        ("6205 C7", "'C7' in it is not known"),
+        ("62/22", "its bore is not among those of the catalogue"),
+        ("6205X", "'X' in it is not known"),
+        ("16005", "series 160"),
+    ],
+)
+def test_what_a_designation_that_is_unknown_seems_to_be_is_said(text, why):
+    assert catalogue_name(text) is None
+    assert why in why_unknown(text)
 
 
 def test_ratings_of_other_materials_are_left_out():

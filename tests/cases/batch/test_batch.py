@@ -163,6 +163,8 @@ CUBE = HEAD + "[latin_hypercube]\n"
 WRONG = {
     "": "1: the file is empty; see 'oilfilm init'",
     SWEEP.replace(HEAD, ""): "1: case: missing; needed: text in quotes",
+    '[bearing]\nname = "6208"\n': "1: a case, not a sweep; run it with 'oilfilm run'",
+    "[contact]\nload_N = 1.0\n": "1: a case, not a sweep; run it with 'oilfilm contact'",
     HEAD: "1: no points; needed: [sweep], [[combinations]], [latin_hypercube] or [sensitivity] with keys",
     HEAD.replace("full", "fool"): (
         "1: case: 6208_fool_ceramic: no such file, and no shipped case has this name; did you mean '6208_full_ceramic'?"

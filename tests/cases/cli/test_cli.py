@@ -422,6 +422,26 @@ def test_a_new_case_is_laid_out_for_its_speed(tmp_path):
     assert written(tmp_path, "--bearing", "7014C")["friction"]["lubrication"] == "oil jet"
 
 
+def test_loads_and_speed_that_were_not_given_say_so(tmp_path):
+    """An axial load alone is one, as of a vertical shaft; angular contact keeps its axial load beside a radial one."""
+
+    def lines(*options):
+        assert oilfilm("init", "new", *options).exit_code == 0
+        text = (tmp_path / "new.toml").read_text(encoding="utf-8")
+        (tmp_path / "new.toml").unlink()
+        return [line for line in text.splitlines() if line.startswith(("inner_speed", "radial_load", "axial_load"))]
+
+    rated = 1e3 * written(tmp_path, "--bearing", "6208")["bearing"]["basic_dynamic_rating_kN"]
+    speed, radial, axial = lines("--bearing", "6208")
+    assert speed.endswith("  # chosen")
+    assert radial == f"radial_load_N = {round(0.05 * rated, -2)!r}  # chosen: 5% of C"
+    assert axial == "axial_load_N = 0.0"
+    given = lines("--bearing", "6208", "--speed", "500", "--axial", "900")
+    assert given == ["inner_speed_rpm = 500.0", "radial_load_N = 0.0", "axial_load_N = 900.0"]
+    assert lines("--bearing", "7208B", "--radial", "700")[2].endswith("  # chosen: 4% of C")
+    assert lines("--bearing", "7208B", "--axial", "700")[1:] == ["radial_load_N = 0.0", "axial_load_N = 700.0"]
+
+
 def test_the_flow_of_a_jet_takes_the_heat_of_palmgrens_viscous_torque(tmp_path):
     """By hand: VG 22 at 70 C, f_0 6.6, d_m 90 mm, 12 000 r/min; 20 K."""
     case = written(tmp_path, "--bearing", "7014C", "--speed", "12000")
@@ -521,7 +541,15 @@ def test_a_set_of_two_gives_off_heat_by_two_widths(tmp_path):
         (("--bore", "28"), "--bore without --outside, --width"),
         (("--bearing", "6205", "--from", "moes_20_10"), "--from and --bearing together"),
         (("--bearing", "6205", "--C", "12"), "--C without --bore"),
-        (("--bore", "58", "--outside", "28", "--width", "16"), "outside_diameter must exceed"),
+        (("--bore", "58", "--outside", "28", "--width", "16"), "--outside: found 28 mm; allowed: above --bore, 58 mm"),
+        (
+            ("--bore", "28", "--outside", "58", "--width", "16", "--angle", "90"),
+            "--angle: found 90 deg; allowed: from 0",
+        ),
+        (("--bore", "28", "--outside", "58", "--width", "0"), "--width: found 0; allowed: above 0"),
+        (("--bore", "28", "--outside", "58", "--width", "16", "--C", "-1"), "--C: found -1; allowed: above 0"),
+        (("--bearing", "6205", "--speed", "1e9"), "operation.inner_speed_rpm: found 1000000000.0; allowed: a number"),
+        (("--bearing", "6205", "--radial", "1e12"), "operation.radial_load_N: found 1000000000000.0; allowed: "),
         (("--bore", "200", "--outside", "280", "--width", "40"), "bore must lie between"),
     ],
 )

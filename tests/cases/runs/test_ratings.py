@@ -10,6 +10,7 @@ from cases import load_case, run_case
 from cases.format.case import case_from_text
 from cases.format.problems import CaseError
 from postprocess import summary
+from postprocess.bearing.duty_cycle import duty_cycle_rows
 from postprocess.bearing.ratings import rating_rows
 
 CASE = """\
@@ -282,6 +283,30 @@ def test_a_load_case_without_equilibrium_is_told():
     assert [block["converged"] for block in found["load_cases"]] == [False, True]
     assert any(message.startswith("load case 1: equilibrium not converged: ") for message in found["messages"])
     assert found["duty_cycle"]["basic_reference_rating_h"] is None
+
+
+def test_a_load_beyond_the_static_rating_is_told():
+    """C_0 of a 6208 is 17.9 kN; of a duty cycle the state that has it is named, and the terminal has its S_0."""
+    told = "life: S_0 = 0.746, beyond the static rating"
+    over = summary(run_case(case(CASE.replace("radial_load_N = 3000.0", "radial_load_N = 24000.0"))))
+    assert any(message.startswith(told) for message in over["messages"])
+    results = run_case(case(CASE + CYCLE.replace("5000.0", "24000.0")))
+    found = summary(results)["messages"]
+    assert [message.startswith(f"load case 1: {told}") for message in found].count(True) == 1
+    assert not any(message.startswith(told) for message in found)
+    assert duty_cycle_rows(results)["safety of the cycle"] == "S_0 0.746, the smallest"
+
+
+def test_what_the_operation_tells_is_not_told_again_of_each_load_case():
+    """Also where a load case finds its own temperature, and its case is made anew with it."""
+    oil = CASE.replace("viscosity_mPa_s = 26.1\npressure_viscosity_1_GPa = 18.0", 'name = "iso vg 32"')
+    oil = oil.replace('"6208"', '"6209-2Z C3"')
+    warm = oil.replace("[ehl]", 'temperature = "self-heated"\n[friction]\nheat_transfer_W_K = 0.6\n[ehl]')
+    messages = summary(run_case(case(warm + CYCLE)))["messages"]
+    assert sum("internal geometry is estimated" in message for message in messages) == 1
+    assert [message.split(",")[0] for message in messages if message.startswith("load case 2: ")] == [
+        "load case 2: operation.temperature: computed at 34.3 C"
+    ]
 
 
 def test_load_cases_warm_themselves_or_keep_a_temperature_of_their_own():

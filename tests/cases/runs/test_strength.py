@@ -97,6 +97,15 @@ def load_text(stem):
     return shipped_cases()[stem].read_text(encoding="utf-8")
 
 
+def test_a_ceramic_ring_without_a_fit_is_told_as_loose():
+    """Its probability of failure is that of the rotation alone; steel rings have none that could mislead."""
+    ceramic = STEEL.replace('"6208"', '"6208 full ceramic"\nwidth_mm = 18.0').replace("3000.0", "1000.0")
+    loose = ceramic.replace("[fit]\ninner_ring_interference_um = 20.0\n", "")
+    for text, told in ((loose, 1), (ceramic, 0), (STEEL.replace("[fit]\ninner_ring_interference_um = 20.0\n", ""), 0)):
+        messages = summary(run_case(case_from_text(text, "case.toml")))["messages"]
+        assert sum("are taken as loose on shaft and in housing" in message for message in messages) == told
+
+
 def test_own_strength_of_a_material():
     """A strength beyond the library's range has no range; one within keeps it."""
     own = '[materials."silicon nitride"]\nyoungs_modulus_GPa = 310.0\npoisson_ratio = 0.26\ndensity_kg_m3 = 3250.0\n'

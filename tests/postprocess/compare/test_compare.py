@@ -125,6 +125,23 @@ def test_changes_of_round_off_are_not_listed_and_small_ones_are(change, listed, 
     assert len(compare(tmp_path / "one", tmp_path / "two").results) == listed
 
 
+def test_errors_of_the_solution_and_what_stands_twice_are_not_listed(folder, tmp_path):
+    """Imbalances of 1e-13 differ by 100 % from result to result; the power balance stands in two blocks."""
+    document = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))
+    balance = {"imbalance": 3e-13, "relative_error": 2e-13, "heat_W": 5.0}
+    document |= {"energy_error": 1e-15, "energy_balance_error": 1e-6, "power_balance": balance}
+    document["torque_N_mm"] |= {"power_balance": balance}
+    folders = [tmp_path / name for name in ("one", "two")]
+    for factor, place in zip((1.0, -2.0), folders, strict=True):
+        for name in balance:
+            balance[name] *= factor
+        for name in ("energy_error", "energy_balance_error"):
+            document[name] *= factor
+        place.mkdir()
+        (place / SUMMARY_FILE).write_text(json.dumps(document), encoding="utf-8")
+    assert [found.path for found in compare(*folders).results] == ["torque_N_mm.power_balance.heat_W"]
+
+
 def test_error_bars_of_any_quantity_are_found(folder, tmp_path):
     document = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))
     for name, stiffness, rolling in (("one", 100.0, 50.0), ("two", 103.0, 46.0)):

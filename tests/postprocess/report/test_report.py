@@ -15,7 +15,7 @@ from bearing.library.bearings import load_catalogue_entry
 from ehl.units import unit_of, without_unit
 from postprocess.files import SUMMARY_FILE
 from postprocess.report.cards import cards, estimated_keys
-from postprocess.report.html import number, text
+from postprocess.report.html import facts, number, text
 from postprocess.report.page import further_results, is_urgent, report_page, write_report
 from postprocess.report.svg import stacked_bars
 
@@ -257,6 +257,15 @@ def test_a_page_of_somebody_else_is_left_alone(folder):
 )
 def test_values_as_text(value, shown):
     assert text(value) == shown
+
+
+def test_the_parts_of_a_source_begin_in_words():
+    """Where a source says of each key where it is from; the words of a source stay as they are."""
+    source = "weibull_modulus: assumed, see a_b: c; youngs_modulus_GPa: Table 2; 0.27 on pages; density_kg_m3: Table 1"
+    shown = facts("", {"source": source, "weibull_modulus": 12.0})
+    assert "source: Weibull modulus: assumed, see a_b: c; " in shown
+    assert "; Young&#x27;s modulus: Table 2; 0.27 on pages; density: Table 1" in shown
+    assert "<td>Weibull modulus</td>" in shown
 
 
 def test_units_of_keys():
