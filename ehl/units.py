@@ -72,6 +72,10 @@ UNITS = {
     "GPa_m_s": Unit("GPa m/s", GIGAPASCAL, "Pa m/s"),
     "1_GPa": Unit("1/GPa", 1e-9, "1/Pa"),
     "1_K": Unit("1/K"),
+    "pF": Unit("pF", 1e-12, "F"),
+    "V": Unit("V"),
+    "MHz": Unit("MHz", 1e6, "Hz"),
+    "GPa_um": Unit("GPa/um", GIGAPASCAL / MICROMETRE, "Pa/m"),
     "mPa_s": Unit("mPa s", 1e-3, "Pa s"),
     "mm2_s": Unit("mm2/s", 1e-6, "m2/s"),
     "kg_m3": Unit("kg/m3"),
@@ -81,7 +85,7 @@ UNITS = {
 NO_UNIT = Unit("")
 # last words of keys that have no unit, whatever block they stand in
 DIMENSIONLESS = frozenset(
-    "coefficient ratio share fraction factor exponent imbalance error number count "
+    "permittivity coefficient ratio share fraction factor exponent imbalance error number count "
     "converged equilibrium resolved".split()
 )
 LONGEST = max(suffix.count("_") for suffix in UNITS) + 1  # words of a unit
@@ -98,6 +102,7 @@ SYMBOLS = {  # for pictures, pages and terminals, by the text of files
     "kg/m3": "kg/m³",
     "g mm2": "g mm²",
     "N/um": "N/µm",
+    "GPa/um": "GPa/µm",
     "um/kN": "µm/kN",
     "um/(m K)": "µm/(m K)",
     "10^6 rev": "10⁶ rev",

@@ -108,6 +108,9 @@ class LubricantTable(OilTable):
         1e4,
         "layer at flooded inlets, both surfaces: it ends the rolling moment; 100 if left out",
     )
+    relative_permittivity: float | None = between(
+        1, 20, "at ambient pressure, for capacitances; 2.2 if left out"
+    )
     contamination_factor: float | None = between(
         0, 1, "e_C of ISO 281, 1 clean; left out, no modified life is computed"
     )

@@ -17,13 +17,8 @@ walls and curvature of `section.wall_slopes` and `section.curvature`.
 import numpy as np
 
 from ..compiled import compiled
-from ..oil._kernels import (
-    capacity_ratio,
-    conductivity_ratio,
-    thermal_expansion,
-    viscosity_softening,
-)
-from ._kernels import FLUIDITY, RHO, ROWS, T_XX, T_XY, T_YY, solve_column
+from ..oil._kernels import capacity_ratio, conductivity_ratio, softening_at, thermal_expansion
+from ._kernels import FLUIDITY, LOG_ETA, RHO, ROWS, T_XX, T_XY, T_YY, solve_column
 
 # Measured on 65 points at 2.3 GPa and slide-roll ratios up to 1.8: half and double of each of the
 # first four leave films to 0.4 % and temperatures to 3 K; cycles, 5 to 19, change by up to 9.
@@ -35,64 +30,96 @@ LARGEST_STEP = 40.0  # [K] of one Newton step
 MIN_TEMPERATURE = 150.0
 MAX_TEMPERATURE = 2000.0
 # rows of the flow's workspace
-U, V, RATE_X, RATE_Y, CROSSING, INFLOW, ADVECTED, SOURCE, CAPACITY, FLOW_ROWS = range(10)
+U, V, RATE_X, RATE_Y, CROSSING, INFLOW, ADVECTED, SOURCE, CAPACITY, COMPRESSION = range(10)
+# the derivative of the heat of shear by the temperatures: a diagonal less the product of a column
+# (along) and a row (pull)
+DIAGONAL, ALONG, PULL = range(10, 13)
+# of the linear system: three diagonals, the solution of `along`
+LOWER, MIDDLE, UPPER, COUPLED, FLOW_ROWS = range(13, 18)
 
 
 @compiled
-def solve_dense(matrix, right):
-    """Gaussian elimination with partial pivoting; the solution replaces `right`."""
+def factor_tridiagonal(flow):
+    """LU factors of three diagonals in place of them (Thomas)."""
+    for k in range(1, flow.shape[1]):
+        flow[LOWER, k] /= flow[MIDDLE, k - 1]
+        flow[MIDDLE, k] -= flow[LOWER, k] * flow[UPPER, k - 1]
+
+
+@compiled
+def solve_tridiagonal(flow, right):
+    """The solution of a factored system replaces `right`."""
     n = right.size
-    for i in range(n):
-        pivot = i
-        for k in range(i + 1, n):
-            if abs(matrix[k, i]) > abs(matrix[pivot, i]):
-                pivot = k
-        if pivot != i:
-            for m in range(i, n):
-                matrix[i, m], matrix[pivot, m] = matrix[pivot, m], matrix[i, m]
-            right[i], right[pivot] = right[pivot], right[i]
-        for k in range(i + 1, n):
-            factor = matrix[k, i] / matrix[i, i]
-            if factor != 0.0:
-                for m in range(i + 1, n):
-                    matrix[k, m] -= factor * matrix[i, m]
-                right[k] -= factor * right[i]
-    for i in range(n - 1, -1, -1):
-        total = right[i]
-        for m in range(i + 1, n):
-            total -= matrix[i, m] * right[m]
-        right[i] = total / matrix[i, i]
+    for k in range(1, n):
+        right[k] -= flow[LOWER, k] * right[k - 1]
+    right[n - 1] /= flow[MIDDLE, n - 1]
+    for k in range(n - 2, -1, -1):
+        right[k] = (right[k] - flow[UPPER, k] * right[k + 1]) / flow[MIDDLE, k]
 
 
 @compiled
-def column_temperature(
-    film, conductivity, inflow, advected, crossing, source, slope, compression, last, history,
-    response, nodes, differences, out
-):  # fmt: skip
-    """Temperature at the nodes of a column, its source linearised at the last one [K]."""
-    below, above, curvature = differences
-    n = last.size
-    matrix = np.empty((n, n))
+def inner_rows(film, conductivity, last, nodes, curvature, flow, out):
+    """Rows of the nodes inside: conduction, convection, the heat of shear at the last temperature.
+
+    Returns the product of `pull` and the last temperatures.
+    """
     spread = conductivity / (film * film)
-    flux = conductivity / film
-    for k in range(1, n - 1):
-        right = advected[k] + source[k]
-        for m in range(n):
-            matrix[k, m] = -slope[k, m] - spread * curvature[k, m]
-            right -= slope[k, m] * last[m]
-        matrix[k, k] += inflow[k] - compression[k]
-        m = k - 1 if crossing[k] >= 0.0 else k
-        steep = crossing[k] / (nodes[m + 1] - nodes[m])
-        matrix[k, m] -= steep
-        matrix[k, m + 1] += steep
-        out[k] = right
-    for m in range(n):
-        matrix[0, m] = -response[0] * flux * below[m]
-        matrix[n - 1, m] = response[1] * flux * above[m]
-    matrix[0, 0] += 1.0
-    matrix[n - 1, n - 1] += 1.0
-    out[0], out[n - 1] = history[0], history[1]
-    solve_dense(matrix, out)
+    pulled = 0.0
+    for k in range(last.size):
+        pulled += flow[PULL, k] * last[k]
+    for k in range(1, last.size - 1):
+        crossing = flow[CROSSING, k]
+        down = crossing / (nodes[k] - nodes[k - 1]) if crossing >= 0.0 else 0.0
+        up = crossing / (nodes[k + 1] - nodes[k]) if crossing < 0.0 else 0.0
+        flow[LOWER, k] = -spread * curvature[k, k - 1] - down
+        flow[UPPER, k] = -spread * curvature[k, k + 1] + up
+        flow[MIDDLE, k] = flow[INFLOW, k] - flow[COMPRESSION, k] - flow[DIAGONAL, k]
+        flow[MIDDLE, k] += down - up - spread * curvature[k, k]
+        out[k] = flow[ADVECTED, k] + flow[SOURCE, k] - flow[DIAGONAL, k] * last[k]
+        out[k] += flow[ALONG, k] * pulled
+    return pulled
+
+
+@compiled
+def wall_rows(flux, history, response, differences, flow, out):
+    """Rows of both walls, their third entry eliminated by the row beside; flux: k/h."""
+    below, above, _ = differences
+    n = out.size
+    for wall, beside, sign in ((0, 1, -1.0), (n - 1, n - 2, 1.0)):
+        slopes = below if wall == 0 else above
+        strength = sign * response[0 if wall == 0 else 1] * flux
+        to, back = (UPPER, LOWER) if wall == 0 else (LOWER, UPPER)
+        third = strength * slopes[2 * beside - wall]
+        share = third / flow[to, beside]
+        flow[MIDDLE, wall] = 1.0 + strength * slopes[wall] - share * flow[back, beside]
+        flow[to, wall] = strength * slopes[beside] - share * flow[MIDDLE, beside]
+        out[wall] = history[0 if wall == 0 else 1] - share * out[beside]
+        flow[COUPLED, wall] = -share * flow[COUPLED, beside]
+
+
+@compiled
+def column_temperature(film, conductivity, last, history, response, nodes, differences, flow, out):
+    """Temperature at the nodes of a column, its source linearised at the last one [K].
+
+    The system is three diagonals and the product of `along` and `pull`: Sherman and Morrison's
+    formula (1950).
+    """
+    n = last.size
+    for k in range(n):
+        flow[COUPLED, k] = flow[ALONG, k] if 0 < k < n - 1 else 0.0
+    pulled = inner_rows(film, conductivity, last, nodes, differences[2], flow, out)
+    wall_rows(conductivity / film, history, response, differences, flow, out)
+    factor_tridiagonal(flow)
+    solve_tridiagonal(flow, out)
+    if pulled == 0.0:
+        return
+    solve_tridiagonal(flow, flow[COUPLED])
+    drawn = own = 0.0
+    for k in range(n):
+        drawn += flow[PULL, k] * out[k]
+        own += flow[PULL, k] * flow[COUPLED, k]
+    for k in range(n):
+        out[k] -= flow[COUPLED, k] * drawn / (1.0 + own)
 
 
 @compiled
@@ -112,8 +139,8 @@ def column_motion(middle, rise, speed, height, section, work, flow):
 
 
 @compiled
-def source_slope(p, temperature, middle, rise, rate, oil, section, work, flow, slope):
-    """Derivative of the heat of shear by the temperatures [W/(m^3 K)].
+def source_slope(p, temperature, middle, rise, rate, oil, section, work, flow):
+    """Derivative of the heat of shear by the temperatures [W/(m^3 K)], to rows of `flow`.
 
     At a given stress the heat grows with the softening b of the oil there; the stress in the
     middle gives way along the mean rate's direction e, so that the difference of the surface
@@ -128,17 +155,16 @@ def source_slope(p, temperature, middle, rise, rate, oil, section, work, flow, s
         give += weights[k] * (
             work[T_XX, k] * e_x * e_x + 2.0 * work[T_XY, k] * e_x * e_y + work[T_YY, k] * e_y * e_y
         )
-    for m in range(n):
-        soft = viscosity_softening(p, temperature[m], oil)
-        pull = weights[m] * soft * (flow[RATE_X, m] * e_x + flow[RATE_Y, m] * e_y)
-        for k in range(n):
-            t_x = middle[0] + (nodes[k] - 0.5) * rise[0]
-            t_y = middle[1] + (nodes[k] - 0.5) * rise[1]
-            along = flow[RATE_X, k] * e_x + flow[RATE_Y, k] * e_y
-            along += t_x * (work[T_XX, k] * e_x + work[T_XY, k] * e_y)
-            along += t_y * (work[T_XY, k] * e_x + work[T_YY, k] * e_y)
-            slope[k, m] = -along * pull / give if size > 0.0 else 0.0
-        slope[m, m] += soft * flow[SOURCE, m]
+    for k in range(n):
+        soft = softening_at(p, temperature[k], work[LOG_ETA, k], oil)
+        t_x = middle[0] + (nodes[k] - 0.5) * rise[0]
+        t_y = middle[1] + (nodes[k] - 0.5) * rise[1]
+        pull = flow[RATE_X, k] * e_x + flow[RATE_Y, k] * e_y
+        along = pull + t_x * (work[T_XX, k] * e_x + work[T_XY, k] * e_y)
+        along += t_y * (work[T_XY, k] * e_x + work[T_YY, k] * e_y)
+        flow[PULL, k] = weights[k] * soft * pull / give if size > 0.0 else 0.0
+        flow[ALONG, k] = along
+        flow[DIAGONAL, k] = soft * flow[SOURCE, k]
 
 
 @compiled
@@ -206,8 +232,7 @@ def film_conductivity(p, temperature, heat, section, oil):
 @compiled
 def solve_heat_column(
     j, i, p, height, rise, rate, speed, mesh, symmetric, renewed, oil, heat, section,
-    differences, rheology, temperature, inlet, history, response, middle, mass, work, flow,
-    slope, out
+    differences, rheology, temperature, inlet, history, response, middle, mass, work, flow, out
 ):  # fmt: skip
     """Temperature and stress of one column by Newton's method; heat of shear [W/m^2] and whether
     it converged. heat: conductivity and rho_0 c of the oil at ambient pressure and the temperature
@@ -215,7 +240,6 @@ def solve_heat_column(
     """
     n = section[0].size
     converged = False
-    compression = np.empty(n)
     for turn in range(COLUMN_STEPS):
         # 1. stress at the last temperatures
         guess = (middle[0, j, i], middle[1, j, i])
@@ -232,14 +256,15 @@ def solve_heat_column(
         column_transport(
             j, i, mesh, symmetric, renewed, temperature, inlet, mass, height, section, work, flow
         )
-        source_slope(p, temperature[j, i], (t_x, t_y), rise, rate, oil, section, work, flow, slope)
+        source_slope(p, temperature[j, i], (t_x, t_y), rise, rate, oil, section, work, flow)
         for k in range(n):
             expansion = thermal_expansion(p, temperature[j, i, k], oil)
-            compression[k] = expansion * (flow[U, k] * rise[0] + flow[V, k] * rise[1]) / height
+            pressing = flow[U, k] * rise[0] + flow[V, k] * rise[1]
+            flow[COMPRESSION, k] = expansion * pressing / height
         # 3. temperatures of the linearised column, within bounds
         column_temperature(
-            height, conductivity, flow[INFLOW], flow[ADVECTED], flow[CROSSING], flow[SOURCE],
-            slope, compression, temperature[j, i], history, response, section[0], differences, out,
+            height, conductivity, temperature[j, i], history, response, section[0], differences,
+            flow, out,
         )  # fmt: skip
         largest = change_temperature(temperature[j, i], out, 0.5 ** (turn // HALVED_AFTER))
         if largest < COLUMN_TOLERANCE:
@@ -271,25 +296,29 @@ def take_up_heat(j, i, p, height, heat, section, oil, differences, temperature, 
 @compiled
 def heat_sweep(
     p, h, gradient, speed_1, speed_2, mesh, symmetric, forward, oil, heat, section, differences,
-    rheology, inlet, bulk, response, weights, temperature, middle, mass, flux, dissipation
+    rheology, inlet, bulk, response, weights, temperature, middle, mass, flux, dissipation,
+    recirculates
 ):  # fmt: skip
     """Columns of all lines one after the other along x, or against it; the number of unsolved
-    ones.
+    ones. Against the entrainment only those in which oil flows back: others take nothing from
+    there.
 
     p, h: (ny, nx); gradient, speed_1, speed_2, response, flux: (2, ny, nx); bulk: temperatures of
     both bodies [K]; response: 1/(sqrt(pi u) e) of both [K m^1.5/W]; weights: of their histories
     [m^0.5]; in and out: temperature (ny, nx, n) [K], middle (2, ny, nx) [Pa], mass (ny, nx, n)
-    [m^2/s], flux into both bodies and dissipation [W/m^2].
+    [m^2/s], flux into both bodies and dissipation [W/m^2]; recirculates, shape (ny, nx): whether
+    some oil of a column ever flowed against the entrainment.
     """
     ny, nx, n = temperature.shape
     unsolved = 0
     work, flow = np.zeros((ROWS, n)), np.zeros((FLOW_ROWS, n))
-    slope = np.zeros((n, n))
     out = np.zeros(n)
     for j in range(ny):
         for i in range(nx) if forward else range(nx - 1, -1, -1):
             height = h[j, i]
             renewed = forward == (speed_1[0, j, i] + speed_2[0, j, i] >= 0.0)
+            if not renewed and not recirculates[j, i]:
+                continue
             # 1. walls by the heat taken up upstream
             past_1, past_2 = bulk
             past_1 += response[0, j, i] * body_history(flux[0, j], i, speed_1[0, j, i], weights)
@@ -311,11 +340,13 @@ def heat_sweep(
                 dissipation[j, i], converged = solve_heat_column(
                     j, i, p[j, i], height, rise, rate, speed_1[:, j, i], mesh, symmetric, renewed,
                     oil, heat, section, differences, rheology, temperature, inlet,
-                    (past_1, past_2), wall_response, middle, mass, work, flow, slope, out,
+                    (past_1, past_2), wall_response, middle, mass, work, flow, out,
                 )  # fmt: skip
                 if converged:
                     break
             unsolved += 0 if converged else 1
+            if flow[U].max() > 0.0 and flow[U].min() < 0.0:
+                recirculates[j, i] = True
             # 3. flux into the walls
             take_up_heat(j, i, p, height, heat, section, oil, differences, temperature, flux)
     return unsolved

@@ -27,13 +27,14 @@ mass flux is -(rho/eta)_e h^3/12 grad p + h [rho'_e eta_e (u_b - u_a) + rho_e u_
 
 rheology: a `KernelRheology`;
 section: nodes, weights and cumulative matrix of a `Section`; work: rows for viscosity, density,
-1/eta* and the tangent fluidity (xx, xy, yy) at the nodes of a column.
+1/eta*, the tangent fluidity (xx, xy, yy),
+ln(eta/eta_0) and mass weights at the nodes of a column.
 """
 
 import numpy as np
 
 from ..compiled import compiled
-from ..oil._kernels import density_ratio, viscosity
+from ..oil._kernels import density_ratio, log_viscosity_at, pressure_rise, viscosity
 from ..oil._rheology_kernels import (
     CARREAU_YASUDA,
     LIMIT_POWER,
@@ -55,7 +56,7 @@ HALVINGS = 60
 # share of the residual after a step from which on the next is as long as for an exponential law
 SLOW_REDUCTION = 0.2
 # rows of the workspace
-ETA, RHO, FLUIDITY, T_XX, T_XY, T_YY, ROWS = range(7)
+ETA, RHO, FLUIDITY, T_XX, T_XY, T_YY, LOG_ETA, MASS, ROWS = range(9)
 
 
 @compiled
@@ -190,11 +191,32 @@ def column_fluidity(middle, rise, section, limit, margin, rheology, work):
 def column_properties(p, temperature, oil, section, work):
     """Viscosity [Pa s] and density over rho_0 in a column; returns its mean temperature [K]."""
     mean = 0.0
+    pressed = pressure_rise(p, oil)
     for k in range(section[1].size):
-        work[ETA, k] = viscosity(p, temperature[k], oil)
+        work[LOG_ETA, k] = log_viscosity_at(p, pressed, temperature[k], oil)
+        work[ETA, k] = oil[2] * np.exp(work[LOG_ETA, k])
         work[RHO, k] = density_ratio(p, temperature[k], oil)
         mean += section[1][k] * temperature[k]
     return mean
+
+
+@compiled
+def newtonian_column(rise, rate, section, work):
+    """`solve_column` of a Newtonian oil without a limiting stress, in closed form [Pa]."""
+    nodes, weights, _ = section
+    fluidity = moment = 0.0
+    for k in range(nodes.size):
+        work[FLUIDITY, k] = work[T_XX, k] = work[T_YY, k] = 1.0 / work[ETA, k]
+        work[T_XY, k] = 0.0
+        fluidity += weights[k] / work[ETA, k]
+        moment += weights[k] * (nodes[k] - 0.5) / work[ETA, k]
+    return (rate[0] - moment * rise[0]) / fluidity, (rate[1] - moment * rise[1]) / fluidity
+
+
+@compiled
+def is_newtonian(rheology):
+    """Whether an oil neither thins nor has a limiting stress."""
+    return int(rheology[0]) == NEWTONIAN and not np.isfinite(rheology[4])
 
 
 @compiled
@@ -204,6 +226,9 @@ def solve_column(p, temperature, start, rise, rate, oil, section, rheology, work
     start: first guess (tau_x, tau_y), not a number where there is none [Pa].
     """
     mean_temperature = column_properties(p, temperature, oil, section, work)
+    if is_newtonian(rheology):
+        t_x, t_y = newtonian_column(rise, rate, section, work)
+        return t_x, t_y, True
     eta = work[ETA]
     limit, margin = column_limit(p, mean_temperature, eta, np.hypot(rate[0], rate[1]), rheology)
     if not np.isfinite(start[0] + start[1]):
@@ -214,28 +239,39 @@ def solve_column(p, temperature, start, rise, rate, oil, section, rheology, work
 
 
 @compiled
-def column_integrals(f, rho, section):
-    """Integrals of f, z f, rho int f dz' and rho int z' f dz' over a column of height 1."""
-    nodes, weights, cumulative = section
+def mass_weights(section, work):
+    """Weights of f in rho int f dz' over a column of height 1, to the workspace [-]."""
+    _, weights, cumulative = section
+    for m in range(weights.size):
+        work[MASS, m] = 0.0
+    for k in range(weights.size):
+        dense = weights[k] * work[RHO, k]
+        for m in range(weights.size):
+            work[MASS, m] += dense * cumulative[k, m]
+
+
+@compiled
+def column_integrals(row, section, work):
+    """Integrals of f, z f, rho int f dz' and rho int z' f dz' over a column of height 1, f a row
+    of the workspace.
+    """
+    nodes, weights, _ = section
     mean = moment = first = second = 0.0
     for k in range(nodes.size):
-        mean += weights[k] * f[k]
-        moment += weights[k] * nodes[k] * f[k]
-        to_here = to_here_z = 0.0
-        for m in range(nodes.size):
-            to_here += cumulative[k, m] * f[m]
-            to_here_z += cumulative[k, m] * nodes[m] * f[m]
-        first += weights[k] * rho[k] * to_here
-        second += weights[k] * rho[k] * to_here_z
+        f = work[row, k]
+        mean += weights[k] * f
+        moment += weights[k] * nodes[k] * f
+        first += work[MASS, k] * f
+        second += work[MASS, k] * nodes[k] * f
     return mean, moment, first, second
 
 
 @compiled
 def column_tangent(section, work):
     """Diagonal of the tangent of the flux, in the unit of (rho/eta)_e."""
-    a_xx, b_xx, c_xx, d_xx = column_integrals(work[T_XX], work[RHO], section)
-    a_xy, b_xy, c_xy, _ = column_integrals(work[T_XY], work[RHO], section)
-    a_yy, b_yy, c_yy, d_yy = column_integrals(work[T_YY], work[RHO], section)
+    a_xx, b_xx, c_xx, d_xx = column_integrals(T_XX, section, work)
+    a_xy, b_xy, c_xy, _ = column_integrals(T_XY, section, work)
+    a_yy, b_yy, c_yy, d_yy = column_integrals(T_YY, section, work)
     determinant = a_xx * a_yy - a_xy * a_xy
     m_xx = (a_yy * b_xx - a_xy * b_xy) / determinant
     m_xy = (a_yy * b_xy - a_xy * b_yy) / determinant
@@ -260,6 +296,7 @@ def flow_factors(
     """
     ny, nx = p.shape
     unsolved = 0
+    newtonian = is_newtonian(rheology)
     work = np.empty((ROWS, section[0].size))
     for j in range(ny):
         for i in range(nx):
@@ -277,12 +314,16 @@ def flow_factors(
                 p[j, i], temperature[j, i], start, rise, rate, oil, section, rheology, work
             )
             unsolved += 0 if converged else 1
-            mean, moment, first, second = column_integrals(work[FLUIDITY], work[RHO], section)
+            mass_weights(section, work)
+            mean, moment, first, second = column_integrals(FLUIDITY, section, work)
             reference = density_ratio(p[j, i], oil[4], oil)
             thick = viscosity(p[j, i], oil[4], oil) / reference
             poiseuille[j, i] = 12.0 * (moment / mean * first - second) * thick
-            along, across = column_tangent(section, work)
-            tangent[0, j, i], tangent[1, j, i] = along * thick, across * thick
+            if newtonian:
+                tangent[0, j, i] = tangent[1, j, i] = poiseuille[j, i]
+            else:
+                along, across = column_tangent(section, work)
+                tangent[0, j, i], tangent[1, j, i] = along * thick, across * thick
             dense = (section[1] * work[RHO]).sum()
             couette[0, j, i] = (first / mean * du + dense * u) / reference
             couette[1, j, i] = (first / mean * dv + dense * v) / reference

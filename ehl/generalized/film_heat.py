@@ -24,6 +24,7 @@ class HeatState:
     mass: Array  # int_0^z rho u dz/rho_0, shape (ny, nx, n) [m^2/s]
     flux: Array  # into body 1 and body 2, shape (2, ny, nx) [W/m^2]
     dissipation: Array  # heat of shear over the film, shape (ny, nx) [W/m^2]
+    recirculates: Array  # whether oil of a column flows against the entrainment, shape (ny, nx)
     change: float = 0.0  # largest change of a temperature in the last cycle [K]
     unsolved_columns: int = 0  # that did not converge in the last sweep [-]
 
@@ -91,6 +92,7 @@ class FilmHeat:
                 *((*wall_slopes(section), curvature(section)), kernel_rheology(rheology)),
                 *(self.inlet, self.bulk, np.stack(response), weights),
                 *(state.temperature, middle, state.mass, state.flux, state.dissipation),
+                state.recirculates,
             )
         change = float(np.abs(state.temperature - before).max())
         return replace(state, change=change, unsolved_columns=int(unsolved))
@@ -104,4 +106,5 @@ class FilmHeat:
             mass=np.zeros_like(temperature),
             flux=np.zeros((2, *shape)),
             dissipation=np.zeros(shape),
+            recirculates=np.zeros(shape, dtype=np.bool_),
         )

@@ -173,10 +173,12 @@ class GeneralizedFlow:
         a first guess that the solution replaces.
         """
         poiseuille, couette, tangent, unsolved = self._evaluate(fields, middle, temperature)
-        # m by a difference quotient
-        steeper = replace(fields, gradient=(1.0 + STEP) * fields.gradient)
-        steep = self._evaluate(steeper, middle.copy(), temperature)[0]
-        power = np.maximum(np.log(steep / poiseuille) / np.log1p(STEP), 0.0)
+        # m by a difference quotient; the gradient thins no Newtonian oil
+        power = np.zeros_like(poiseuille)
+        if not self.rheology.newtonian:
+            steeper = replace(fields, gradient=(1.0 + STEP) * fields.gradient)
+            steep = self._evaluate(steeper, middle.copy(), temperature)[0]
+            power = np.maximum(np.log(steep / poiseuille) / np.log1p(STEP), 0.0)
         # k by a difference quotient
         oil = self.conditions.lubricant
         rise = STEP / max(oil.pressure_viscosity, SMALLEST_SLOPE)

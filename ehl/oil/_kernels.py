@@ -90,6 +90,20 @@ def roelands_rise(ratio, exponent):
 @compiled
 def log_viscosity_ratio(pressure, temperature, oil):
     """ln(eta/eta_0), at most EXPONENT_LIMIT [-]."""
+    return log_viscosity_at(pressure, pressure_rise(pressure, oil), temperature, oil)
+
+
+@compiled
+def pressure_rise(pressure, oil):
+    """(1 + p/p_r)^z of Roelands' law [-], once for all temperatures of a column; else not used."""
+    if int(oil[0]) == ROELANDS:
+        return roelands_rise(pressure / oil[V + 1], oil[V + 2])
+    return 1.0
+
+
+@compiled
+def log_viscosity_at(pressure, rise, temperature, oil):
+    """ln(eta/eta_0), at most EXPONENT_LIMIT [-]; rise: of `pressure_rise`."""
     law = int(oil[0])
     above = temperature - oil[4]
     if law == ISOVISCOUS:
@@ -99,7 +113,6 @@ def log_viscosity_ratio(pressure, temperature, oil):
     if law == ROELANDS:
         slope = oil[V]
         room = oil[4] - ROELANDS_TEMPERATURE
-        rise = roelands_rise(pressure / oil[V + 1], oil[V + 2])
         if above != 0.0:
             rise *= max(1.0 + above / room, 1e-3) ** (-oil[5] * room / slope)
         return min(slope * (rise - 1.0), EXPONENT_LIMIT)
@@ -125,6 +138,23 @@ def viscosity_softening(pressure, temperature, oil):
     return (cold - log_viscosity_ratio(pressure, temperature + SLOPE_STEP, oil)) / (
         2.0 * SLOPE_STEP
     )
+
+
+@compiled
+def softening_at(pressure, temperature, log_ratio, oil):
+    """-d(ln eta)/dT [1/K] where ln(eta/eta_0) is known: of Roelands' and Barus' laws in closed
+    form, of others by `viscosity_softening`.
+    """
+    law = int(oil[0])
+    if log_ratio >= EXPONENT_LIMIT:
+        return 0.0
+    if law in (ISOVISCOUS, BARUS):
+        return oil[5]
+    if law != ROELANDS:
+        return viscosity_softening(pressure, temperature, oil)
+    room = oil[4] - ROELANDS_TEMPERATURE
+    warm = 1.0 + (temperature - oil[4]) / room
+    return oil[5] * (1.0 + log_ratio / oil[V]) / warm if warm > 1e-3 else 0.0
 
 
 @compiled
@@ -176,7 +206,9 @@ def capacity_ratio(pressure, temperature, density, oil):
 
 @compiled
 def thermal_expansion(pressure, temperature, oil):
-    """-d(ln rho)/dT [1/K], central difference."""
+    """-d(ln rho)/dT [1/K]; of Tait's own temperature a central difference."""
+    if int(oil[1]) != TAIT:
+        return oil[6]
     cold = density_ratio(pressure, temperature - SLOPE_STEP, oil)
     return np.log(cold / density_ratio(pressure, temperature + SLOPE_STEP, oil)) / (
         2.0 * SLOPE_STEP

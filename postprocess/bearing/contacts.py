@@ -224,6 +224,7 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
             film=results.solutions[i],
             traction=None if (traction := tractions[i]) is None else traction.result,
             rolling=results.rolling_moments[i],
+            instruments=results.instruments[i],
             stress=contact_stress(results.quasistatic, contact),
             starved=starved[i],
             surface=results.case.get("surface"),

@@ -24,9 +24,11 @@ from bearing.torque.breakdown import TorqueBreakdown
 from bearing.torque.rolling_extent import RollingExtent, rolling_extent, rolling_moments
 from bearing.torque.supply_band import SupplyBand, SupplyTorque
 from ehl import ContactSolution, Lubricant
+from ehl.traction.instruments import FilmInstruments, film_instruments
 from ehl.traction.rolling_moment import RollingMoment
 from ehl.units import from_si
 
+from ..contact.quantities import oil_permittivity
 from ..results import Results
 from ..text import listed
 
@@ -75,6 +77,13 @@ class BearingResults(Results):
         return rolling_moments(
             [film if film and film.converged else None for film in self.solutions]
         )
+
+    @cached_property
+    def instruments(self) -> tuple[FilmInstruments | None, ...]:
+        """What would be measured of the films of the contacts; None where none is solved."""
+        permittivity = oil_permittivity(self.case)
+        found = {id(film): film_instruments(film, permittivity) for film in self.solutions if film}
+        return tuple(found.get(id(film)) for film in self.solutions)
 
     @cached_property
     def rolling_extent(self) -> RollingExtent | None:

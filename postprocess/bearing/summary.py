@@ -11,6 +11,7 @@ from ..quantities import CAGE_SPEED, FREQUENCIES, rows_of, values_of
 from ..results import STIFFNESS_ORDER, STIFFNESS_UNITS
 from .contacts import contact_messages, contact_records, contact_values
 from .duty_cycle import duty_cycle_block, duty_cycle_messages, load_case_blocks
+from .electrical import electrical_block, electrical_messages
 from .finite_bodies import finite_body_block, finite_body_messages
 from .heating import heating_block, heating_messages, network_blocks, temperature_messages
 from .quantities import BALL_QUANTITIES, RING
@@ -54,6 +55,7 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
         "self_heating": heating_block(results),
         **network_blocks(results),
         "reference_speed_rpm": results.reference_speed_rpm,
+        "electrical": electrical_block(results),
         "finite_bodies": finite_body_block(results),
         "timing_s": dict(results.timing),
     }
@@ -91,3 +93,4 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
     yield from supply_messages(results)
     yield from decay_messages(results)
     yield from heating_messages(results)
+    yield from electrical_messages(results)

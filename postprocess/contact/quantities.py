@@ -6,6 +6,7 @@ from typing import Any
 
 from ehl import ContactConditions, ContactSolution, ViscosityLaw
 from ehl.closed_form import film as film_formulas
+from ehl.traction.instruments import OIL_PERMITTIVITY, FilmInstruments
 from ehl.traction.rolling_moment import RollingMoment
 from ehl.traction.shear import TractionResult
 from ehl.units import from_si
@@ -25,6 +26,7 @@ class FilmRecord:
     film: ContactSolution | None
     traction: TractionResult | None = None
     rolling: RollingMoment | None = None
+    instruments: FilmInstruments | None = None
 
     @property
     def pressure_maximum(self) -> float | None:
@@ -54,6 +56,7 @@ class FilmRecord:
 
 NO_FILM = "no film was computed, or it has no length"
 NO_TRACTION = "it needs a contact with lengths, and a film that converged"
+NO_INSTRUMENT = "it needs a solved film with lengths that converged"
 NO_CYCLE = "no film was computed, or not a single cycle of it was completed"
 FILM_QUANTITIES = (
     *quantities(
@@ -102,6 +105,18 @@ FURTHER_QUANTITIES = (  # of the summary alone
         f"{NO_TRACTION}, or the oil does not shear by Eyring's law",
         ("eyring_stress_MPa", "Eyring's stress"),
     ),
+    *quantities(
+        "instruments.",
+        NO_INSTRUMENT,
+        ("capacitance_pF", "capacitance of film and wedge of oil"),
+        ("capacitance_uncertainty_pF", "its uncertainty by the film"),
+        ("capacitance_hertz_pF", "its part within Hertz' ellipse"),
+        ("breakdown_voltage_V", "voltage at which the minimum film breaks down"),
+        ("breakdown_voltage_low_V", "low end of its range"),
+        ("breakdown_voltage_high_V", "high end of its range"),
+        ("ultrasonic_stiffness_GPa_um", "bulk modulus over film at the centre"),
+        ("ultrasonic_stiffness_uncertainty_GPa_um", "its uncertainty by the film"),
+    ),
 )
 NO_LAYER = "the film stands behind no layer (ehl.starvation), or did not converge"
 SUPPLY_QUANTITIES = (
@@ -136,6 +151,11 @@ SUPPLY_QUANTITIES = (
 def film_values(record: FilmRecord) -> dict[str, Any]:
     """Values of the film's quantities by key, in the units of the keys."""
     return values_of(record, (*FILM_QUANTITIES, *FURTHER_QUANTITIES, *SUPPLY_QUANTITIES))
+
+
+def oil_permittivity(case: dict[str, Any]) -> float:
+    """Relative permittivity of a case's oil [-]."""
+    return case.get("lubricant", {}).get("relative_permittivity") or OIL_PERMITTIVITY
 
 
 def formula_films(conditions: object) -> dict[str, float | None]:

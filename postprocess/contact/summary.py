@@ -5,12 +5,21 @@ from typing import Any
 
 from ehl import ContactConditions, ContactSolution
 from ehl.traction.atlas.check import beyond_both_bars
+from ehl.traction.instruments import film_instruments
 from ehl.traction.rolling_moment import rolling_moment
 from ehl.units import MILLIMETRE, from_si
 
 from ..files import plain_document
 from .passes import pass_messages, pass_values
-from .quantities import NO_CYCLE, NO_TRACTION, FilmRecord, film_values, formula_films
+from .quantities import (
+    NO_CYCLE,
+    NO_INSTRUMENT,
+    NO_TRACTION,
+    FilmRecord,
+    film_values,
+    formula_films,
+    oil_permittivity,
+)
 from .response import response_messages, response_values
 from .results import ContactResults
 from .supply import contact_starved_values, contact_supply_messages
@@ -98,7 +107,10 @@ def _record(results: ContactResults) -> FilmRecord:
     solution = results.solution
     known = solution.converged and solution.semi_axis_x is not None
     moment = rolling_moment(solution) if known else None
-    return FilmRecord(film=solution, traction=results.traction, rolling=moment)
+    instruments = film_instruments(solution, oil_permittivity(results.case))
+    return FilmRecord(
+        film=solution, traction=results.traction, rolling=moment, instruments=instruments
+    )
 
 
 def _dimensionless_films(solution: ContactSolution) -> dict[str, float | None]:
@@ -165,6 +177,8 @@ def _messages(results: ContactResults, record: FilmRecord) -> Iterator[str]:
         yield "certified: null, no certificate was asked for, or the film did not converge"
     if solution.state is None or solution.state.temperature is None:
         yield "film_temperature_maximum_C: null, the film was solved without heat"
+    if record.instruments is None:
+        yield f"capacitance_..._pF, breakdown_voltage_..._V, ultrasonic_...: null, {NO_INSTRUMENT}"
     if record.residual is None:
         yield f"residual, mass_imbalance: null, {NO_CYCLE}"
     if results.traction is None:

@@ -81,32 +81,47 @@ def test_heat_leaves_through_the_walls():
 
 def test_column_kernel_agrees():
     random, n = np.random.default_rng(60217), SECTION.nodes.size
+    along, pull, diagonal = 1e9 * random.standard_normal(n), random.random(n), 1e8 * random.standard_normal(n)
     column = still_column(
         inflow=1e9 * random.random(n),
         carried=3e11 * random.random(n),
         crossing=1e9 * random.standard_normal(n),
         source=1e13 * random.random(n),
-        slope=1e9 * random.standard_normal((n, n)),
+        slope=np.diag(diagonal) - np.outer(along, pull),
         compression=1e7 * random.standard_normal(n),
         response=(1e-7, 3e-7),
         history=(320.0, 330.0),
     )
-    out = np.empty(n)
-    fields = (column.inflow, column.carried, column.crossing, column.source, column.slope, column.compression)
+    out, flow = np.empty(n), np.zeros((_kernels.FLOW_ROWS, n))
+    rows = {
+        _kernels.INFLOW: column.inflow,
+        _kernels.ADVECTED: column.carried,
+        _kernels.CROSSING: column.crossing,
+        _kernels.SOURCE: column.source,
+        _kernels.COMPRESSION: column.compression,
+        _kernels.DIAGONAL: diagonal,
+        _kernels.ALONG: along,
+        _kernels.PULL: pull,
+    }
+    for row, values in rows.items():
+        flow[row] = values
     walls = (column.history, column.response)
     _kernels.column_temperature(
-        column.film, column.conductivity, *fields, column.last, *walls, SECTION.nodes, DIFFERENCES, out
+        column.film, column.conductivity, column.last, *walls, SECTION.nodes, DIFFERENCES, flow, out
     )
     assert_allclose(out, column_temperature(column, SECTION), rtol=1e-9)
 
 
-def test_dense_solver():
-    random = np.random.default_rng(91822)
-    matrix, right = random.standard_normal((9, 9)), random.standard_normal(9)
-    matrix[0, 0] = 0.0  # needs a pivot
-    wanted = np.linalg.solve(matrix, right)
-    _kernels.solve_dense(matrix.copy(), right)
-    assert_allclose(right, wanted, rtol=1e-10)
+def test_tridiagonal_solver():
+    random, n = np.random.default_rng(91822), 9
+    flow, right = np.zeros((_kernels.FLOW_ROWS, n)), random.standard_normal(n)
+    flow[_kernels.LOWER, 1:], flow[_kernels.UPPER, :-1] = random.random(n - 1), random.random(n - 1)
+    flow[_kernels.MIDDLE] = 2.0 + random.random(n)
+    lower, middle, upper = (flow[row].copy() for row in (_kernels.LOWER, _kernels.MIDDLE, _kernels.UPPER))
+    wanted = np.linalg.solve(np.diag(middle) + np.diag(lower[1:], -1) + np.diag(upper[:-1], 1), right)
+    _kernels.factor_tridiagonal(flow)
+    _kernels.solve_tridiagonal(flow, right)
+    assert_allclose(right, wanted, rtol=1e-12)
 
 
 def test_uniform_flux_into_a_moving_body():
@@ -156,6 +171,7 @@ def sweep(oil, solids, speeds, *, nx=60, film=3e-7, p=None, mesh=2e-6, turns=3, 
             *(p, np.full(shape, film), gradient, *speed, (mesh, 1.0), True, True, oil_numbers(oil), heat),
             *(SECTION.integration, DIFFERENCES, kernel_rheology(Rheology()), inlet, (T_0, T_0), response),
             *(history_weights(nx, mesh), temperature, middle, mass, flux, dissipation),
+            np.zeros(shape, dtype=np.bool_),
         )
     return temperature[0], flux[:, 0], dissipation[0], missed, middle[:, 0]
 

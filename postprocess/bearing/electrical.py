@@ -1,0 +1,189 @@
+"""Block `electrical` of a bearing: capacitance between its rings, and the voltage that breaks its
+films down.
+
+From race to race two films and a ball lie in series, the balls side by side:
+
+    C = sum over the balls of 1/(1/C_i + 1/C_b + 1/C_o)
+
+A ball of steel conducts (1/C_b = 0). One of silicon nitride has a capacitance between that of two
+spots as large as Hertz' ellipses on half-spaces, by the analogy with heat, 1/C = 2 K(m)/(2 pi
+eps a) with the mean semi-axes, and that of straight columns from cap to cap, pi R eps: the
+geometric mean is the value (assumed). The cage and the air beside the oil are left out.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import pi, sqrt
+from typing import Any
+
+import numpy as np
+import scipy
+
+from bearing.geometry import Race
+from bearing.material import Material, MaterialKind
+from ehl.solution import Array
+from ehl.traction.instruments import VACUUM_PERMITTIVITY, FilmInstruments
+
+from ..contact.quantities import oil_permittivity
+from ..quantities import quantities, values_of
+from .results import BearingResults
+
+# relative, of silicon nitride [-], from memory, unverified
+CERAMIC_PERMITTIVITY = 8.0
+CONDUCTOR = MaterialKind.BEARING_STEEL
+INSULATOR = MaterialKind.SILICON_NITRIDE
+Ends = tuple[float, float, float]  # value, low and high end
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Electrical:
+    """Of a bearing between its rings."""
+
+    capacitance: float  # [F]
+    capacitance_low: float  # by films and balls [F]
+    capacitance_high: float  # [F]
+    breakdown_voltage: float | None  # at which the first film breaks down [V]; ceramic balls: None
+    breakdown_voltage_low: float | None  # [V]
+    breakdown_voltage_high: float | None  # [V]
+
+
+ELECTRICAL_QUANTITIES = quantities(
+    "",
+    "",
+    ("capacitance_pF", "capacitance between the rings"),
+    ("capacitance_low_pF", "low end of its range"),
+    ("capacitance_high_pF", "high end of its range"),
+    ("breakdown_voltage_V", "voltage at which the first film breaks down"),
+    ("breakdown_voltage_low_V", "low end of its range"),
+    ("breakdown_voltage_high_V", "high end of its range"),
+)
+
+
+def electrical_block(results: BearingResults) -> dict[str, Any] | None:
+    """The block of the summary; None with the reason in `electrical_messages`."""
+    if _lack(results):
+        return None
+    return values_of(bearing_electrical(results), ELECTRICAL_QUANTITIES)
+
+
+def electrical_messages(results: BearingResults) -> Iterator[str]:
+    """Why there is no block, and what is assumed."""
+    lack = _lack(results)
+    if lack:
+        yield f"electrical: null, {lack}"
+        return
+    assumed = f"relative permittivity {oil_permittivity(results.case):g} of the oil"
+    if not results.case.get("lubricant", {}).get("relative_permittivity"):
+        yield f"electrical: {assumed} is assumed (lubricant.relative_permittivity)"
+    starved = results.torque.films if results.torque is not None else None
+    if any(film is not None and film.share < 1.0 for film in starved or ()):
+        yield "electrical: of the flooded films; starved ones have more capacitance, less voltage"
+    if results.quasistatic.bearing.ball_material.kind is INSULATOR:
+        yield (
+            "electrical: breakdown_voltage_V null, balls of silicon nitride take nearly all of "
+            f"the voltage; relative permittivity {CERAMIC_PERMITTIVITY:g} of theirs is assumed"
+        )
+
+
+def bearing_electrical(results: BearingResults) -> Electrical:
+    """Of a bearing whose loaded contacts all have solved films."""
+    paths = _paths(results)
+    insulating = results.quasistatic.bearing.ball_material.kind is INSULATOR
+    totals = [
+        sum(_in_series(inner, outer, ball)[end] for inner, outer, ball in paths)
+        for end in range(3)
+    ]
+    voltages: list[float | None] = [None] * 3
+    if not insulating:
+        voltages = [
+            min(_first_breakdown(inner, outer, end) for inner, outer, _ in paths)
+            for end in range(3)
+        ]
+    return Electrical(
+        capacitance=totals[0],
+        capacitance_low=totals[1],
+        capacitance_high=totals[2],
+        breakdown_voltage=voltages[0],
+        breakdown_voltage_low=voltages[1],
+        breakdown_voltage_high=voltages[2],
+    )
+
+
+def _lack(results: BearingResults) -> str:
+    """Why no capacitance of the bearing is known; empty if it is."""
+    bearing = results.quasistatic.bearing
+    rings = (bearing.inner_ring_material, bearing.outer_ring_material)
+    if any(ring.kind is INSULATOR for ring in rings):
+        return "a ring of silicon nitride insulates"
+    unknown = [m.name for m in (*rings, bearing.ball_material) if not _is_known(m)]
+    if unknown:
+        return f"whether {unknown[0]!r} conducts is not known"
+    if not _paths(results):
+        return "no ball has solved films that converged at both races"
+    for contact, film in zip(results.contacts, results.instruments, strict=True):
+        unsolved = contact.conditions is not None and film is None
+        if unsolved and _carries_both(results, contact.ball):
+            return 'not every loaded ball has solved films ([ehl] film_maps = "all")'
+    return ""
+
+
+def _is_known(material: Material) -> bool:
+    return material.kind in (CONDUCTOR, INSULATOR)
+
+
+def _carries_both(results: BearingResults, ball: int) -> bool:
+    """Whether a ball touches both races: an unloaded inner contact breaks the path."""
+    own = [c for c in results.contacts if c.ball == ball]
+    return all(c.conditions is not None for c in own)
+
+
+def _paths(results: BearingResults) -> list[tuple[FilmInstruments, FilmInstruments, Ends | None]]:
+    """Films of the inner and outer contact, and the ball, of every ball that has both."""
+    by_race: dict[Race, dict[int, tuple[Any, FilmInstruments]]] = {race: {} for race in Race}
+    for contact, film in zip(results.contacts, results.instruments, strict=True):
+        if film is not None:
+            by_race[contact.race][contact.ball] = (contact.hertz, film)
+    inner, outer = by_race[Race.INNER], by_race[Race.OUTER]
+    bearing = results.quasistatic.bearing
+    insulating = bearing.ball_material.kind is INSULATOR
+    found = []
+    for ball in sorted(inner.keys() & outer.keys()):
+        own = None
+        if insulating:
+            spots = [
+                (hertz.semi_axis_x, hertz.semi_axis_y) for hertz, _ in (inner[ball], outer[ball])
+            ]
+            own = _ball_capacitance(np.array(spots), 0.5 * bearing.ball_diameter)
+        found.append((inner[ball][1], outer[ball][1], own))
+    return found
+
+
+def _ball_capacitance(spots: Array, radius: float) -> Ends:
+    """Of a ball of silicon nitride [F]; semi-axes of both spots, shape (2, 2), radius [m]."""
+    permittivity = VACUUM_PERMITTIVITY * CERAMIC_PERMITTIVITY
+    short, long = np.sort(spots, axis=1).T
+    one = 2.0 * pi * permittivity * long / scipy.special.ellipk(1.0 - (short / long) ** 2)
+    low = float(1.0 / np.sum(1.0 / one))
+    high = pi * radius * permittivity
+    return sqrt(low * high), low, high
+
+
+def _in_series(inner: FilmInstruments, outer: FilmInstruments, ball: Ends | None) -> Ends:
+    """Two films and a ball [F]; the films with their error bars against and with each other."""
+    ends = []
+    for end, sign in enumerate((0.0, -1.0, 1.0)):
+        films = [film.capacitance + sign * film.capacitance_uncertainty for film in (inner, outer)]
+        parts = [max(part, 0.0) for part in films] + ([] if ball is None else [ball[end]])
+        ends.append(0.0 if min(parts) <= 0.0 else 1.0 / sum(1.0 / part for part in parts))
+    return ends[0], ends[1], ends[2]
+
+
+def _first_breakdown(inner: FilmInstruments, outer: FilmInstruments, end: int) -> float:
+    """Voltage from race to race at which one of two films in series breaks down [V]: each takes
+    the share of the other's capacitance.
+    """
+    names = ("breakdown_voltage", "breakdown_voltage_low", "breakdown_voltage_high")
+    together = inner.capacitance + outer.capacitance
+    shares = (outer.capacitance / together, inner.capacitance / together)
+    pairs = zip((inner, outer), shares, strict=True)
+    return min(float(getattr(film, names[end])) / share for film, share in pairs)
