@@ -6,9 +6,11 @@ from typing import Any
 import numpy as np
 
 from ..main_results import main_results
+from .columns import Columns
 from .results import BatchPoint, BatchResults
 
 QUANTILES = (0.05, 0.5, 0.95)
+SAMPLED = ("latin_hypercube",)  # blocks of points drawn at random
 FEWEST = 5  # sampled points that bands need
 
 
@@ -59,23 +61,28 @@ def _results(
     return rows
 
 
-def bands(results: BatchResults) -> dict[str, dict[str, float]]:
-    """Spread of the main results over the points of [latin_hypercube].
+def bands(columns: Columns) -> dict[str, dict[str, float]]:
+    """Spread of the main results over the sampled points that converged.
 
     For every one `points` [-], and in its unit `mean`, `standard_deviation` and the quantiles
     `q05`, `q50`, `q95`; empty with fewer than five points.
     """
-    sampled = [point for point in results.points if point.block == "latin_hypercube"]
-    rows = [main_results(point.summary) for point in sampled if point.converged]
+    names = [n for n in columns.names if n in columns.layouts.main and "_uncertainty_" not in n]
+    places = [columns.names.index(name) for name in names]
+    sampled = [np.empty((0, len(places)))]
+    for rows, values, _ in columns.chunks():
+        kept = [row.converged and row.block in SAMPLED for row in rows]
+        sampled.append(values[kept][:, places])
+    whole = np.concatenate(sampled)
     spread = {}
-    for name in dict.fromkeys(name for row in rows for name in row):
-        values = [row[name] for row in rows if row.get(name) is not None]
-        if len(values) >= FEWEST and "_uncertainty_" not in name:
-            low, middle, high = np.quantile(values, QUANTILES)
+    for name, column in zip(names, whole.T, strict=True):
+        known = column[~np.isnan(column)]
+        if known.size >= FEWEST:
+            low, middle, high = np.quantile(known, QUANTILES)
             spread[name] = {
-                "points": len(values),
-                "mean": float(np.mean(values)),
-                "standard_deviation": float(np.std(values, ddof=1)),
+                "points": int(known.size),
+                "mean": float(np.mean(known)),
+                "standard_deviation": float(np.std(known, ddof=1)),
                 **{"q05": float(low), "q50": float(middle), "q95": float(high)},
             }
     return spread

@@ -11,6 +11,7 @@ from ehl.units import unit_symbol, without_unit
 from ..main_results import BATCH_COLUMNS, LIVES, MAIN_QUANTITY, main_results
 from ..table import number_table
 from ..text import NOTHING, in_figures, number
+from .columns import Columns, InMemory, columns_of
 from .results import BatchPoint, BatchResults
 from .sensitivity import bands, sensitivities
 
@@ -19,8 +20,15 @@ WIDTH = 80
 CELL = 10  # characters of a column of results
 
 
-def batch_table(results: BatchResults) -> Group:
-    """The points of a batch, the ends of many, with the results that fit beside the keys."""
+def batch_table(results: BatchResults, columns: Columns | None = None) -> Group:
+    """The points of a batch, the ends of many, with the results that fit beside the keys; of one
+    too large to list, how many there are, and the bands over its `columns`.
+    """
+    columns = columns or columns_of(InMemory(results))
+    if results.counts is not None:
+        text = f"{results.counts.points} points, {results.counts.converged} converged"
+        title = Text(results.title, style="bold")
+        return Group(title, text, *_uncertainties(results, columns))
     main = [main_results(point.summary) for point in results.points]
     given = {key: [point.values.get(key) for point in results.points] for key in results.keys}
     keys = [key for key, varied in given.items() if len({*map(str, varied)}) > 1]
@@ -45,10 +53,12 @@ def batch_table(results: BatchResults) -> Group:
     flags = {_flag(point) for point in results.points}
     meanings = {"!": "! not converged", "x": "x failed, see the messages"}
     notes = [text for flag, text in meanings.items() if flag in flags]
-    return Group(Text(results.title, style="bold"), table, *notes, *_uncertainties(results))
+    return Group(
+        Text(results.title, style="bold"), table, *notes, *_uncertainties(results, columns)
+    )
 
 
-def _uncertainties(results: BatchResults) -> list[Table]:
+def _uncertainties(results: BatchResults, columns: Columns) -> list[Table]:
     """Sensitivities to each key, and bands over sampled keys, of a few main results, if any."""
     tables = []
     changes = sensitivities(results)
@@ -64,7 +74,7 @@ def _uncertainties(results: BatchResults) -> list[Table]:
         title = "d ln(result)/d ln(key); ~: within the error bars"
         tables.append(number_table(headers, rows, ["key"], title=title))
         tables[-1].columns[0].no_wrap = False
-    spread = {name: band for name, band in bands(results).items() if name in BATCH_COLUMNS}
+    spread = {name: band for name, band in bands(columns).items() if name in BATCH_COLUMNS}
     if spread:
         rows = [
             [

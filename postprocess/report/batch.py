@@ -12,7 +12,7 @@ from . import html
 
 MAX_ROWS = 500  # points listed; the CSV has all
 # keys of a point that are no results
-STATE = ("point", "block", "keys", "status", "converged", "resumed", "message", "file")
+STATE = ("point", "block", "keys", "status", "converged", "resumed", "message", "key", "file")
 BANDS = {
     "5 %": "q05",
     "median": "q50",
@@ -24,8 +24,8 @@ BANDS = {
 
 def cards(summary: dict[str, Any]) -> str:
     """How many points there are, and the ends of the main results."""
-    points = summary["points"]
-    entries = [html.card("points", str(len(points)))]
+    points = summary["points"] or []
+    entries = [html.card("points", str(_count(summary)))]
     if summary["failed"]:
         entries.append(html.card("without a result", str(summary["failed"])))
     for key, name in (("film_minimum_um", "minimum film"), ("torque_N_mm", "torque")):
@@ -34,6 +34,11 @@ def cards(summary: dict[str, Any]) -> str:
             ends = f"{html.number(min(values), 4)} … {html.number(max(values), 4)}"
             entries.append(html.card(name, ends, unit_symbol(key)))
     return html.side_by_side(*entries, kind="cards")
+
+
+def _count(summary: dict[str, Any]) -> int:
+    """Points of a batch, also where they are too many to be listed."""
+    return summary["counts"]["points"] if summary["points"] is None else len(summary["points"])
 
 
 def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, str]]:
@@ -52,7 +57,7 @@ def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, 
 
 def _sweep(summary: dict[str, Any]) -> str:
     """The sweep file as run, and the keys that the case marks assumed."""
-    numbers = {"case": summary["case"], "keys": summary["keys"], "points": len(summary["points"])}
+    numbers = {"case": summary["case"], "keys": summary["keys"], "points": _count(summary)}
     if summary.get("assumed"):
         numbers["assumed in the case"] = summary["assumed"]
     source = f'<pre class="small scroll">{escape(str(summary.get("sweep", "")))}</pre>'
@@ -62,8 +67,10 @@ def _sweep(summary: dict[str, Any]) -> str:
 
 
 def _points(summary: dict[str, Any]) -> str:
-    """One line for each point: varied keys, main results, state."""
-    points = summary["points"]
+    """One line for each point: varied keys, main results, state; nothing of a batch too large."""
+    points = summary["points"] or []
+    if not points:
+        return ""
     keys = [
         key
         for key in summary["keys"]

@@ -14,12 +14,12 @@ from typer.testing import CliRunner
 
 import postprocess
 from cases import CaseError
-from cases.batch.contact_cache import cached_solver
 from cases.batch.engine import ProgressEstimate, duration, run_batch
 from cases.batch.keys import WITHOUT_CONTACTS, content_key
 from cases.batch.points import Receipt, Task
 from cases.batch.pools import LocalPool, scheduler_address
 from cases.batch.results import gathered, write_batch
+from cases.batch.shared.contact_cache import cached_solver
 from cases.batch.store import finished_keys, open_folder, read_point, write_point
 from cases.batch.sweep import read_sweep, sweep_from_text
 from cases.batch.worker import compute_point
@@ -417,7 +417,7 @@ def test_contacts_equal_in_several_points_are_solved_once(tmp_path, monkeypatch)
         return original(conditions, options)
 
     original = ehl.solve_contact
-    monkeypatch.setattr("cases.batch.contact_cache.solve_contact", solve)
+    monkeypatch.setattr("cases.batch.shared.contact_cache.solve_contact", solve)
     results = gathered(run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool))
     assert len(solved) == 2  # both races of one ball, for two points
     first, second = (point.summary["contacts"] for point in results.points)

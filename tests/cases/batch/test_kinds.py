@@ -14,12 +14,12 @@ from bearing import Race
 from bearing.friction.table_files import load_tables
 from bearing.operation import BallKinematics
 from cases import CaseError, load_case, run_case
-from cases.batch import tables
 from cases.batch.compute import torque_by_tables
 from cases.batch.engine import run_batch
 from cases.batch.points import Task
 from cases.batch.pools import ClusterPool, LocalPool
 from cases.batch.results import gathered, write_batch
+from cases.batch.shared import tables
 from cases.batch.sweep import sweep_from_text
 from cases.batch.worker import compute_point
 from cases.cli.main import app
@@ -229,7 +229,7 @@ def test_damaged_tables_fail_their_points_and_are_told(tmp_path):
 
 
 def test_damaged_tables_of_the_folder_are_told_and_made_anew(tmp_path, monkeypatch, capsys):
-    from cases.batch import tables
+    from cases.batch.shared import tables
     from cases.batch.store import TABLES
 
     made = []

@@ -1,20 +1,18 @@
 """Points of the blocks of a sweep file: factorial, listed, Latin hypercube, differences."""
 
 import random
-from collections.abc import Iterator
+from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import product
 from math import prod
-from typing import Any
+from typing import Any, overload
 
 from pydantic import ValidationError
 
-from ..format.fields import is_number
-from ..format.problems import CaseFault, Path, schema_faults, shown
-from ..format.sweep import HypercubeOptions, SensitivityTable, SweepFile
+from ...format.fields import is_number
+from ...format.problems import CaseFault, Path, schema_faults, shown
+from ...format.sweep import HypercubeOptions, SensitivityTable, SweepFile
 
-MOST_POINTS = 100_000
-NAMED = ("materials", "lubricants")  # tables whose keys stand below a name
+MOST_POINTS = 10_000_000
 OPTIONS = tuple(HypercubeOptions.model_fields)
 
 
@@ -35,15 +33,6 @@ class Variation:
     settings: tuple[Setting, ...]
 
 
-def case_path(key: str) -> tuple[str, ...]:
-    """Table and key of a dotted name; names of materials and oils may hold dots themselves."""
-    table, _, name_in_table = key.partition(".")
-    if table in NAMED:
-        name, _, last = name_in_table.rpartition(".")
-        return table, name, last
-    return table, name_in_table
-
-
 def block_settings(table: dict[str, Any], where: Path) -> list[Setting]:
     """The keys of a block; `"operation.load" = 1` and `operation.load = 1` are the same."""
     settings: list[Setting] = []
@@ -56,19 +45,83 @@ def block_settings(table: dict[str, Any], where: Path) -> list[Setting]:
     return settings
 
 
-def factorial(file: SweepFile) -> tuple[Iterator[Variation], int, list[CaseFault]]:
-    """Combinations of the lists in [sweep], last key fastest, their number, and faults."""
+class Lazy(Sequence[Variation]):
+    """Variations that are made when they are asked for."""
+
+    @overload
+    def __getitem__(self, place: int) -> Variation: ...
+
+    @overload
+    def __getitem__(self, place: slice) -> list[Variation]: ...
+
+    def __getitem__(self, place: int | slice) -> Variation | list[Variation]:
+        if isinstance(place, slice):
+            return [self.made(k) for k in range(*place.indices(len(self)))]
+        return self.made(range(len(self))[place])
+
+    def made(self, place: int) -> Variation:
+        """The variation at a place, counted from 0."""
+        raise NotImplementedError
+
+
+class Factorial(Lazy):
+    """Combinations of lists of settings, the last one fastest."""
+
+    def __init__(self, choices: Sequence[Sequence[Setting]]) -> None:
+        self.choices = choices
+        self.size = prod(map(len, choices)) if choices else 0
+
+    def __len__(self) -> int:
+        return self.size
+
+    def made(self, place: int) -> Variation:
+        """The digits of the place are the places in the lists."""
+        chosen = []
+        for choice in reversed(self.choices):
+            place, k = divmod(place, len(choice))
+            chosen.append(choice[k])
+        return Variation("sweep", tuple(reversed(chosen)))
+
+    def edges(self) -> set[int]:
+        """Places where a key has the last value of its list, the others their first ones."""
+        places = {0}
+        step = self.size
+        for choice in self.choices:
+            step //= len(choice)
+            places.add((len(choice) - 1) * step)
+        return places
+
+
+class Sampled(Lazy):
+    """Rows of a table of values, a column for each key."""
+
+    def __init__(
+        self, block: str, keys: Sequence[tuple[str, Path]], rows: Sequence[Sequence[Any]]
+    ) -> None:
+        self.block = block
+        self.keys = keys
+        self.rows = rows
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def made(self, place: int) -> Variation:
+        """The values of a row."""
+        row = zip(self.keys, self.rows[place], strict=True)
+        return Variation(self.block, tuple(Setting(*key, value) for key, value in row))
+
+
+def factorial(file: SweepFile) -> tuple[Factorial, list[CaseFault]]:
+    """Combinations of the lists in [sweep], last key fastest, and faults."""
     settings = block_settings(file.sweep, ("sweep",))
     problems = [
         CaseFault(s.where, f"found {shown(s.value)}", "allowed: a list of values")
         for s in settings
         if not isinstance(s.value, list) or not s.value
     ]
-    if problems or not settings:
-        return iter(()), 0, problems
-    choices = [[Setting(s.key, s.where, value) for value in s.value] for s in settings]
-    variations = (Variation("sweep", chosen) for chosen in product(*choices))
-    return variations, prod(map(len, choices)), []
+    if problems:
+        return Factorial([]), problems
+    return Factorial([[Setting(s.key, s.where, v) for v in s.value] for s in settings]), []
 
 
 def listed(file: SweepFile) -> list[Variation]:
@@ -82,7 +135,7 @@ def listed(file: SweepFile) -> list[Variation]:
 
 def hypercube(
     table: dict[str, Any], options: HypercubeOptions, where: Path
-) -> tuple[list[Variation], list[CaseFault]]:
+) -> tuple[Sequence[Variation], list[CaseFault]]:
     """Latin hypercube, McKay, Beckman and Conover (1979): each key takes each of its n strata
     once.
 
@@ -107,9 +160,10 @@ def hypercube(
     for setting in settings:
         strata = list(range(n))
         rng.shuffle(strata)
-        values = (_scaled(setting.value, (stratum + rng.random()) / n) for stratum in strata)
-        columns.append([Setting(setting.key, setting.where, value) for value in values])
-    return [Variation("latin_hypercube", row) for row in zip(*columns, strict=True)], []
+        shares = ((stratum + rng.random()) / n for stratum in strata)
+        columns.append([_scaled(setting.value, share) for share in shares])
+    rows = list(zip(*columns, strict=True))
+    return Sampled("latin_hypercube", [(s.key, s.where) for s in settings], rows), []
 
 
 def _is_range(value: Any) -> bool:

@@ -5,9 +5,10 @@ same in other keys.
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from ..format.bearing import CLEARANCE
-from ..format.lubricant import VISCOSITIES
-from .blocks import Variation, case_path
+from ...format.bearing import CLEARANCE
+from ...format.lubricant import VISCOSITIES
+from ..keys import case_path
+from .blocks import Variation
 
 # keys of a table that say the same quantity
 ROWS = {
@@ -23,9 +24,7 @@ SENSITIVITY = "sensitivity"  # block whose points stay near the case as it is
 
 def with_values(base: dict[str, Any], variation: Variation) -> dict[str, Any]:
     """The case's document with the values of a variation, without their alternatives."""
-    document = {
-        key: dict(value) if isinstance(value, dict) else value for key, value in base.items()
-    }
+    document = dict(base)  # tables that no setting touches are those of the case
     for setting in variation.settings:
         node = document
         *tables, key = case_path(setting.key)
