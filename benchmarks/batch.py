@@ -18,6 +18,8 @@ import json
 import resource
 import tempfile
 import time
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -25,7 +27,7 @@ import numpy as np
 
 from cases.batch.engine import run_batch
 from cases.batch.pools import LocalPool
-from cases.batch.results import MOST_LINES, collected, gathered, write_batch
+from cases.batch.results import collected, gathered, write_batch
 from cases.batch.sweep import sweep_from_text
 from postprocess.batch.parquet import write_batch_parquet
 from postprocess.batch.store import PointStore, StoredPoints
@@ -102,10 +104,14 @@ def torque(table: Path, folder: Path) -> None:
     print(f"1000 torque points: {run.wall:.1f} s, {run.processor:.1f} s of processors, {run.memory:.0f} MB a worker")
 
 
-def step(what: str, start: float) -> None:
-    """Print what a step took, and the memory of this process so far."""
+@contextmanager
+def step(what: str) -> Iterator[None]:
+    """Print what a step takes, and the memory of this process so far."""
+    start, begun = time.perf_counter(), time.process_time()
+    yield
+    wall, spent = time.perf_counter() - start, time.process_time() - begun
     memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
-    print(f"{what:40} {time.perf_counter() - start:7.1f} s, {memory:6.0f} MB so far", flush=True)
+    print(f"{what:32} {wall:7.1f} s, {spent:7.1f} s of processor, {memory:6.0f} MB so far", flush=True)
 
 
 def records(points: int, folder: Path) -> None:
@@ -114,37 +120,34 @@ def records(points: int, folder: Path) -> None:
         speeds=np.linspace(1000.0, 10000.0, points // 100).round(3).tolist(),
         loads=np.linspace(400.0, 3000.0, 100).round(3).tolist(),
     )
-    start = time.perf_counter()
-    sweep = sweep_from_text(text, "sweep.toml")
-    keys = [point.key for point in sweep.points]
-    step(f"{len(keys)} points planned and named", start)
+    with step("planned and named"):
+        sweep = sweep_from_text(text, "sweep.toml")
+        count = sum(1 for _ in sweep.points)
     small = sweep_from_text(RECORDS.format(speeds=[5000.0], loads=[900.0]), "sweep.toml")
     run_batch(small, folder / "one", lambda: LocalPool(1))
     (record,) = StoredPoints([folder / "one" / "points.sqlite"]).records([small.points[0].key])
-    (folder / "whole").mkdir()
-    (folder / "whole" / "sweep.toml").touch()
-    start = time.perf_counter()
-    store = PointStore(folder / "whole" / "points.sqlite")
-    for point in sweep.points:
-        store.put(replace(record, key=point.key, values=json.dumps(point.given)))
-    store.close()
-    size = (folder / "whole" / "points.sqlite").stat().st_size
-    step(f"records stored, {size / len(keys):.0f} bytes a point", start)
-    del keys
-    start = time.perf_counter()
-    again = sweep_from_text(text, "sweep.toml")
-    batch = run_batch(again, folder / "whole", lambda: LocalPool(1), resume=True)
-    step(f"resumed with {len(batch.resumed)} points, planning included", start)
-    start = time.perf_counter()
-    results, columns = collected(batch)
-    write_batch(results, folder / "whole", columns, table=len(again.points) <= MOST_LINES)
-    step("collected: results.nc, summary.json", start)
-    start = time.perf_counter()
-    write_batch_parquet(columns, folder / "whole" / "batch.parquet")
-    step("batch.parquet", start)
-    start = time.perf_counter()
-    write_batch_csv(columns, folder / "whole" / "batch.csv")
-    step("batch.csv", start)
+    whole = folder / "whole"
+    whole.mkdir()
+    (whole / "sweep.toml").touch()
+    with step("records stored"):
+        store = PointStore(whole / "points.sqlite")
+        for point in sweep.points:
+            store.put(replace(record, key=point.key, values=json.dumps(point.given)))
+        store.close()
+    with step("resumed, planning included"):
+        again = sweep_from_text(text, "sweep.toml")
+        batch = run_batch(again, whole, lambda: LocalPool(1), resume=True)
+    assert len(batch.resumed) == count
+    with ExitStack() as stack:
+        with step("collected: results.nc, summary"):
+            results, columns = stack.enter_context(collected(batch))
+            write_batch(results, whole, columns, table=False)
+        with step("batch.parquet"):
+            write_batch_parquet(columns, whole / "batch.parquet")
+        with step("batch.csv"):
+            write_batch_csv(columns, whole / "batch.csv")
+    for file in sorted(whole.glob("*.*")):
+        print(f"{file.name:20} {file.stat().st_size / count:8.0f} bytes a point")
 
 
 if __name__ == "__main__":

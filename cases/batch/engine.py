@@ -33,6 +33,7 @@ from .worker import failure
 
 TICK = 1.0  # the time left is updated at least as often [s]
 Block = tuple[Task, ...]
+Running = Future[tuple[Receipt, ...]]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -290,8 +291,18 @@ class _Queue:
 
 def execute(tasks: Iterable[Task], pool: Pool, work: _Work) -> None:
     """Keep every worker busy; the points of a lost worker are tried again, one at a time."""
-    waiting = _Queue(tasks)
-    running = dict[Future[tuple[Receipt, ...]], Block]()
+    running = dict[Running, Block]()
+    try:
+        _execute(_Queue(tasks), running, pool, work)
+    except KeyboardInterrupt:
+        for future in running:
+            if future.done() and not future.cancelled() and future.exception() is None:
+                for receipt in future.result():
+                    work.keep(receipt)
+        raise
+
+
+def _execute(waiting: _Queue, running: dict[Running, Block], pool: Pool, work: _Work) -> None:
     suspects = list[Task]()
     block = waiting.block(pool.block())
     while block or running or suspects:
@@ -313,19 +324,19 @@ def execute(tasks: Iterable[Task], pool: Pool, work: _Work) -> None:
         work.tick()
 
 
-def _submit(pool: Pool, block: Block) -> Future[tuple[Receipt, ...]]:
+def _submit(pool: Pool, block: Block) -> Running:
     """Hand out tasks; a pool that broke meanwhile says so through the future."""
     try:
         return pool.submit(block)
     except Exception as error:
         if not pool.lost(error):
             raise
-        future: Future[tuple[Receipt, ...]] = Future()
+        future: Running = Future()
         future.set_exception(error)
         return future
 
 
-def _keep(future: Future[tuple[Receipt, ...]], block: Block, pool: Pool, work: _Work) -> bool:
+def _keep(future: Running, block: Block, pool: Pool, work: _Work) -> bool:
     """Put finished points on disk; whether their worker was there to the end."""
     try:
         receipts = future.result()

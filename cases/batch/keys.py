@@ -4,6 +4,7 @@ import hashlib
 import json
 from dataclasses import fields, is_dataclass
 from enum import Enum
+from functools import lru_cache
 from typing import Any
 
 from .program import program_digest
@@ -16,6 +17,7 @@ BESIDE_TRACTION_TABLES = (*DESCRIBING, *WITHOUT_CONTACTS, "ehl")  # likewise, on
 NAMED = ("materials", "lubricants")  # tables whose keys stand below a name
 
 
+@lru_cache(maxsize=4096)
 def case_path(key: str) -> tuple[str, ...]:
     """Table and key of a dotted name; names of materials and oils may hold dots themselves."""
     table, _, name_in_table = key.partition(".")

@@ -1,14 +1,17 @@
 """The finished points of a batch, gathered, and the files made of them."""
 
 import json
+import pickle
+import tempfile
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import lru_cache
 from itertools import islice
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
+from typing import IO, Any
 
 from postprocess.batch.columns import CHUNK, Columns, InMemory, Row, columns_of
 from postprocess.batch.records import DONE, FAILED, LOST, Record, summary_of
@@ -33,12 +36,14 @@ NO_RECORD = "not computed yet, or its record is damaged; --resume computes it"
 
 
 class Stored:
-    """The points of a batch, read from its folder as often as they are asked for."""
+    """The points of a batch, read from its folder; rows once, and then from `file`."""
 
-    def __init__(self, batch: Batch) -> None:
+    def __init__(self, batch: Batch, file: IO[bytes] | None = None) -> None:
         self.batch = batch
         self.keys = batch.sweep.keys
         self.points = StoredPoints(store_files(batch.directory))
+        self.file = file
+        self._written = False
 
     def __len__(self) -> int:
         return len(self.batch.sweep.points)
@@ -56,20 +61,32 @@ class Stored:
 
     def chunks(self) -> Iterator[Sequence[Row]]:
         """Rows of all points."""
+        if self.file is not None and self._written:
+            self.file.seek(0)
+            for _ in range(0, len(self), CHUNK):
+                yield pickle.load(self.file)
+            return
         for pairs in self.pairs():
-            yield [
-                Row(
-                    number=point.number,
-                    block=point.block,
-                    status=record.status,
-                    message=record.message,
-                    converged=_converged(record),
-                    values=_values(point, record),
-                    layout=record.layout,
-                    numbers=record.numbers,
-                )
-                for point, record in pairs
-            ]
+            rows = self._rows(pairs)
+            if self.file is not None:
+                pickle.dump(rows, self.file, pickle.HIGHEST_PROTOCOL)
+            yield rows
+        self._written = True
+
+    def _rows(self, pairs: list[tuple[Point, Record]]) -> list[Row]:
+        return [
+            Row(
+                number=point.number,
+                block=point.block,
+                status=record.status,
+                message=record.message,
+                converged=_converged(record),
+                values=_values(point, record),
+                layout=record.layout,
+                numbers=record.numbers,
+            )
+            for point, record in pairs
+        ]
 
 
 def _converged(record: Record) -> bool:
@@ -134,37 +151,59 @@ def _in_memory(batch: Batch, point: Point, record: Record) -> BatchPoint:
     )
 
 
-def collected(batch: Batch) -> tuple[BatchResults, Columns]:
-    """Results of a batch and the columns of all its points.
+@contextmanager
+def collected(batch: Batch) -> Iterator[tuple[BatchResults, Columns]]:
+    """Results of a batch and the columns of all its points, which last as long as the context.
 
     Of a batch of more than `LARGE` points the results have only the counts, and the points of
     [sensitivity], which are few.
     """
     if len(batch.sweep.points) <= LARGE:
         results = gathered(batch)
-        return results, columns_of(InMemory(results))
-    stored = Stored(batch)
-    status: Counter[str] = Counter()
-    reasons: Counter[str] = Counter()
-    few: list[int] = []
-    place = converged = 0
-    for rows in stored.chunks():
-        status.update(row.status for row in rows)
-        reasons.update(row.message for row in rows if row.status != DONE)
-        converged += sum(row.converged for row in rows)
-        few += [place + k for k, row in enumerate(rows) if row.block == "sensitivity"]
-        place += len(rows)
-    counts = Counts(
-        points=place,
-        done=status[DONE],
-        failed=status[FAILED],
-        lost=status[LOST],
-        missing=status[MISSING],
-        converged=converged,
-        resumed=sum(point.key in batch.resumed for point in batch.sweep.points),
-        reasons=tuple(reasons.most_common(10)),
-    )
-    return replace(gathered(batch, few), counts=counts), columns_of(stored)
+        yield results, columns_of(InMemory(results))
+        return
+    with tempfile.TemporaryFile(dir=batch.directory) as file:
+        tally = _Tally(Stored(batch, file))
+        columns = columns_of(tally)
+        results = replace(gathered(batch, tally.few), counts=tally.counts(batch))
+        yield results, replace(columns, source=tally.stored)
+
+
+class _Tally:
+    """Points that are counted while they pass."""
+
+    def __init__(self, stored: Stored) -> None:
+        self.stored = stored
+        self.keys = stored.keys
+        self.status: Counter[str] = Counter()
+        self.reasons: Counter[str] = Counter()
+        self.converged = 0
+        self.few: list[int] = []  # places of points of [sensitivity]
+
+    def __len__(self) -> int:
+        return len(self.stored)
+
+    def chunks(self) -> Iterator[Sequence[Row]]:
+        """Rows of all points, once."""
+        for rows in self.stored.chunks():
+            self.status.update(row.status for row in rows)
+            self.reasons.update(row.message for row in rows if row.status != DONE)
+            self.converged += sum(row.converged for row in rows)
+            self.few += [row.number - 1 for row in rows if row.block == "sensitivity"]
+            yield rows
+
+    def counts(self, batch: Batch) -> Counts:
+        """How the points ended."""
+        return Counts(
+            points=len(self),
+            done=self.status[DONE],
+            failed=self.status[FAILED],
+            lost=self.status[LOST],
+            missing=self.status[MISSING],
+            converged=self.converged,
+            resumed=min(len(batch.resumed), self.status[DONE]),
+            reasons=tuple(self.reasons.most_common(10)),
+        )
 
 
 def shard_counts(batch: Batch, shard: Shard) -> dict[str, int]:

@@ -14,7 +14,7 @@ from ..format.problems import CaseError, CaseFault, faults_error, schema_faults
 from ..format.shipped import find_case, find_sweep
 from ..format.sweep import SensitivityTable, SweepFile
 from .keys import digest, value_in
-from .planning.alternatives import replaced_keys, with_values
+from .planning.alternatives import PointDocuments, replaced_keys, with_values
 from .planning.blocks import (
     MOST_POINTS,
     Factorial,
@@ -87,7 +87,7 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
     if problems:
         raise source.error(problems)
     keys = tuple(dict.fromkeys(s.key for variation in examples for s in variation.settings))
-    document = partial(_document, base, torque=file.compute == "torque")
+    document = partial(_document, PointDocuments(base), torque=file.compute == "torque")
     plan = Plan(blocks, document, PointName(file, base).of, keys)
     checked = _checked(plan, file, base, fixed, source)
     sharing = {number: common for number, (common, _) in checked.items() if common is not None}
@@ -113,9 +113,9 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
     )
 
 
-def _document(base: Document, variation: Variation, *, torque: bool) -> Document:
+def _document(documents: PointDocuments, variation: Variation, *, torque: bool) -> Document:
     """A point as a case; one of torque in traction equilibrium."""
-    document = with_values(base, variation)
+    document = documents.of(variation)
     return with_equilibrium(document) if torque else document
 
 

@@ -109,6 +109,7 @@ def batch(  # noqa: PLR0913
     """Run many points of one case: factorial, listed, sampled."""
     from ..batch.engine import Choice
     from ..batch.points import Limits
+    from ..batch.results import collected
     from ..batch.shards import ALONE, shard_of
     from ..batch.sweep import read_sweep
 
@@ -136,8 +137,9 @@ def batch(  # noqa: PLR0913
         done = _computed(plan, folder, wanted, choice, _Told(keep, quiet, not collect))
         if shard is not None:
             return _report_shard(done, choice, as_json=as_json, quiet=quiet)
-        results, columns = _written(done, wanted, keep=keep)
-        return _report(results, columns, folder if keep else None, as_json, quiet)
+        with _kept(folder if keep else None), collected(done) as (results, columns):
+            _write(results, columns, folder, wanted)
+            return _report(results, columns, folder if keep else None, as_json, quiet)
 
 
 @dataclass(frozen=True, slots=True)
@@ -180,18 +182,15 @@ def _computed(plan: Sweep, directory: Path, wanted: _Wanted, choice: Choice, tol
         return run_batch(plan, directory, _pool(plan, wanted), choice, progress=progress)
 
 
-def _written(done: Batch, wanted: _Wanted, *, keep: bool) -> tuple[BatchResults, Columns]:
+def _write(results: BatchResults, columns: Columns, directory: Path, wanted: _Wanted) -> None:
     """Write the results of all points."""
     from ..batch import results as files
 
-    with _kept(done.directory if keep else None):
-        results, columns = files.collected(done)
-        with finish_first(f"results in {done.directory}"):
-            table = wanted.csv or len(done.sweep.points) <= files.MOST_LINES
-            files.write_batch(results, done.directory, columns, _others(wanted), table=table)
-            if wanted.plot:
-                _plot(results, done.directory)
-    return results, columns
+    with finish_first(f"results in {directory}"):
+        table = wanted.csv or len(columns.source) <= files.MOST_LINES
+        files.write_batch(results, directory, columns, _others(wanted), table=table)
+        if wanted.plot:
+            _plot(results, directory)
 
 
 def _others(wanted: _Wanted) -> dict[str, Callable[[Columns, Path], None]]:

@@ -18,7 +18,7 @@ from .records import DONE, Record
 
 PATTERN = "points*.sqlite"
 FORMAT = 1  # of the tables below
-PAGE = 16384  # of a file [bytes]: a record of 8 to 20 kB takes one or two
+PAGE = 4096  # of a file [bytes]: records of 10 kB waste little of them
 MOST_PENDING = 50  # records, and
 PATIENCE = 2.0  # time [s], after which records are put on disk
 WAIT = 10.0  # for another program that reads the file [s]

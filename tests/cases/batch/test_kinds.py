@@ -26,6 +26,7 @@ from cases.cli.main import app
 from ehl.traction.table.build import TableOptions, build_table
 from postprocess import summary
 from postprocess.batch.plots import quantities, varied_keys
+from postprocess.batch.records import summary_of
 from postprocess.batch.summary import batch_summary
 from postprocess.main_results import main_results
 
@@ -112,7 +113,7 @@ def test_tables_that_are_given(shared, tmp_path):
         tables="far/x.zip",
     )
     receipt = compute_point(sent, file.read_bytes())
-    assert json.loads(receipt.files[".json"])["summary"]["torque_N_mm"] == results.points[0].summary["torque_N_mm"]
+    assert summary_of(receipt.record)["torque_N_mm"] == results.points[0].summary["torque_N_mm"]
     case = load_case("6208_five_terms")
     thick = replace(case, lubricant=replace(case.lubricant, viscosity=2.0 * case.lubricant.viscosity))
     with pytest.raises(ValueError, match=r"another bearing or oil \(inner race: oil\)"):
