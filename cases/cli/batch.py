@@ -177,7 +177,7 @@ def _computed(plan: Sweep, directory: Path, wanted: _Wanted, choice: Choice, tol
 
     if not told.compute:
         return computed_before(plan, directory)
-    _tell(plan, wanted.workers, quiet=told.quiet)
+    _tell(plan, wanted.workers, choice.shard.count, quiet=told.quiet)
     with _kept(directory if told.keep else None), progress_bar(quiet=told.quiet) as progress:
         return run_batch(plan, directory, _pool(plan, wanted), choice, progress=progress)
 
@@ -204,8 +204,8 @@ def _others(wanted: _Wanted) -> dict[str, Callable[[Columns, Path], None]]:
     return {PARQUET: write_batch_parquet}
 
 
-def _tell(plan: Sweep, workers: int | None, *, quiet: bool) -> None:
-    """Say what the points will take, from the first of them."""
+def _tell(plan: Sweep, workers: int | None, shards: int, *, quiet: bool) -> None:
+    """Say what the points of one of the shards will take, from the first of all."""
     from ehl.multigrid.threads import cores
 
     from ..format.case import case_of_document
@@ -213,7 +213,8 @@ def _tell(plan: Sweep, workers: int | None, *, quiet: bool) -> None:
     if quiet or len(plan.points) < 2:
         return
     first = case_of_document(plan.points[0].document)
-    what, seconds = batch_cost(first, len(plan.points), plan.compute)
+    points = max(1, len(plan.points) // shards)
+    what, seconds = batch_cost(first, points, plan.compute)
     count = workers or cores()
     tell_cost((f"{what}, {count} at a time", seconds / count), quiet=quiet)
     say("oilfilm: the time left is shown from the first point on")
@@ -281,7 +282,8 @@ def _report_shard(done: Batch, choice: Choice, *, as_json: bool, quiet: bool) ->
         print_json({"kind": "shard", "shard": str(choice.shard), **counts})
     failed = counts["failed"] + counts["lost"]
     if not quiet or failed:
-        words = ", ".join(f"{number} {name}" for name, number in counts.items() if number)
+        named = (f"{number} {name}" for name, number in counts.items() if number)
+        words = ", ".join(named) or "no points"
         say(f"oilfilm: shard {choice.shard} in {done.directory}: {words}")
     if counts["lost"]:
         return FAILED
