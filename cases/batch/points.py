@@ -6,6 +6,7 @@ from pathlib import Path as FilePath
 from typing import Any
 
 from postprocess.batch.records import Record
+from postprocess.batch.results import Design
 
 from ..format.case import case_of_document
 from .keys import value_in
@@ -60,6 +61,7 @@ class Sweep:
     table: FilePath | None = None
     table_points: int = 257
     plot: tuple[str, ...] = ()
+    designs: tuple[Design, ...] = ()
     film_models: tuple[str, ...] = ()  # of the points that were checked
 
 

@@ -125,7 +125,7 @@ def gathered(batch: Batch, only: Sequence[int] | None = None) -> BatchResults:
         for point, record in pairs
     ]
     sweep = batch.sweep
-    same = ("title", "case", "keys", "messages", "assumed", "plot")
+    same = ("title", "case", "keys", "messages", "assumed", "plot", "designs")
     return BatchResults(
         version=version(),
         sweep=sweep.text,

@@ -2,11 +2,14 @@
 
 import random
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path as FilePath
+from typing import NamedTuple
 
 from pydantic import ValidationError
+
+from postprocess.batch.results import Design
 
 from ..format.case import Case, ContactCase, case_of_document
 from ..format.document import parse, read_text
@@ -23,13 +26,12 @@ from .planning.blocks import (
     block_settings,
     differences,
     factorial,
-    hypercube,
-    hypercubes,
     listed,
 )
 from .planning.faults import located_faults, overridden_names
 from .planning.plan import Document, Plan, PointName
 from .planning.plotted import plot_problems
+from .planning.samples import sampled_blocks
 from .points import Point, Sweep
 from .shared.tables import (
     bodies_and_oil,
@@ -80,7 +82,7 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
     fixed = Variation("fixed", tuple(block_settings(file.fixed, ("fixed",))))
     case = parse(read_text(case_file), str(case_file))
     base = with_values(case, fixed)
-    blocks, notes, problems = _blocks(file, base)
+    blocks, designs, notes, problems = _blocks(file, base)
     examples = [variation for block in blocks for variation in _of_each_kind(block)]
     notes += [*replaced_keys(case, [fixed]), *replaced_keys(base, examples)]
     problems += plot_problems(file.plot, "contact" if "contact" in base else file.compute)
@@ -109,6 +111,7 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
         table=table,
         table_points=file.table_points,
         plot=file.plot,
+        designs=tuple(designs),
         film_models=tuple(sorted({_film_model(case) for _, case in checked.values()})),
     )
 
@@ -199,27 +202,33 @@ def _case_file(case: str, source: _Source) -> FilePath:
         raise source.error([CaseFault(("case",), str(error).partition("\n")[0])]) from None
 
 
-def _blocks(
-    file: SweepFile, base: Document
-) -> tuple[list[Sequence[Variation]], list[str], list[CaseFault]]:
+class _Blocks(NamedTuple):
+    """The variations of all blocks, those that are designs, notes, faults."""
+
+    variations: list[Sequence[Variation]]
+    designs: list[Design]
+    notes: list[str]
+    problems: list[CaseFault]
+
+
+def _blocks(file: SweepFile, base: Document) -> _Blocks:
     """The variations of all blocks, in the order of the format's description."""
     combinations, problems = factorial(file)
     notes: list[str] = []
-    cubes, faults = hypercubes(file)
+    sampled, faults = sampled_blocks(file)
     problems += faults
-    count = len(combinations) + len(file.combinations)
-    count += sum(options.samples for _, options, _ in cubes)
+    count = len(combinations) + len(file.combinations) + sum(len(one) for one, _ in sampled)
     most = MOST_CHECKED if file.compute in EVERY_POINT else MOST_POINTS
     if count > most:
         allowed = f"allowed: at most {most}"
         problems.append(CaseFault((), f"{count} points", allowed, line=1))
     if problems:
-        return [], [], problems
+        return _Blocks([], [], [], problems)
     blocks: list[Sequence[Variation]] = [combinations, listed(file)]
-    for table, options, where in cubes:
-        sampled, faults = hypercube(table, options, where)
-        blocks.append(sampled)
-        problems += faults
+    designs = []
+    for block, design in sampled:
+        designs.append(replace(design, start=sum(map(len, blocks))))
+        blocks.append(block)
     if file.sensitivity is not None:
         changed, notes, faults = _sensitivity(file.sensitivity, base)
         blocks.append(changed)
@@ -227,7 +236,7 @@ def _blocks(
     if not any(map(len, blocks)) and not problems:
         allowed = "needed: [sweep], [[combinations]], [latin_hypercube] or [sensitivity] with keys"
         problems.append(CaseFault((), "no points", allowed, line=1))
-    return blocks, notes, problems
+    return _Blocks(blocks, designs, notes, problems)
 
 
 def _sensitivity(

@@ -1,6 +1,7 @@
 """Results of a batch.
 
 columns     - numbers of the points as columns, some thousand points at a time
+indices     - which key matters: Sobol indices, Morris' elementary effects
 keys        - the keys that a batch varies, as its figures tell them apart
 numbers     - every single number of a summary by its name
 parquet     - the table of a batch as a Parquet file

@@ -30,6 +30,20 @@ class BatchPoint:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Design:
+    """A block of points that belong together: its keys, and the samples or trajectories of it.
+
+    `start`: place of its first point among all, counted from 0.
+    """
+
+    block: str
+    keys: tuple[str, ...]
+    samples: int
+    start: int = 0
+    ranges: tuple[tuple[float, float], ...] = ()  # of the keys, in their units
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Counts:
     """How the points of a batch ended."""
 
@@ -61,6 +75,7 @@ class BatchResults:
     plot: tuple[str, ...] = ()
     timing: dict[str, float] = field(default_factory=dict)
     with_json: bool = False  # whether the summary of each point is a file, too
+    designs: tuple[Design, ...] = ()
     counts: Counts | None = None  # of all points, where `points` are only some of them
 
     @property

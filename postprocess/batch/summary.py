@@ -5,6 +5,7 @@ from typing import Any
 
 from ..main_results import main_results
 from .columns import Columns, InMemory, columns_of
+from .indices import design_documents
 from .numbers import scalar_numbers
 from .records import FAILED, LOST
 from .results import BatchPoint, BatchResults, Counts
@@ -41,6 +42,7 @@ def batch_summary(results: BatchResults, columns: Columns | None = None) -> dict
         "counts": {name: getattr(counts, name) for name in COUNTS},
         "sensitivity": sensitivities(results),
         "bands": bands(columns),
+        **design_documents(columns, results.designs),
         "resumed": counts.resumed,
         "failed": counts.failed + counts.lost + counts.missing,
         "timing_s": results.timing,

@@ -1,5 +1,6 @@
 """A batch as a table for a terminal of 80 columns."""
 
+from collections.abc import Iterator
 from typing import Any
 
 from rich.console import Group
@@ -12,11 +13,13 @@ from ..main_results import BATCH_COLUMNS, LIVES, MAIN_QUANTITY, main_results
 from ..table import number_table
 from ..text import NOTHING, in_figures, number
 from .columns import Columns, InMemory, columns_of
+from .indices import MORRIS, SOBOL, design_documents
 from .results import BatchPoint, BatchResults
 from .sensitivity import bands, sensitivities
 
 MOST_ROWS = 40  # of the terminal's table; the files have all
 WIDTH = 80
+MOST_INDICES = 3  # results whose indices fit beside the keys
 CELL = 10  # characters of a column of results
 
 
@@ -84,8 +87,36 @@ def _uncertainties(results: BatchResults, columns: Columns) -> list[Table]:
             for name, band in spread.items()
         ]
         headers = ["", "5 %", "median", "95 %"]
-        tables.append(number_table(headers, rows, [""], title="over the sampled points"))
-    return tables
+        count = min(band["points"] for band in spread.values())
+        title = f"over {count} sampled points"
+        tables.append(number_table(headers, rows, [""], title=title))
+    return [*tables, *_indices(design_documents(columns, results.designs))]
+
+
+def _indices(documents: dict[str, Any]) -> Iterator[Table]:
+    """Which key matters, for a few main results: by Sobol indices, by Morris' effects."""
+    kinds = {
+        SOBOL: ("total", "Sobol indices, total, and first ones in brackets"),
+        MORRIS: ("mean_magnitude", "mean magnitude of Morris' effects over the range of the key"),
+    }
+    for kind, (value, title) in kinds.items():
+        found = (documents[kind] or {}).get("results", {})
+        shown = {n: r for n, r in found.items() if n in BATCH_COLUMNS and isinstance(r, dict)}
+        names = list(shown)[-MOST_INDICES:]
+        if not names:
+            continue
+        rows = []
+        for key in (key for key in shown[names[0]] if key != "trajectories"):
+            cells = [number(shown[name][key][value], ".3g") for name in names]
+            if kind == SOBOL:
+                firsts = (f" ({number(shown[name][key]['first'], '.2f')})" for name in names)
+                cells = [cell + first for cell, first in zip(cells, firsts, strict=True)]
+            rows.append([key, *cells])
+        units = ["" if kind == SOBOL else f"\n{_unit(name)}" for name in names]
+        heads = [
+            MAIN_QUANTITY[name].symbol + unit for name, unit in zip(names, units, strict=True)
+        ]
+        yield number_table(["key", *heads], rows, ["key"], title=title)
 
 
 def _sensitivity(cell: dict[str, Any] | None) -> str:

@@ -1,19 +1,15 @@
 """Points of the blocks of a sweep file: factorial, listed, Latin hypercube, differences."""
 
-import random
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import prod
 from typing import Any, overload
 
-from pydantic import ValidationError
-
 from ...format.fields import is_number
-from ...format.problems import CaseFault, Path, schema_faults, shown
-from ...format.sweep import HypercubeOptions, SensitivityTable, SweepFile
+from ...format.problems import CaseFault, Path, shown
+from ...format.sweep import SensitivityTable, SweepFile
 
 MOST_POINTS = 10_000_000
-OPTIONS = tuple(HypercubeOptions.model_fields)
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,54 +129,6 @@ def listed(file: SweepFile) -> list[Variation]:
     ]
 
 
-def hypercube(
-    table: dict[str, Any], options: HypercubeOptions, where: Path
-) -> tuple[Sequence[Variation], list[CaseFault]]:
-    """Latin hypercube, McKay, Beckman and Conover (1979): each key takes each of its n strata
-    once.
-
-    Whole numbers as both ends of a range give whole numbers.
-    """
-    varied = {key: value for key, value in table.items() if key not in OPTIONS}
-    settings = block_settings(varied, where)
-    problems = [
-        CaseFault(
-            s.where, f"found {shown(s.value)}", "allowed: [first, last], two numbers, first < last"
-        )
-        for s in settings
-        if not _is_range(s.value)
-    ]
-    if not settings:
-        problems.append(CaseFault(where, "no keys", "needed: keys with their [first, last]"))
-    if problems:
-        return [], problems
-    rng = random.Random(options.seed)
-    n = options.samples
-    columns = []
-    for setting in settings:
-        strata = list(range(n))
-        rng.shuffle(strata)
-        shares = ((stratum + rng.random()) / n for stratum in strata)
-        columns.append([_scaled(setting.value, share) for share in shares])
-    rows = list(zip(*columns, strict=True))
-    return Sampled("latin_hypercube", [(s.key, s.where) for s in settings], rows), []
-
-
-def _is_range(value: Any) -> bool:
-    return (
-        isinstance(value, list)
-        and len(value) == 2
-        and all(map(is_number, value))
-        and value[0] < value[1]
-    )
-
-
-def _scaled(ends: list[float], share: float) -> float:
-    if all(isinstance(end, int) for end in ends):
-        return ends[0] + min(int(share * (ends[1] - ends[0] + 1)), ends[1] - ends[0])
-    return ends[0] + share * (ends[1] - ends[0])
-
-
 def differences(
     table: SensitivityTable, keys: tuple[str, ...], values: dict[str, Any]
 ) -> tuple[list[Variation], list[str], list[CaseFault]]:
@@ -205,27 +153,3 @@ def differences(
     if len(variations) == 1 and not problems:
         problems.append(CaseFault(where, "no key to vary", "needed: a list of keys"))
     return variations, notes, problems
-
-
-def hypercubes(
-    file: SweepFile,
-) -> tuple[list[tuple[dict[str, Any], HypercubeOptions, Path]], list[CaseFault]]:
-    """Tables [latin_hypercube] with their options and places, and their faults."""
-    cubes: list[tuple[dict[str, Any], HypercubeOptions, Path]] = []
-    faults: list[CaseFault] = []
-    several = len(file.latin_hypercube) > 1
-    for k, table in enumerate(file.latin_hypercube):
-        where: Path = ("latin_hypercube", k) if several else ("latin_hypercube",)
-        try:
-            options = HypercubeOptions.model_validate(
-                {key: table[key] for key in OPTIONS if key in table}
-            )
-        except ValidationError as error:
-            schema = HypercubeOptions.model_json_schema()
-            faults += [
-                CaseFault((*where, *p.path), p.finding, p.allowed)
-                for p in schema_faults(error.errors(include_url=False), schema)
-            ]
-        else:
-            cubes.append((table, options, where))
-    return cubes, faults

@@ -18,6 +18,9 @@ from .blocks import Variation
 FORMAT = 3  # of what a point leaves on disk
 INPUT_FILES = (("friction", "traction_table"),)  # table and key of files that a case reads
 
+SIMPLE = (float, str, bool)
+BITS = 256  # of the sum of hashes
+
 Document = dict[str, Any]
 
 
@@ -79,39 +82,46 @@ class Plan(Sequence[Point]):
 class PointName:
     """Names of points: hashes of all that their results depend on, the program included.
 
-    The text of a table that a point leaves as it is in `base` is made once.
+    A name holds the sum of the hashes of all tables, so that only those have to be read again that
+    a point changes.
     """
 
     def __init__(self, file: SweepFile, base: Document) -> None:
         whole: Document = {"compute": file.compute, "fields": file.fields, "format": FORMAT}
         if file.compute == "table":
             whole["table_points"] = file.table_points
-        self.head = document_text(whole | {"program": program_digest()})
+        self.head = document_text(whole | {"program": program_digest()}).encode()
         self.without = frozenset(BESIDE_TRACTION_TABLES if file.compute == "table" else DESCRIBING)
         self.base = base
-        self.texts = {name: _text(name, value) for name, value in base.items()}
+        self.hashes = {name: self._hash(name, value) for name, value in base.items()}
+        self.total = sum(self.hashes.values())
 
     def of(self, document: Document) -> str:
         """The name of a point."""
-        known = hashlib.sha256(self.head.encode())
-        for name in sorted(document):
-            if name not in self.without:
-                value = document[name]
-                same = value is self.base.get(name)
-                known.update((self.texts[name] if same else _text(name, value)).encode())
+        total = self.total
+        for name, value in document.items():
+            if value is not self.base.get(name):
+                total += self._hash(name, value) - self.hashes.get(name, 0)
+        for name in self.hashes.keys() - document.keys():
+            total -= self.hashes[name]
+        known = hashlib.sha256(self.head)
+        known.update((total % 2**BITS).to_bytes(BITS // 8, "big"))
         for content in input_files(document):
             known.update(content.encode())
         return known.hexdigest()[:20]
 
-
-def _text(name: str, value: Any) -> str:
-    """A table in one line; whole numbers as the floats that they are equal to."""
-    return f"\n{name}={json.dumps(_plain(value), sort_keys=True, default=str)}"
+    def _hash(self, name: str, value: Any) -> int:
+        """A table as a number; 0 of what does not count."""
+        if name in self.without:
+            return 0
+        text = f"{name}={json.dumps(_plain(value), sort_keys=True, default=str)}"
+        return int.from_bytes(hashlib.sha256(text.encode()).digest(), "big")
 
 
 def _plain(value: Any) -> Any:
+    """A table with whole numbers as the floats that they are equal to."""
     if isinstance(value, dict):
-        return {key: _plain(item) for key, item in value.items()}
+        return {k: v if type(v) in SIMPLE else _plain(v) for k, v in value.items()}
     if isinstance(value, list):
         return [_plain(item) for item in value]
     return float(value) if type(value) is int else value
