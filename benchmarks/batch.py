@@ -3,6 +3,9 @@
     python benchmarks/batch.py                     # 48 points with films, one worker and two
     python benchmarks/batch.py --points 96
     python benchmarks/batch.py --table FILE        # 1000 torque points on two workers, tables of 6208_five_terms
+    python benchmarks/batch.py --records 200000    # planning, resuming and collecting, without computing
+
+`--records` computes one point, and stores its record under the names of all of them.
 
 Wall times mean something on a quiet machine only; processor times, of all workers together, nearly always do: what
 two workers take more of it than one is lost to sharing.
@@ -11,18 +14,24 @@ two workers take more of it than one is lost to sharing.
 from __future__ import annotations
 
 import argparse
+import json
 import resource
 import tempfile
 import time
-from dataclasses import dataclass
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
 
 from cases.batch.engine import run_batch
 from cases.batch.pools import LocalPool
-from cases.batch.results import gathered, write_batch
+from cases.batch.results import collected, gathered, write_batch
 from cases.batch.sweep import sweep_from_text
+from postprocess.batch.parquet import write_batch_parquet
+from postprocess.batch.store import PointStore, StoredPoints
+from postprocess.batch.write import write_batch_csv
 
 FILMS = """
 case = "6208_full_ceramic"
@@ -35,6 +44,16 @@ TORQUE = """
 case = "6208_five_terms"
 compute = "torque"
 table = {table!r}
+[sweep]
+"operation.inner_speed_rpm" = {speeds}
+"operation.radial_load_N" = {loads}
+"""
+
+
+RECORDS = """
+case = "6208_full_ceramic"
+[fixed]
+"ehl.film_maps" = "none"
 [sweep]
 "operation.inner_speed_rpm" = {speeds}
 "operation.radial_load_N" = {loads}
@@ -85,13 +104,62 @@ def torque(table: Path, folder: Path) -> None:
     print(f"1000 torque points: {run.wall:.1f} s, {run.processor:.1f} s of processors, {run.memory:.0f} MB a worker")
 
 
+@contextmanager
+def step(what: str) -> Iterator[None]:
+    """Print what a step takes, and the memory of this process so far."""
+    start, begun = time.perf_counter(), time.process_time()
+    yield
+    wall, spent = time.perf_counter() - start, time.process_time() - begun
+    memory = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024.0
+    print(f"{what:32} {wall:7.1f} s, {spent:7.1f} s of processor, {memory:6.0f} MB so far", flush=True)
+
+
+def records(points: int, folder: Path) -> None:
+    """A batch without films whose points are all there: planned, resumed, collected."""
+    text = RECORDS.format(
+        speeds=np.linspace(1000.0, 10000.0, points // 100).round(3).tolist(),
+        loads=np.linspace(400.0, 3000.0, 100).round(3).tolist(),
+    )
+    with step("planned and named"):
+        sweep = sweep_from_text(text, "sweep.toml")
+        count = sum(1 for _ in sweep.points)
+    small = sweep_from_text(RECORDS.format(speeds=[5000.0], loads=[900.0]), "sweep.toml")
+    run_batch(small, folder / "one", lambda: LocalPool(1))
+    (record,) = StoredPoints([folder / "one" / "points.sqlite"]).records([small.points[0].key])
+    whole = folder / "whole"
+    whole.mkdir()
+    (whole / "sweep.toml").touch()
+    with step("records stored"):
+        store = PointStore(whole / "points.sqlite")
+        for point in sweep.points:
+            store.put(replace(record, key=point.key, values=json.dumps(point.given)))
+        store.close()
+    with step("resumed, planning included"):
+        again = sweep_from_text(text, "sweep.toml")
+        batch = run_batch(again, whole, lambda: LocalPool(1), resume=True)
+    assert len(batch.resumed) == count
+    with ExitStack() as stack:
+        with step("collected: results.nc, summary"):
+            results, columns = stack.enter_context(collected(batch))
+            write_batch(results, whole, columns, table=False)
+        with step("batch.parquet"):
+            write_batch_parquet(columns, whole / "batch.parquet")
+        with step("batch.csv"):
+            write_batch_csv(columns, whole / "batch.csv")
+    for file in sorted(whole.glob("*.*")):
+        print(f"{file.name:20} {file.stat().st_size / count:8.0f} bytes a point")
+
+
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--points", type=int, default=48)
     parser.add_argument("--table", type=Path)
+    parser.add_argument("--records", type=int)
     chosen = parser.parse_args()
     with tempfile.TemporaryDirectory() as temporary:
-        if chosen.table is not None:
+        if chosen.records is not None:
+            records(chosen.records, Path(temporary))
+        elif chosen.table is not None:
             torque(chosen.table, Path(temporary))
         else:
             films(chosen.points, Path(temporary))

@@ -2,20 +2,18 @@
 
 | module | responsibility |
 |---|---|
-| points | a sweep, its points, tasks and receipts: plain data |
-| blocks | points described by the blocks of a sweep file |
-| alternatives | points as documents: keys of the case that give way to a point's |
-| faults | faults of points placed in the sweep file |
-| plotted | numbers that a sweep file asks to be drawn |
-| sweep | a sweep file read, expanded and checked |
+| program | the code that computes, as one word |
 | keys | names of points, tables and contacts: hashes of all they depend on |
-| contact_cache | solved contacts shared by points |
-| tables | traction tables shared by points |
-| table_films | films of a table that is not complete yet |
+| points | a sweep, its points, tasks and receipts: plain data |
+| planning | points of a sweep file |
+| shared | contacts and traction tables that points share |
+| sweep | a sweep file read, expanded and checked |
+| shards | shares of a batch that are computed apart |
 | compute | results of one point |
+| limits | time and memory of one point |
 | store | the folder of a batch |
-| worker | one point computed in a worker |
-| pools | processes of this machine, or a Dask cluster |
+| worker | points computed in a worker |
+| pools | processes of this machine, a Dask cluster, an executor of the user's |
 | engine | execution: hand out, keep, resume |
 | results | finished points gathered and written |
 """

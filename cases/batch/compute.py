@@ -29,7 +29,7 @@ from ..runs.output_lock import scratch_folder
 from ..runs.slip import run_slip
 from ..runs.traction_table import run_table
 from .points import Task
-from .tables import tables_once
+from .shared.tables import tables_once
 
 Computed = tuple[dict[str, Any], dict[str, bytes]]  # summary, files by suffix
 

@@ -1,37 +1,55 @@
 """Execution of a sweep: hand out points, keep what is finished, resume an earlier run."""
 
 import atexit
-from collections import deque
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
 
+from postprocess.batch.records import FAILED, LOST
+from postprocess.batch.store import PointStore, StoredPoints, is_sound, store_files
+
+from ..format.problems import CaseError
 from ..runs.films import Progress
+from ..runs.output_lock import one_writer
 from .keys import WITHOUT_CONTACTS
-from .points import Point, Receipt, Sweep, Task
+from .points import NO_LIMITS, Limits, Receipt, Sweep, Task
 from .pools import Pool
+from .shards import ALONE, Shard
+from .shared.tables import prepare_tables, table_path
 from .store import (
-    FAILED,
-    LOST,
     SWEEP_FILE,
-    finished_keys,
+    finished_points,
     open_folder,
+    open_store,
     remove_unfinished,
     write_file,
-    write_point,
+    write_files,
+    write_summary,
 )
-from .tables import prepare_tables, table_path
 from .worker import failure
 
 TICK = 1.0  # the time left is updated at least as often [s]
+Block = tuple[Task, ...]
+Running = Future[tuple[Receipt, ...]]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Choice:
+    """Which points of a sweep are computed, and how."""
+
+    resume: bool = False  # whether finished points of the folder are taken over
+    only_failed: bool = False  # only points that failed before
+    shard: Shard = ALONE
+    limits: Limits = NO_LIMITS
+    keep_json: bool = False  # also the summary of each point as a file
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Batch:
-    """What a batch did: points finished before, and the wall time [s]."""
+    """What a batch did: points finished before, points left out, and the wall time [s]."""
 
     sweep: Sweep
     directory: Path
@@ -76,6 +94,7 @@ def run_batch(
     sweep: Sweep,
     directory: Path,
     pool: Callable[[], Pool],
+    choice: Choice | None = None,
     *,
     resume: bool = False,
     progress: Progress | None = None,
@@ -86,65 +105,152 @@ def run_batch(
     ----------
     pool : callable
         Starts the workers; called only if there is something to compute.
+    choice : Choice, optional
+        Which points; all of them if left out.
     resume : bool
-        Whether finished points in `directory` are taken over.
+        As in `choice`.
     progress : callable, optional
         Called with the points done, the points in all, and a word on rate and time left.
 
     Raises
     ------
     CaseError
-        If the folder cannot be used.
+        If the folder cannot be used, or another program writes the same points.
     OSError
         If a finished point cannot be written; all finished before stay.
     """
     start = perf_counter()
-    open_folder(directory, resume=resume)
-    write_file(directory / SWEEP_FILE, sweep.text.encode("utf-8"))
-    points = {point.key: point for point in sweep.points}
-    finished = finished_keys(directory, points)
-    pace = ProgressEstimate(len(points), progress or (lambda done, total, state: None))
-    pace.resumed = len(finished)
-    pace.tell()
-    waiting = [points[key] for key in points if key not in finished]
-    failed = _without_tables(sweep, waiting, directory, pace)
-    waiting = [point for point in waiting if point.key not in failed]
-    if waiting:
-        with _closing(pool(), directory) as workers:
-            folder = str(directory.resolve()) if workers.shares_folder else None
-            tasks = (_task(sweep, point, directory, folder) for point in waiting)
-            _execute(tasks, workers, directory, pace)
+    choice = choice or Choice(resume=resume)
+    again = choice.resume or choice.only_failed or choice.shard is not ALONE
+    open_folder(directory, resume=again, alone=choice.shard is ALONE)
+    path = directory / choice.shard.file
+    with one_writer(path):
+        write_file(directory / SWEEP_FILE, sweep.text.encode("utf-8"))
+        finished = _computed(sweep, (directory, path), pool, choice, progress)
     return Batch(
         sweep=sweep, directory=directory, resumed=frozenset(finished), wall=perf_counter() - start
     )
 
 
-def _task(sweep: Sweep, point: Point, directory: Path, folder: str | None) -> Task:
-    path = None if point.tables is None else table_path(directory, point.tables)
-    return Task(
-        key=point.key,
-        document=point.document,
-        compute=sweep.compute,
-        fields=sweep.fields,
-        share=any(key.partition(".")[0] in WITHOUT_CONTACTS for key in sweep.keys),
-        folder=folder,
-        tables=None if path is None else str(path.resolve()),
-        table_points=sweep.table_points,
-    )
-
-
-def _without_tables(
-    sweep: Sweep, waiting: list[Point], directory: Path, pace: ProgressEstimate
+def _computed(
+    sweep: Sweep,
+    folder: tuple[Path, Path],
+    pool: Callable[[], Pool],
+    choice: Choice,
+    progress: Progress | None,
 ) -> set[str]:
+    """Compute the points that are chosen; those that were finished before.
+
+    `folder`: of the batch, and its file of this writer.
+    """
+    directory, path = folder
+    stored = StoredPoints(store_files(directory))
+    keys = dict.fromkeys(point.key for point in sweep.points if choice.shard.has(point.key))
+    finished, failed = finished_points(directory, keys, stored)
+    broken = path.exists() and (path in stored.damaged or not is_sound(path))
+    chosen = failed if choice.only_failed else keys.keys() - finished
+    pace = ProgressEstimate(len(keys), progress or (lambda done, total, state: None))
+    pace.resumed = len(keys) - len(chosen)
+    pace.tell()
+    with _kept(open_store(path, broken=broken)) as store:
+        work = _Work(directory, store, pace, keep_json=choice.keep_json)
+        chosen = chosen - _without_tables(sweep, chosen, work)
+        if chosen:
+            with _closing(pool(), directory) as workers:
+                shared = str(directory.resolve()) if workers.shares_folder else None
+                execute(_tasks(sweep, chosen, directory, shared, choice.limits), workers, work)
+    return finished
+
+
+def computed_before(sweep: Sweep, directory: Path) -> Batch:
+    """What there is of a batch, of which nothing more is to be computed.
+
+    `CaseError` if the folder holds no points of a batch.
+    """
+    start = perf_counter()
+    if not store_files(directory):
+        raise CaseError(f"{directory}: holds no points of a batch; allowed: the -o of its shards")
+    open_folder(directory, resume=True)
+    write_file(directory / SWEEP_FILE, sweep.text.encode("utf-8"))
+    keys = dict.fromkeys(point.key for point in sweep.points)
+    finished, _ = finished_points(directory, keys, StoredPoints(store_files(directory)))
+    wall = perf_counter() - start
+    return Batch(sweep=sweep, directory=directory, resumed=frozenset(finished), wall=wall)
+
+
+@contextmanager
+def _kept(store: PointStore) -> Iterator[PointStore]:
+    """A file of points that is closed at the end; what is finished stays, however that comes."""
+    try:
+        yield store
+    except BaseException:
+        store.close(keep=False)
+        raise
+    store.close()
+
+
+class _Work:
+    """Finished points: where they go, and how many there are."""
+
+    def __init__(
+        self, directory: Path, store: PointStore, pace: ProgressEstimate, *, keep_json: bool
+    ) -> None:
+        self.directory = directory
+        self.store = store
+        self.pace = pace
+        self.keep_json = keep_json
+
+    def keep(self, receipt: Receipt) -> None:
+        """Put a finished point on disk: its own files first."""
+        record = receipt.record
+        write_files(self.directory, record.key, receipt.files)
+        if self.keep_json:
+            write_summary(self.directory, record)
+        self.store.put(record)
+        self.pace.done += 1
+
+    def tick(self) -> None:
+        """Show how far it is, and put on disk what is due."""
+        self.store.flush()
+        self.pace.tell()
+
+
+def _tasks(
+    sweep: Sweep, keys: Collection[str], directory: Path, folder: str | None, limits: Limits
+) -> Iterator[Task]:
+    """The points of some names, each once, in the order of the file."""
+    left = set(keys)
+    share = any(key.partition(".")[0] in WITHOUT_CONTACTS for key in sweep.keys)
+    for point in sweep.points:
+        if point.key in left:
+            left.remove(point.key)
+            tables = None if point.tables is None else table_path(directory, point.tables)
+            yield Task(
+                key=point.key,
+                document=point.document,
+                compute=sweep.compute,
+                fields=sweep.fields,
+                share=share,
+                folder=folder,
+                keys=sweep.keys,
+                tables=None if tables is None else str(tables.resolve()),
+                table_points=sweep.table_points,
+                limits=limits,
+            )
+
+
+def _without_tables(sweep: Sweep, keys: Collection[str], work: _Work) -> set[str]:
     """Build the traction tables that points need; points for want of them are recorded."""
-    if all(point.tables is None for point in waiting):
+    if not isinstance(sweep.points, tuple):  # which only points without tables are not
         return set()
-    problems = prepare_tables(sweep, {point.key for point in waiting}, directory, pace.notify)
-    failed = {point.key: problems[point.tables] for point in waiting if point.tables in problems}
+    waiting = {point.key: point for point in sweep.points if point.key in keys}
+    if all(point.tables is None for point in waiting.values()):
+        return set()
+    problems = prepare_tables(sweep, waiting.keys(), work.directory, work.pace.notify)
+    failed = {key: problems[p.tables] for key, p in waiting.items() if p.tables in problems}
     for key, message in failed.items():
-        write_point(directory, key, failure(key, FAILED, message).files)
-        pace.done += 1
-    pace.start = perf_counter()  # the rate is that of the points
+        work.keep(failure(key, FAILED, message))
+    work.pace.start = perf_counter()  # the rate is that of the points
     return set(failed)
 
 
@@ -165,76 +271,103 @@ def _closing(pool: Pool, directory: Path) -> Iterator[Pool]:
     atexit.unregister(remove_unfinished)
 
 
-def _execute(tasks: Iterable[Task], pool: Pool, directory: Path, pace: ProgressEstimate) -> None:
+class _Queue:
+    """Tasks in their order, some at a time."""
+
+    def __init__(self, tasks: Iterable[Task]) -> None:
+        self._tasks = iter(tasks)
+        self._next = next(self._tasks, None)
+
+    def block(self, size: int) -> Block:
+        """At most `size` tasks of the same traction tables; empty at the end."""
+        block = list[Task]()
+        while self._next is not None and len(block) < size:
+            if block and self._next.tables != block[0].tables:
+                break
+            block.append(self._next)
+            self._next = next(self._tasks, None)
+        return tuple(block)
+
+
+def execute(tasks: Iterable[Task], pool: Pool, work: _Work) -> None:
     """Keep every worker busy; the points of a lost worker are tried again, one at a time."""
-    waiting = deque(tasks)
-    running = dict[Future[Receipt], Task]()
+    running = dict[Running, Block]()
+    try:
+        _execute(_Queue(tasks), running, pool, work)
+    except KeyboardInterrupt:
+        for future in running:
+            if future.done() and not future.cancelled() and future.exception() is None:
+                for receipt in future.result():
+                    work.keep(receipt)
+        raise
+
+
+def _execute(waiting: _Queue, running: dict[Running, Block], pool: Pool, work: _Work) -> None:
     suspects = list[Task]()
-    while waiting or running or suspects:
-        room = pool.capacity() if not suspects else 0
-        while waiting and len(running) < room:
-            task = waiting.popleft()
-            running[_submit(pool, task)] = task
+    block = waiting.block(pool.block())
+    while block or running or suspects:
+        while block and not suspects and len(running) < pool.capacity():
+            running[_submit(pool, block)] = block
+            block = waiting.block(pool.block())
         done, _ = wait(running, timeout=TICK, return_when=FIRST_COMPLETED)
         for future in done:
-            task = running.pop(future)
-            if not _keep(future, task, pool, directory, pace):
-                suspects.append(task)
+            tried = running.pop(future)
+            if not _keep(future, tried, pool, work):
+                suspects += tried
         if suspects:
-            suspects += running.values()
+            suspects += (task for tried in running.values() for task in tried)
             running.clear()
             pool.rebuild()
             for task in suspects:
-                _alone(task, pool, directory, pace)
+                _alone(task, pool, work)
             suspects.clear()
-        pace.tell()
+        work.tick()
 
 
-def _submit(pool: Pool, task: Task) -> Future[Receipt]:
-    """Hand out a task; a pool that broke meanwhile says so through the future."""
+def _submit(pool: Pool, block: Block) -> Running:
+    """Hand out tasks; a pool that broke meanwhile says so through the future."""
     try:
-        return pool.submit(task)
+        return pool.submit(block)
     except Exception as error:
         if not pool.lost(error):
             raise
-        future: Future[Receipt] = Future()
+        future: Running = Future()
         future.set_exception(error)
         return future
 
 
-def _keep(
-    future: Future[Receipt], task: Task, pool: Pool, directory: Path, pace: ProgressEstimate
-) -> bool:
-    """Put a finished point on disk; whether its worker was there to the end."""
+def _keep(future: Running, block: Block, pool: Pool, work: _Work) -> bool:
+    """Put finished points on disk; whether their worker was there to the end."""
     try:
-        receipt = future.result()
+        receipts = future.result()
     except (Exception, CancelledError) as error:
         if pool.lost(error):
-            if pool.shares_folder:
+            if pool.retries:
                 return False
-            receipt = _given_up(task, f"the worker was lost repeatedly: {_words(error)}")
+            words = f"the worker was lost repeatedly: {_words(error)}"
+            receipts = tuple(_given_up(task, words) for task in block)
         elif isinstance(error, OSError | CancelledError | MemoryError):
             raise
         else:
-            receipt = failure(task.key, FAILED, _words(error))
-    if receipt.files:
-        write_point(directory, task.key, receipt.files)
-    pace.done += 1
+            receipts = tuple(failure(task.key, FAILED, _words(error)) for task in block)
+    for receipt in receipts:
+        work.keep(receipt)
     return True
 
 
-def _alone(task: Task, pool: Pool, directory: Path, pace: ProgressEstimate) -> None:
+def _alone(task: Task, pool: Pool, work: _Work) -> None:
     """A point whose worker may have died of it, by itself; recorded if it loses a second one."""
-    future = _submit(pool, task)
-    wait([future])
-    if not _keep(future, task, pool, directory, pace):
+    future = _submit(pool, (task,))
+    while not wait([future], timeout=TICK).done:
+        work.tick()
+    if not _keep(future, (task,), pool, work):
         pool.rebuild()
-        write_point(directory, task.key, _given_up(task, "the worker was lost twice").files)
-        pace.done += 1
+        work.keep(_given_up(task, "the worker was lost twice"))
 
 
 def _given_up(task: Task, message: str) -> Receipt:
-    advice = "killed from outside, or out of memory; try fewer nodes, or fewer workers"
+    limit = "" if task.limits.seconds is None else "; a point beyond its time, too, ends so"
+    advice = f"killed from outside, or out of memory; try fewer nodes, or fewer workers{limit}"
     return failure(task.key, LOST, f"{message} ({advice})")
 
 

@@ -4,14 +4,35 @@ import hashlib
 import json
 from dataclasses import fields, is_dataclass
 from enum import Enum
+from functools import lru_cache
 from typing import Any
 
-from ..version import version
+from .program import program_digest
 
 # tables of a case that leave its contacts as they are
 WITHOUT_CONTACTS = ("surface", "slip", "friction", "cage", "dynamics", "load_cases")
 DESCRIBING = ("title", "source", "assumed")  # keys of a case without effect on results
 BESIDE_TRACTION_TABLES = (*DESCRIBING, *WITHOUT_CONTACTS, "ehl")  # likewise, on traction tables
+
+NAMED = ("materials", "lubricants")  # tables whose keys stand below a name
+
+
+@lru_cache(maxsize=4096)
+def case_path(key: str) -> tuple[str, ...]:
+    """Table and key of a dotted name; names of materials and oils may hold dots themselves."""
+    table, _, name_in_table = key.partition(".")
+    if table in NAMED:
+        name, _, last = name_in_table.rpartition(".")
+        return table, name, last
+    return table, name_in_table
+
+
+def value_in(document: dict[str, Any], key: str) -> Any:
+    """Value of a dotted key of a document; None where it does not have it."""
+    node: Any = document
+    for part in case_path(key):
+        node = node.get(part) if isinstance(node, dict) else None
+    return node
 
 
 def digest(*texts: str | bytes) -> str:
@@ -28,7 +49,9 @@ def document_text(document: dict[str, Any], without: tuple[str, ...] = ()) -> st
 
 def content_key(*objects: Any) -> str:
     """Hash of dataclasses and values to the last bit."""
-    return hashlib.sha256(repr([version(), *map(_plain, objects)]).encode()).hexdigest()[:32]
+    return hashlib.sha256(repr([program_digest(), *map(_plain, objects)]).encode()).hexdigest()[
+        :32
+    ]
 
 
 def _plain(value: Any) -> Any:

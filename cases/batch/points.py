@@ -1,31 +1,53 @@
 """A sweep, its points, and what a worker is sent and sends back: plain data."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path as FilePath
 from typing import Any
 
-from ..version import version
+from postprocess.batch.records import Record
+from postprocess.batch.results import Design
+
+from ..format.case import case_of_document
+from .keys import value_in
+from .program import program_digest
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Point:
-    """One point of a sweep, checked."""
+    """One point of a sweep."""
 
     number: int  # counted from 1, in the order of the file
     block: str  # block of the sweep file it comes from
-    # every key that the sweep varies somewhere, with its value here; None where the case does not
-    # have it
-    values: dict[str, Any]
-    document: dict[str, Any]  # the case with these values, as to be run
-    resolved: dict[str, Any]  # the same, defaults and library values filled in
+    keys: tuple[str, ...]  # every key that the sweep varies somewhere
+    document: dict[str, Any]  # the case with the values of this point, as to be run
     key: str  # name in the batch's folder: equal for points whose results are equal
     # name of the traction tables it needs; equal for points that share them
     tables: str | None = None
 
+    @property
+    def resolved(self) -> dict[str, Any]:
+        """The document, checked, with defaults and library values filled in."""
+        return case_of_document(self.document).document
+
+    @property
+    def values(self) -> dict[str, Any]:
+        """Value of every varied key as run; None where the case does not have it."""
+        resolved = self.resolved
+        return {key: value_in(resolved, key) for key in self.keys}
+
+    @property
+    def given(self) -> dict[str, Any]:
+        """Value of every varied key as given, unchecked; None for a default."""
+        return {key: value_in(self.document, key) for key in self.keys}
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sweep:
-    """A sweep ready to run: text of the file, name of the case, file of tables, points."""
+    """A sweep ready to run: text of the file, name of the case, file of tables, points.
+
+    `points` may make each point when it is asked for.
+    """
 
     text: str
     title: str
@@ -33,12 +55,25 @@ class Sweep:
     compute: str
     fields: bool
     keys: tuple[str, ...]
-    points: tuple[Point, ...]
+    points: Sequence[Point]
     messages: tuple[str, ...] = ()
     assumed: tuple[str, ...] = ()
     table: FilePath | None = None
     table_points: int = 257
     plot: tuple[str, ...] = ()
+    designs: tuple[Design, ...] = ()
+    film_models: tuple[str, ...] = ()  # of the points that were checked
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Limits:
+    """What one point may take on a worker."""
+
+    seconds: float | None = None  # [s]
+    memory: float | None = None  # beside what the program itself takes [GB]
+
+
+NO_LIMITS = Limits()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,14 +86,21 @@ class Task:
     fields: bool
     share: bool  # whether contacts may be equal in several points
     folder: str | None
+    keys: tuple[str, ...] = ()  # varied, of which the values as run are kept
     tables: str | None = None  # file of traction tables on the machine of the batch
     table_points: int = 257
-    program: str = field(default_factory=version)
+    limits: Limits = NO_LIMITS
+    program: str = field(default_factory=program_digest)
 
 
 @dataclass(frozen=True, slots=True)
 class Receipt:
-    """Answer of a worker: status, and files where it did not write them."""
+    """Answer of a worker: record of the point, and files by suffix where it did not write them."""
 
-    status: str
+    record: Record
     files: dict[str, bytes] = field(default_factory=dict)
+
+    @property
+    def status(self) -> str:
+        """What became of the point."""
+        return self.record.status

@@ -1,9 +1,22 @@
 """The finished points of a batch, gathered, and the files made of them."""
 
+import json
+import pickle
+import tempfile
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
+from functools import lru_cache
+from itertools import islice
 from pathlib import Path
-from typing import Any
+from types import MappingProxyType
+from typing import IO, Any
 
-from postprocess.batch.results import BatchPoint, BatchResults
+from postprocess.batch.columns import CHUNK, Columns, InMemory, Row, columns_of
+from postprocess.batch.records import DONE, FAILED, LOST, Record, summary_of
+from postprocess.batch.results import BatchPoint, BatchResults, Counts
+from postprocess.batch.store import StoredPoints, store_files
 from postprocess.batch.summary import batch_summary
 from postprocess.batch.write import write_batch_csv, write_batch_netcdf
 from postprocess.files import write_json
@@ -11,45 +24,230 @@ from postprocess.files import write_json
 from ..runs.integrity import write_digests
 from ..version import version
 from .engine import Batch
-from .store import DATA, SUMMARY, TABLE, read_point
+from .keys import value_in
+from .points import Point
+from .shards import Shard
+from .store import DATA, POINTS, SUMMARY, TABLE
 
-MISSING: dict[str, Any] = {
-    "status": "lost",
-    "message": "its file is damaged; --resume computes it again",
-    "summary": None,
-}
+LARGE = 10_000  # points from which on a batch is not held in memory: 1 GB of summaries
+MOST_LINES = 100_000  # of batch.csv where it is not asked for
+MISSING = "missing"  # status of a point that no record tells of
+NO_RECORD = "not computed yet, or its record is damaged; --resume computes it"
 
 
-def gathered(batch: Batch) -> BatchResults:
-    """Every point of a batch with its summary, in the order of the sweep file."""
-    points = []
-    for point in batch.sweep.points:
-        record = read_point(batch.directory, point.key) or MISSING
-        points.append(
-            BatchPoint(
+class Stored:
+    """The points of a batch, read from its folder; rows once, and then from `file`."""
+
+    def __init__(self, batch: Batch, file: IO[bytes] | None = None) -> None:
+        self.batch = batch
+        self.keys = batch.sweep.keys
+        self.points = StoredPoints(store_files(batch.directory))
+        self.file = file
+        self._written = False
+
+    def __len__(self) -> int:
+        return len(self.batch.sweep.points)
+
+    def pairs(self, only: Sequence[int] | None = None) -> Iterator[list[tuple[Point, Record]]]:
+        """Points with their records, `CHUNK` at a time; `only`: those of some places."""
+        points = self.batch.sweep.points
+        wanted = iter(points) if only is None else (points[place] for place in only)
+        while chunk := list(islice(wanted, CHUNK)):
+            records = self.points.records([point.key for point in chunk])
+            yield [
+                (point, record or Record(key=point.key, status=MISSING, message=NO_RECORD))
+                for point, record in zip(chunk, records, strict=True)
+            ]
+
+    def chunks(self) -> Iterator[Sequence[Row]]:
+        """Rows of all points."""
+        if self.file is not None and self._written:
+            self.file.seek(0)
+            for _ in range(0, len(self), CHUNK):
+                yield pickle.load(self.file)
+            return
+        for pairs in self.pairs():
+            rows = self._rows(pairs)
+            if self.file is not None:
+                pickle.dump(rows, self.file, pickle.HIGHEST_PROTOCOL)
+            yield rows
+        self._written = True
+
+    def _rows(self, pairs: list[tuple[Point, Record]]) -> list[Row]:
+        return [
+            Row(
                 number=point.number,
                 block=point.block,
-                values=point.values,
-                case=point.resolved,
-                key=point.key,
-                resumed=point.key in batch.resumed,
-                **{name: record[name] for name in MISSING},
+                status=record.status,
+                message=record.message,
+                converged=_converged(record),
+                values=_values(point, record),
+                layout=record.layout,
+                numbers=record.numbers,
             )
-        )
+            for point, record in pairs
+        ]
+
+
+def _converged(record: Record) -> bool:
+    """Whether a point was computed and everything in it converged."""
+    if record.status != DONE:
+        return False
+    count = len(record.numbers) // 9
+    place = count + 8 * _place(record.layout)
+    return record.numbers[place : place + 8] != bytes(8)
+
+
+@lru_cache(maxsize=1024)
+def _place(layout: str) -> int:
+    """Where a point says whether it converged, among its numbers."""
+    return [name for part in json.loads(layout) for name in part].index("converged")
+
+
+def _values(point: Point, record: Record) -> dict[str, Any]:
+    """Values of the varied keys: as run where that is known, else as given."""
+    run = json.loads(record.values)
+    if all(key in run for key in point.keys):
+        return {key: run[key] for key in point.keys}
+    summary = summary_of(record)
+    document = point.document if summary is None else summary["case"]
+    return {key: value_in(document, key) for key in point.keys}
+
+
+def gathered(batch: Batch, only: Sequence[int] | None = None) -> BatchResults:
+    """Every point of a batch with its summary, in the order of the sweep file.
+
+    `only`: places of the points that are wanted, counted from 0.
+    """
+    points = [
+        _in_memory(batch, point, record)
+        for pairs in Stored(batch).pairs(only)
+        for point, record in pairs
+    ]
     sweep = batch.sweep
-    same = ("title", "case", "keys", "messages", "assumed", "plot")
+    same = ("title", "case", "keys", "messages", "assumed", "plot", "designs")
     return BatchResults(
         version=version(),
         sweep=sweep.text,
         points=tuple(points),
         timing={"total": batch.wall},
+        with_json=any((batch.directory / POINTS).glob("*.json")),
         **{name: getattr(sweep, name) for name in same},
     )
 
 
-def write_batch(results: BatchResults, directory: Path) -> None:
-    """Write the table, the data set and, last, the summary of a batch."""
-    write_batch_csv(results, directory / TABLE)
-    write_batch_netcdf(results, directory / DATA)
-    write_json(batch_summary(results), directory / SUMMARY)
-    write_digests(directory, (TABLE, DATA, SUMMARY))
+def _in_memory(batch: Batch, point: Point, record: Record) -> BatchPoint:
+    summary = summary_of(record)
+    return BatchPoint(
+        number=point.number,
+        block=point.block,
+        values=_values(point, record),
+        case=point.document if summary is None else summary["case"],
+        key=point.key,
+        resumed=point.key in batch.resumed,
+        status=record.status,
+        message=record.message,
+        summary=summary,
+    )
+
+
+@contextmanager
+def collected(batch: Batch) -> Iterator[tuple[BatchResults, Columns]]:
+    """Results of a batch and the columns of all its points, which last as long as the context.
+
+    Of a batch of more than `LARGE` points the results have only the counts, and the points of
+    [sensitivity], which are few.
+    """
+    if len(batch.sweep.points) <= LARGE:
+        results = gathered(batch)
+        yield results, columns_of(InMemory(results))
+        return
+    with tempfile.TemporaryFile(dir=batch.directory) as file:
+        tally = _Tally(Stored(batch, file))
+        columns = columns_of(tally)
+        results = replace(gathered(batch, tally.few), counts=tally.counts(batch))
+        yield results, replace(columns, source=tally.stored)
+
+
+class _Tally:
+    """Points that are counted while they pass."""
+
+    def __init__(self, stored: Stored) -> None:
+        self.stored = stored
+        self.keys = stored.keys
+        self.status: Counter[str] = Counter()
+        self.reasons: Counter[str] = Counter()
+        self.converged = 0
+        self.few: list[int] = []  # places of points of [sensitivity]
+
+    def __len__(self) -> int:
+        return len(self.stored)
+
+    def chunks(self) -> Iterator[Sequence[Row]]:
+        """Rows of all points, once."""
+        for rows in self.stored.chunks():
+            self.status.update(row.status for row in rows)
+            self.reasons.update(row.message for row in rows if row.status != DONE)
+            self.converged += sum(row.converged for row in rows)
+            self.few += [row.number - 1 for row in rows if row.block == "sensitivity"]
+            yield rows
+
+    def counts(self, batch: Batch) -> Counts:
+        """How the points ended."""
+        return Counts(
+            points=len(self),
+            done=self.status[DONE],
+            failed=self.status[FAILED],
+            lost=self.status[LOST],
+            missing=self.status[MISSING],
+            converged=self.converged,
+            resumed=min(len(batch.resumed), self.status[DONE]),
+            reasons=tuple(self.reasons.most_common(10)),
+        )
+
+
+def shard_counts(batch: Batch, shard: Shard) -> dict[str, int]:
+    """How the points of a shard ended, by the words of a batch's summary."""
+    stored = StoredPoints(store_files(batch.directory))
+    counts = dict.fromkeys(("points", "done", "converged", "failed", "lost", "missing"), 0)
+    keys = {point.key: None for point in batch.sweep.points if shard.has(point.key)}
+    for chunk in batched(keys, CHUNK):
+        for record in stored.records(chunk):
+            counts["points"] += 1
+            counts["missing" if record is None else record.status] += 1
+            counts["converged"] += record is not None and _converged(record)
+    return counts
+
+
+def batched(keys: Iterable[str], size: int) -> Iterator[list[str]]:
+    """Some of the keys at a time."""
+    left = iter(keys)
+    while chunk := list(islice(left, size)):
+        yield chunk
+
+
+Writer = Callable[[Columns, Path], None]
+
+
+def write_batch(
+    results: BatchResults,
+    directory: Path,
+    columns: Columns | None = None,
+    others: Mapping[str, Writer] = MappingProxyType({}),
+    *,
+    table: bool = True,
+) -> None:
+    """Write the table, the data set and, last, the summary of a batch.
+
+    `columns`: of all points, made of `results` if left out; `others`: writers of further files by
+    their names; `table`: also the CSV file.
+    """
+    columns = columns or columns_of(InMemory(results))
+    writers = ({TABLE: write_batch_csv} if table else {}) | dict(others)
+    if not table:
+        (directory / TABLE).unlink(missing_ok=True)
+    for name, write in writers.items():
+        write(columns, directory / name)
+    write_batch_netcdf(columns, directory / DATA, results, whole=results.counts is None)
+    write_json(batch_summary(results, columns), directory / SUMMARY)
+    write_digests(directory, [*writers, DATA, SUMMARY])

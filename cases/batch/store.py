@@ -1,7 +1,8 @@
-"""The folder of a batch: one file for each finished point, there as a whole or not at all.
+"""The folder of a batch.
 
 sweep.toml          the sweep as run last
-points/KEY.json     a finished point: case and summary, or the message it failed with
+points*.sqlite      finished points: case and summary, or the message they failed with
+points/KEY.json     the summary of a point, where it is asked for
 points/KEY.nc       its film maps, where the batch writes them
 points/KEY.zip      its traction tables, where the batch computes tables
 contacts/KEY.npz    solved contacts that several points share
@@ -9,17 +10,19 @@ tables/KEY.zip      traction tables that several points share
 """
 
 import json
+import os
 from collections.abc import Iterable, Iterator
 from pathlib import Path
-from typing import Any
 
 from bearing.files import PARTIAL, write_bytes
+from postprocess.batch.records import DONE, Record, summary_of
+from postprocess.batch.store import PATTERN, PointStore, StoredPoints, store_files, whole_records
 
 from ..format.problems import CaseError
 from ..runs.integrity import DIGESTS
 from ..runs.interrupt import say
 from ..runs.output_directory import check_output
-from .keys import digest, document_text
+from .keys import digest
 
 POINTS = "points"
 CONTACTS = "contacts"
@@ -28,23 +31,22 @@ SWEEP_FILE = "sweep.toml"
 SUMMARY = "summary.json"
 TABLE = "batch.csv"
 DATA = "results.nc"
-DONE = "done"
-FAILED = "failed"
-LOST = "lost"
+PARQUET = "batch.parquet"
 
 
-def open_folder(directory: Path, *, resume: bool) -> None:
+def open_folder(directory: Path, *, resume: bool, alone: bool = True) -> None:
     """Make the folder of a batch, or open that of an earlier one.
 
     `CaseError` if it holds something else, or finished points and `resume` is not wanted, or
-    cannot be written.
+    cannot be written. `alone`: no other program writes into it, so that what is unfinished there
+    is left of killed ones.
     """
     check_output(directory)
     if directory.exists() and any(directory.iterdir()) and not (directory / SWEEP_FILE).exists():
         raise CaseError(
             f"{directory}: holds other files; allowed with -o: a new directory, or that of a batch"
         )
-    if not resume and any((directory / POINTS).glob("*.json")):
+    if not resume and has_points(directory):
         allowed = "allowed: --resume to go on, or another -o"
         raise CaseError(f"{directory}: holds finished points of an earlier batch; {allowed}")
     for file in _own_files(directory):
@@ -52,7 +54,13 @@ def open_folder(directory: Path, *, resume: bool) -> None:
             wanted = "is a folder in the place of a file of the batch; allowed: without it"
             raise CaseError(f"{file}: {wanted}, or another -o")
     (directory / POINTS).mkdir(parents=True, exist_ok=True)
-    remove_unfinished(directory)
+    if alone:
+        remove_unfinished(directory)
+
+
+def has_points(directory: Path) -> bool:
+    """Whether a folder holds points of a batch; those of old versions are files of their own."""
+    return bool(store_files(directory)) or any((directory / POINTS).glob("*.json"))
 
 
 def remove_unfinished(directory: Path) -> None:
@@ -64,7 +72,9 @@ def remove_unfinished(directory: Path) -> None:
 
 def _own_files(directory: Path) -> Iterator[Path]:
     """What stands where files of a batch belong."""
-    yield from (directory / name for name in (SWEEP_FILE, SUMMARY, TABLE, DATA, DIGESTS))
+    names = (SWEEP_FILE, SUMMARY, TABLE, DATA, PARQUET, DIGESTS)
+    yield from (directory / name for name in names)
+    yield from directory.glob(PATTERN)
     for folder in (POINTS, CONTACTS, TABLES):
         yield from (directory / folder).glob("*.*")
 
@@ -74,55 +84,64 @@ def write_file(path: Path, data: bytes) -> None:
     write_bytes(path, data, durable=True)
 
 
-def write_point(directory: Path, key: str, files: dict[str, bytes]) -> None:
-    """Write the files of a finished point, by suffix; the one that counts, `.json`, last."""
-    for suffix in sorted(files, key=lambda suffix: suffix == ".json"):
-        write_file(directory / POINTS / f"{key}{suffix}", files[suffix])
+def write_files(directory: Path, key: str, files: dict[str, bytes]) -> None:
+    """Write the files of a point beside its record, by suffix."""
+    for suffix, content in files.items():
+        write_file(directory / POINTS / f"{key}{suffix}", content)
 
 
-def read_point(directory: Path, key: str) -> dict[str, Any] | None:
-    """A finished point; None if there is none, or its file is damaged."""
-    try:
-        record = json.loads((directory / POINTS / f"{key}.json").read_text(encoding="utf-8"))
-        whole = record.pop("digest") == record_digest(record) and record["key"] == key
-    except (OSError, ValueError, RecursionError, AttributeError, KeyError, TypeError):
-        return None
-    return record if whole else None
+def write_summary(directory: Path, record: Record) -> None:
+    """Write the summary of a point as JSON."""
+    content = {"key": record.key, "status": record.status, "message": record.message}
+    document = content | {"summary": summary_of(record)}
+    text = json.dumps(document, ensure_ascii=False, allow_nan=False)
+    write_file(directory / POINTS / f"{record.key}.json", text.encode())
 
 
-def record_digest(record: dict[str, Any]) -> str:
-    """Hash of what the file of a point holds beside it."""
-    return digest(document_text(record))
+def open_store(path: Path, *, broken: bool = False) -> PointStore:
+    """The file of a writer; a broken one is replaced by what is whole of it."""
+    if not broken:
+        return PointStore(path)
+    whole = [record for _, record in whole_records(path) if record is not None]
+    for name in (path.name, f"{path.name}-wal"):
+        if path.with_name(name).exists():
+            os.replace(path.with_name(name), path.with_name(f"{name}.damaged"))
+    say(f"oilfilm: {path}: damaged; {len(whole)} points of it are kept, see {path.name}.damaged")
+    store = PointStore(path)
+    for record in whole:
+        store.put(record)
+    store.flush(at_once=True)
+    return store
 
 
-def damaged_file(directory: Path, key: str) -> Path | None:
-    """The first file of a point that is not as it was written; None if there is none such."""
-    path = directory / POINTS / f"{key}.json"
-    record = read_point(directory, key)
-    if record is None:
-        return path if path.exists() else None
-    for suffix, expected in record["files"].items():
-        file = path.with_suffix(suffix)
-        try:
-            whole = digest(file.read_bytes()) == expected
-        except OSError:
-            whole = False
-        if not whole:
-            return file
-    return None
+def finished_points(
+    directory: Path, keys: Iterable[str], stored: StoredPoints
+) -> tuple[set[str], set[str]]:
+    """Those of `keys` that have been computed, and those that failed or were lost.
 
-
-def finished_keys(directory: Path, keys: Iterable[str]) -> set[str]:
-    """Those of `keys` that have been computed; points that failed are to be tried again, and so
-    are those with a damaged file, which is said.
+    Points with a damaged record or file count among neither, and it is said.
     """
-    finished = set()
+    for path, count in stored.damaged.items():
+        say(f"oilfilm: {path}: {count} points are damaged; they are computed anew")
+    done = set()
+    failed = set()
     for key in keys:
-        damaged = damaged_file(directory, key)
-        if damaged is not None:
-            say(f"oilfilm: {damaged}: damaged; the point is computed anew")
-            continue
-        record = read_point(directory, key)
-        if record is not None and record["status"] == DONE:
-            finished.add(key)
-    return finished
+        status = stored.status.get(key)
+        if status == DONE:
+            done.add(key)
+        elif status is not None:
+            failed.add(key)
+    return done - _with_damaged_files(directory, stored, done), failed
+
+
+def _with_damaged_files(directory: Path, stored: StoredPoints, keys: set[str]) -> set[str]:
+    """Points of which a file beside the record is not as it was written, which is said."""
+    damaged = set()
+    for key in sorted(keys & stored.with_files):
+        (record,) = stored.records([key])
+        for suffix, expected in json.loads(record.files if record else "{}").items():
+            file = directory / POINTS / f"{key}{suffix}"
+            if not file.is_file() or digest(file.read_bytes()) != expected:
+                say(f"oilfilm: {file}: damaged; the point is computed anew")
+                damaged.add(key)
+    return damaged

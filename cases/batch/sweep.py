@@ -1,35 +1,39 @@
-"""A sweep file: read, expanded into points, each checked as a case before anything runs."""
+"""A sweep file: read, expanded into points, checked as cases before anything runs."""
 
-from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+import random
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path as FilePath
-from typing import Any
+from typing import NamedTuple
 
 from pydantic import ValidationError
+
+from postprocess.batch.results import Design
 
 from ..format.case import Case, ContactCase, case_of_document
 from ..format.document import parse, read_text
 from ..format.problems import CaseError, CaseFault, faults_error, schema_faults
 from ..format.shipped import find_case, find_sweep
 from ..format.sweep import SensitivityTable, SweepFile
-from ..version import version
-from .alternatives import replaced_keys, with_values
-from .blocks import (
+from .keys import digest, value_in
+from .planning.alternatives import PointDocuments, replaced_keys, with_values
+from .planning.blocks import (
     MOST_POINTS,
+    Factorial,
+    Sampled,
     Variation,
     block_settings,
-    case_path,
     differences,
     factorial,
-    hypercube,
-    hypercubes,
     listed,
 )
-from .faults import located_faults, overridden_names
-from .keys import BESIDE_TRACTION_TABLES, DESCRIBING, digest, document_text
-from .plotted import plot_problems
+from .planning.faults import located_faults, overridden_names
+from .planning.plan import Document, Plan, PointName
+from .planning.plotted import plot_problems
+from .planning.samples import sampled_blocks
 from .points import Point, Sweep
-from .tables import (
+from .shared.tables import (
     bodies_and_oil,
     foreign_points,
     needs_tables,
@@ -37,8 +41,11 @@ from .tables import (
     with_table_names,
 )
 
-FORMAT = 2  # of what a point leaves on disk
 MOST_FAULTS = 1000  # from which on no further point is checked
+CHECKED = 1000  # points of a large sweep that are checked before anything runs
+SEED = 70_241_903  # of their choice
+MOST_CHECKED = 100_000  # points of kinds that are checked one by one, 2 ms each
+EVERY_POINT = ("torque", "dynamics")  # kinds whose tables depend on all points: all are checked
 
 
 @dataclass(frozen=True, slots=True)
@@ -85,15 +92,22 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
     fixed = Variation("fixed", tuple(block_settings(file.fixed, ("fixed",))))
     case = parse(read_text(case_file), str(case_file))
     base = with_values(case, fixed)
-    variations, notes, problems = _variations(file, base)
-    notes += [*replaced_keys(case, [fixed]), *replaced_keys(base, variations)]
+    blocks, designs, notes, problems = _blocks(file, base)
+    examples = [variation for block in blocks for variation in _of_each_kind(block)]
+    notes += [*replaced_keys(case, [fixed]), *replaced_keys(base, examples)]
     problems += plot_problems(file.plot, "contact" if "contact" in base else file.compute)
     if problems:
         raise source.error(problems)
-    keys = tuple(dict.fromkeys(s.key for variation in variations for s in variation.settings))
-    points, examples = _points(file, base, variations, fixed, keys, source)
-    table = _table_file(file, points, examples, source)
-    given = None if table is None else digest(table.read_bytes())
+    keys = tuple(dict.fromkeys(s.key for variation in examples for s in variation.settings))
+    document = partial(_document, PointDocuments(base), torque=file.compute == "torque")
+    plan = Plan(blocks, document, PointName(file, base).of, keys)
+    checked = _checked(plan, file, base, fixed, source)
+    sharing = {number: common for number, (common, _) in checked.items() if common is not None}
+    points: Sequence[Point] = plan
+    table = None
+    if sharing or file.table is not None:
+        several = [plan[number] for number in sorted(checked)]
+        table, points = _with_tables(file, several, checked, source)
     return Sweep(
         text=text,
         title=file.title or _title(str(base.get("title") or file.case), keys),
@@ -101,17 +115,53 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
         compute=file.compute,
         fields=file.fields,
         keys=keys,
-        points=with_table_names(points, given, file.table_points),
+        points=points,
         messages=tuple(notes),
         assumed=tuple(key for key in base.get("assumed", ()) if isinstance(key, str)),
         table=table,
         table_points=file.table_points,
         plot=file.plot,
+        designs=tuple(designs),
+        film_models=tuple(sorted({_film_model(case) for _, case in checked.values()})),
     )
 
 
+def _document(documents: PointDocuments, variation: Variation, *, torque: bool) -> Document:
+    """A point as a case; one of torque in traction equilibrium."""
+    document = documents.of(variation)
+    return with_equilibrium(document) if torque else document
+
+
+def _film_model(case: Case | ContactCase) -> str:
+    return str(case.document.get("ehl", {}).get("film_model"))
+
+
+def _of_each_kind(block: Sequence[Variation]) -> Sequence[Variation]:
+    """Variations of a block that name all its keys: one where all have the same."""
+    return block[:1] if isinstance(block, Factorial | Sampled) else block
+
+
+Checked = dict[int, tuple[str | None, Case | ContactCase]]
+
+
+def _with_tables(
+    file: SweepFile, points: list[Point], checked: Checked, source: _Source
+) -> tuple[FilePath | None, tuple[Point, ...]]:
+    """The file of traction tables that is given, and all points with the names of theirs."""
+    examples: dict[str, Case] = {}
+    for common, case in checked.values():
+        if common is not None and isinstance(case, Case):
+            examples.setdefault(common, case)
+    sharing = [checked[point.number - 1][0] for point in points]
+    documents = [checked[point.number - 1][1].document for point in points]
+    named = {p.number: name for p, name in zip(points, sharing, strict=True) if name is not None}
+    table = _table_file(file, named, examples, source)
+    given = None if table is None else digest(table.read_bytes())
+    return table, with_table_names(points, sharing, documents, (given, file.table_points))
+
+
 def _table_file(
-    file: SweepFile, points: list[Point], examples: dict[str, Case], source: _Source
+    file: SweepFile, common: dict[int, str], examples: dict[str, Case], source: _Source
 ) -> FilePath | None:
     """The traction tables that the sweep file names, which must be those of its points."""
     if file.table is None:
@@ -129,7 +179,7 @@ def _table_file(
         allowed = "allowed: a file that `oilfilm table` wrote"
         faults = [CaseFault(("table",), unreadable, allowed)]
     else:
-        faults = [_foreign(*wrong) for wrong in foreign_points(path, points, examples).items()]
+        faults = [_foreign(*wrong) for wrong in foreign_points(path, common, examples).items()]
     if faults:
         raise source.error(faults)
     return path
@@ -162,37 +212,45 @@ def _case_file(case: str, source: _Source) -> FilePath:
         raise source.error([CaseFault(("case",), str(error).partition("\n")[0])]) from None
 
 
-def _variations(
-    file: SweepFile, base: dict[str, Any]
-) -> tuple[list[Variation], list[str], list[CaseFault]]:
+class _Blocks(NamedTuple):
+    """The variations of all blocks, those that are designs, notes, faults."""
+
+    variations: list[Sequence[Variation]]
+    designs: list[Design]
+    notes: list[str]
+    problems: list[CaseFault]
+
+
+def _blocks(file: SweepFile, base: Document) -> _Blocks:
     """The variations of all blocks, in the order of the format's description."""
-    combinations, count, problems = factorial(file)
+    combinations, problems = factorial(file)
     notes: list[str] = []
-    cubes, faults = hypercubes(file)
+    sampled, faults = sampled_blocks(file)
     problems += faults
-    count += sum(options.samples for _, options, _ in cubes) + len(file.combinations)
-    if count > MOST_POINTS:
-        allowed = f"allowed: at most {MOST_POINTS}"
+    count = len(combinations) + len(file.combinations) + sum(len(one) for one, _ in sampled)
+    most = MOST_CHECKED if file.compute in EVERY_POINT else MOST_POINTS
+    if count > most:
+        allowed = f"allowed: at most {most}"
         problems.append(CaseFault((), f"{count} points", allowed, line=1))
     if problems:
-        return [], [], problems
-    variations: list[Variation] = [*combinations, *listed(file)]
-    for table, options, where in cubes:
-        sampled, faults = hypercube(table, options, where)
-        variations += sampled
-        problems += faults
+        return _Blocks([], [], [], problems)
+    blocks: list[Sequence[Variation]] = [combinations, listed(file)]
+    designs = []
+    for block, design in sampled:
+        designs.append(replace(design, start=sum(map(len, blocks))))
+        blocks.append(block)
     if file.sensitivity is not None:
         changed, notes, faults = _sensitivity(file.sensitivity, base)
-        variations += changed
+        blocks.append(changed)
         problems += faults
-    if not variations and not problems:
+    if not any(map(len, blocks)) and not problems:
         allowed = "needed: [sweep], [[combinations]], [latin_hypercube] or [sensitivity] with keys"
         problems.append(CaseFault((), "no points", allowed, line=1))
-    return variations, notes, problems
+    return _Blocks(blocks, designs, notes, problems)
 
 
 def _sensitivity(
-    table: SensitivityTable, base: dict[str, Any]
+    table: SensitivityTable, base: Document
 ) -> tuple[list[Variation], list[str], list[CaseFault]]:
     try:
         case = case_of_document(base)
@@ -200,7 +258,7 @@ def _sensitivity(
         finding = "the case itself cannot be run"
         return [], [], [CaseFault(("sensitivity",), finding, _faults(error)[0].finding)]
     keys = case.assumed if table.keys == "assumed" else tuple(table.keys)
-    return differences(table, keys, {key: _value(case.document, key) for key in keys})
+    return differences(table, keys, {key: value_in(case.document, key) for key in keys})
 
 
 def _faults(error: CaseError) -> list[CaseFault]:
@@ -208,61 +266,55 @@ def _faults(error: CaseError) -> list[CaseFault]:
     return [*error.problems] or [CaseFault((), message, line=1) for message in error.messages]
 
 
-def _value(document: dict[str, Any], key: str) -> Any:
-    node: Any = document
-    for part in case_path(key):
-        node = node.get(part) if isinstance(node, dict) else None
-    return node
+def _checked(
+    plan: Plan, file: SweepFile, base: Document, fixed: Variation, source: _Source
+) -> Checked:
+    """Points checked as cases, by their places: with what those that share traction tables must
+    have in common.
 
-
-def _points(
-    file: SweepFile,
-    base: dict[str, Any],
-    variations: list[Variation],
-    fixed: Variation,
-    keys: tuple[str, ...],
-    source: _Source,
-) -> tuple[list[Point], dict[str, Case]]:
-    """Every variation as a checked point, with what those that share traction tables must have in
-    common in place of the name of these, and a case for each of that.
-
-    `CaseError` with the problems of all of them, each reported once.
+    All of a sweep of up to `CHECKED` points, or whose points need tables; of a larger one the
+    ends and a sample, the others when they are computed. `CaseError` with the problems of all of
+    them, each reported once.
     """
-    points: list[Point] = []
-    problems = list(overridden_names(base, variations))
-    examples: dict[str, Case] = {}
-    for number, variation in enumerate(variations, 1):
-        document = with_values(base, variation)
-        if file.compute == "torque":
-            document = with_equilibrium(document)
+    ends = [plan.variation(0), plan.variation(len(plan) - 1)]
+    problems = list(overridden_names(base, ends))
+    checked: Checked = {}
+    for place in _places(plan, file.compute):
+        variation = plan.variation(place)
         try:
-            case = case_of_document(document, f"point {number}")
+            case = case_of_document(plan.document(variation), f"point {place + 1}")
         except CaseError as error:
-            problems += located_faults(_faults(error), variation, fixed, number)
+            problems += located_faults(_faults(error), variation, fixed, place + 1)
             if len(problems) > MOST_FAULTS:
                 break
             continue
         if problems:
             continue
-        common = None
-        if isinstance(case, Case) and needs_tables(case, file.compute):
-            common = bodies_and_oil(case)
-            examples.setdefault(common, case)
-        points.append(
-            Point(
-                number=number,
-                block=variation.block,
-                values={key: _value(case.document, key) for key in keys},
-                document=document,
-                resolved=case.document,
-                key=point_key(case.document, file),
-                tables=common,
-            )
-        )
-        problems += _kind(file, case, number)
+        shares = isinstance(case, Case) and needs_tables(case, file.compute)
+        common = bodies_and_oil(case) if shares and isinstance(case, Case) else None
+        checked[place] = (common, case)
+        problems += _kind(file, case, place + 1)
     if problems:
         raise source.error(problems)
-    return points, examples
+    return checked
+
+
+def _places(plan: Plan, compute: str) -> Sequence[int]:
+    """Places of the points that are checked at once: of a large sweep first of all those where a
+    key of a factorial block takes each end of its list, then a sample.
+    """
+    whole = range(len(plan))
+    if len(plan) <= CHECKED or compute in EVERY_POINT:
+        return whole
+    chosen = {0, len(plan) - 1, *random.Random(SEED).sample(whole, CHECKED)}
+    start = 0
+    for block, end in zip(plan.blocks, plan.ends, strict=True):
+        if isinstance(block, Factorial):
+            chosen |= {start + place for place in block.edges()}
+        elif not isinstance(block, Sampled):
+            chosen |= set(range(start, min(end, start + CHECKED)))
+        start = end
+    return sorted(chosen)
 
 
 def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[CaseFault]:
@@ -276,14 +328,3 @@ def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[Ca
         wrong = "the case has several rows of balls"
     if wrong is not None:
         yield CaseFault(("compute",), f"point {number}: {wrong}", 'allowed: "run"')
-
-
-def point_key(resolved: dict[str, Any], file: SweepFile) -> str:
-    """Name of a point: a hash of all its results depend on, the program's version included."""
-    without = BESIDE_TRACTION_TABLES if file.compute == "table" else DESCRIBING
-    content = {key: value for key, value in resolved.items() if key not in without}
-    whole: dict[str, Any] = {"case": content, "compute": file.compute, "fields": file.fields}
-    whole |= {"oilfilm": version(), "format": FORMAT}
-    if file.compute == "table":
-        whole["table_points"] = file.table_points
-    return digest(document_text(whole))

@@ -1,80 +1,68 @@
-"""One point of a batch, computed in a worker: plain data in, plain data out."""
+"""Points of a batch, computed in a worker: plain data in, plain data out."""
 
 import atexit
-import json
 import shutil
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
-from types import MappingProxyType
-from typing import Any
+
+from postprocess.batch.records import FAILED, Record, record_of
 
 from ..format.case import case_of_document
-from ..version import version
 from .compute import Computed, compute
-from .contact_cache import cached_solver
-from .keys import digest
+from .keys import digest, value_in
+from .limits import limited
 from .points import Receipt, Task
-from .store import (
-    CONTACTS,
-    DONE,
-    FAILED,
-    damaged_file,
-    read_point,
-    record_digest,
-    write_file,
-    write_point,
-)
+from .program import program_digest
+from .shared.contact_cache import cached_solver
+from .store import CONTACTS, write_file, write_files
 
-EMPTY: Mapping[str, bytes] = MappingProxyType({})
+
+def compute_block(tasks: Sequence[Task], tables: bytes | None = None) -> tuple[Receipt, ...]:
+    """Compute points one after the other, see `compute_point`."""
+    return tuple(compute_point(task, tables) for task in tasks)
 
 
 def compute_point(task: Task, tables: bytes | None = None) -> Receipt:
-    """Compute a point and, if the folder can be reached, write it before anything else is begun.
+    """Compute a point; its own files are written if the folder can be reached.
 
     `tables` is the content of the file of traction tables where that cannot be reached. What a
     point fails with is recorded; an error of the folder itself (disk full) is raised.
     """
     folder = None if task.folder is None else Path(task.folder)
-    if task.program != version():
+    if task.program != program_digest():
         raise RuntimeError(
-            f"a worker has oilfilm {version()}, the batch was started with {task.program}"
+            f"a worker has oilfilm of code {program_digest()}, the batch was started with code "
+            f"{task.program}; install the same on both"
         )
-    known = None if folder is None else read_point(folder, task.key)
-    done = known is not None and known["status"] == DONE
-    if done and folder is not None and not damaged_file(folder, task.key):
-        return Receipt(DONE)
     try:
-        summary, files = _computed(task, folder, tables)
-        receipt = Receipt(DONE, {**files, **record(task.key, DONE, "", summary, files)})
+        with limited(task.limits):
+            summary, files = _computed(task, folder, tables)
+        values = {key: value_in(summary["case"], key) for key in task.keys}
+        named = {name: digest(data) for name, data in files.items()}
+        record = record_of(task.key, summary, values, named)
+    except MemoryError:
+        return failure(task.key, FAILED, _beyond_memory(task))
     except Exception as error:  # one point must not stop the others
         text = " ".join(str(error).split()) or type(error).__name__
-        receipt = failure(task.key, FAILED, f"{type(error).__name__}: {text}"[:500])
+        return failure(task.key, FAILED, f"{type(error).__name__}: {text}"[:500])
     if folder is None:
-        return receipt
-    write_point(folder, task.key, receipt.files)
-    return Receipt(receipt.status)
+        return Receipt(record, files)
+    write_files(folder, task.key, files)
+    return Receipt(record)
 
 
-def record(
-    key: str,
-    status: str,
-    message: str = "",
-    summary: dict[str, Any] | None = None,
-    files: Mapping[str, bytes] = EMPTY,
-) -> dict[str, bytes]:
-    """The file that says what became of a point, by its suffix, with digests of the others."""
-    content: dict[str, Any] = {"key": key, "status": status, "message": message}
-    content |= {"summary": summary, "files": {name: digest(data) for name, data in files.items()}}
-    plain = json.loads(json.dumps(content, allow_nan=False))
-    plain["digest"] = record_digest(plain)
-    return {".json": json.dumps(plain, ensure_ascii=False).encode()}
+def _beyond_memory(task: Task) -> str:
+    """What a point says that asked for more memory than there is."""
+    if task.limits.memory is None:
+        return "MemoryError: the machine has no more memory for this point"
+    return f"MemoryError: the point needs more than its {task.limits.memory:g} GB of memory"
 
 
 def failure(key: str, status: str, message: str) -> Receipt:
     """Of a point that has no result."""
-    return Receipt(status, record(key, status, message))
+    return Receipt(Record(key=key, status=status, message=message))
 
 
 def _computed(task: Task, folder: Path | None, content: bytes | None) -> Computed:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import os
+import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -18,14 +21,17 @@ from .app import Json, Output, Quiet, app
 from .cost import batch_cost, tell_cost
 from .output import held_directory, report
 from .progress import progress_bar
-from .terminal import FAILED, guarded
+from .terminal import FAILED, NOT_CONVERGED, guarded, print_json
 
 if TYPE_CHECKING:
+    from postprocess.batch.columns import Columns
     from postprocess.batch.results import BatchResults
 
+    from ..batch.engine import Batch, Choice
     from ..batch.points import Sweep
     from ..batch.pools import Pool
 
+MOST_TOLD = 10  # points without a result that are named
 Workers = Annotated[
     int | None, typer.Option(min=1, metavar="N", help="Processes; default: cores.")
 ]
@@ -33,6 +39,34 @@ Scheduler = Annotated[
     str | None,
     typer.Option(metavar="ADDRESS", help="Compute on the Dask cluster of this scheduler instead."),
 ]
+ExecutorName = Annotated[
+    str | None,
+    typer.Option(
+        metavar="MODULE:FUNCTION", help="Compute on the executor that this function makes."
+    ),
+]
+ShardName = Annotated[
+    str | None,
+    typer.Option(metavar="I/N", help="Compute share I of N only, beside the others; no results."),
+]
+PointSeconds = Annotated[
+    float | None, typer.Option(min=0.001, metavar="S", help="Most time of a point [s].")
+]
+PointMemory = Annotated[
+    float | None, typer.Option(min=0.001, metavar="GB", help="Most memory of a point [GB].")
+]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Wanted:
+    """What is written beside the results, and where they are computed."""
+
+    workers: int | None
+    scheduler: str | None
+    executor: str | None
+    plot: bool
+    parquet: bool
+    csv: bool
 
 
 @app.command()
@@ -44,40 +78,134 @@ def batch(  # noqa: PLR0913
     output: Output = None,
     workers: Workers = None,
     scheduler: Scheduler = None,
+    executor: ExecutorName = None,
     resume: Annotated[
         bool, typer.Option("--resume", help="Take over the finished points in DIR.")
     ] = False,
+    retry_failed: Annotated[
+        bool, typer.Option("--retry-failed", help="Only the points that failed or were lost.")
+    ] = False,
+    shard: ShardName = None,
+    collect: Annotated[
+        bool, typer.Option("--collect", help="Compute nothing; results of all points in DIR.")
+    ] = False,
+    point_seconds: PointSeconds = None,
+    point_memory: PointMemory = None,
     plot: Annotated[
         bool, typer.Option("--plot", help="Draw torque and film over the varied keys.")
+    ] = False,
+    keep_json: Annotated[
+        bool, typer.Option("--keep-json", help="Also the summary of each point as a file.")
+    ] = False,
+    parquet: Annotated[
+        bool, typer.Option("--parquet", help="Also the table as batch.parquet.")
+    ] = False,
+    csv: Annotated[
+        bool, typer.Option("--csv", help="batch.csv also of more than 100000 points.")
     ] = False,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> int:
     """Run many points of one case: factorial, listed, sampled."""
-    from ..batch.engine import run_batch
-    from ..batch.results import gathered, write_batch
+    from ..batch.engine import Choice
+    from ..batch.points import Limits
+    from ..batch.results import collected
+    from ..batch.shards import ALONE, shard_of
     from ..batch.sweep import read_sweep
 
-    if workers is not None and scheduler is not None:
-        raise CaseError("--workers, --scheduler: found together; allowed: one of them")
+    wanted = _Wanted(
+        workers=workers,
+        scheduler=scheduler,
+        executor=executor,
+        plot=plot,
+        parquet=parquet,
+        csv=csv,
+    )
+    limits = Limits(seconds=point_seconds, memory=point_memory)
+    _check(wanted, limits, alone=shard is None)
+    choice = Choice(
+        resume=resume or retry_failed or collect or shard is not None,
+        only_failed=retry_failed,
+        shard=ALONE if shard is None else shard_of(shard),
+        limits=limits,
+        keep_json=keep_json,
+    )
     plan = read_sweep(sweep)
-    keep = output is not None or resume or not as_json
-    with _folder(output or Path(f"{Path(sweep).stem}_results"), keep=keep) as directory:
-        _tell(plan, workers, quiet=quiet)
-        with _kept(directory if keep else None):
-            with progress_bar(quiet=quiet) as progress:
-                pool = _pool(plan, workers, scheduler)
-                done = run_batch(plan, directory, pool, resume=resume, progress=progress)
-            results = gathered(done)
-            with finish_first(f"results in {directory}"):
-                write_batch(results, directory)
-                if plot:
-                    _plot(results, directory)
-        return _report(results, directory if keep else None, as_json, quiet)
+    keep = output is not None or choice.resume or not as_json
+    directory = output or Path(f"{Path(sweep).stem}_results")
+    with _folder(directory, keep=keep, shared=shard is not None) as folder:
+        done = _computed(plan, folder, wanted, choice, _Told(keep, quiet, not collect))
+        if shard is not None:
+            return _report_shard(done, choice, as_json=as_json, quiet=quiet)
+        with _kept(folder if keep else None), collected(done) as (results, columns):
+            _write(results, columns, folder, wanted)
+            return _report(results, columns, folder if keep else None, as_json, quiet)
 
 
-def _tell(plan: Sweep, workers: int | None, *, quiet: bool) -> None:
-    """Say what the points will take, from the first of them."""
+@dataclass(frozen=True, slots=True)
+class _Told:
+    """Whether the folder stays, whether there is silence, whether points are computed."""
+
+    keep: bool
+    quiet: bool
+    compute: bool
+
+
+def _check(wanted: _Wanted, limits: Any, *, alone: bool) -> None:
+    """`CaseError` for options that exclude each other, and for libraries that are not there."""
+    names = ("workers", "scheduler", "executor")
+    given = [f"--{name}" for name in names if getattr(wanted, name) is not None]
+    if len(given) > 1:
+        raise CaseError(f"{', '.join(given)}: found together; allowed: one of them")
+    if wanted.scheduler is not None and (limits.seconds or limits.memory):
+        allowed = "allowed: the limits of Dask, distributed.worker.memory and --lifetime"
+        raise CaseError(f"--point-seconds, --point-memory: found with --scheduler; {allowed}")
+    if not alone and (wanted.plot or wanted.parquet or wanted.csv):
+        allowed = "allowed with --collect, when all shards are done"
+        raise CaseError(f"--plot, --parquet, --csv: found with --shard; {allowed}")
+    if wanted.parquet:
+        try:
+            import pyarrow  # noqa: F401
+        except ImportError:
+            needed = "pip install 'oilfilm[parquet]'"
+            raise CaseError(f"--parquet: needs the package pyarrow: {needed}") from None
+
+
+def _computed(plan: Sweep, directory: Path, wanted: _Wanted, choice: Choice, told: _Told) -> Batch:
+    """Compute the points that are wanted; none where results are only collected."""
+    from ..batch.engine import computed_before, run_batch
+
+    if not told.compute:
+        return computed_before(plan, directory)
+    _tell(plan, wanted.workers, choice.shard.count, quiet=told.quiet)
+    with _kept(directory if told.keep else None), progress_bar(quiet=told.quiet) as progress:
+        return run_batch(plan, directory, _pool(plan, wanted), choice, progress=progress)
+
+
+def _write(results: BatchResults, columns: Columns, directory: Path, wanted: _Wanted) -> None:
+    """Write the results of all points."""
+    from ..batch import results as files
+
+    with finish_first(f"results in {directory}"):
+        table = wanted.csv or len(columns.source) <= files.MOST_LINES
+        files.write_batch(results, directory, columns, _others(wanted), table=table)
+        if wanted.plot:
+            _plot(results, directory)
+
+
+def _others(wanted: _Wanted) -> dict[str, Callable[[Columns, Path], None]]:
+    """Writers of further files."""
+    if not wanted.parquet:
+        return {}
+    from postprocess.batch.parquet import write_batch_parquet
+
+    from ..batch.store import PARQUET
+
+    return {PARQUET: write_batch_parquet}
+
+
+def _tell(plan: Sweep, workers: int | None, shards: int, *, quiet: bool) -> None:
+    """Say what the points of one of the shards will take, from the first of all."""
     from ehl.multigrid.threads import cores
 
     from ..format.case import case_of_document
@@ -85,17 +213,18 @@ def _tell(plan: Sweep, workers: int | None, *, quiet: bool) -> None:
     if quiet or len(plan.points) < 2:
         return
     first = case_of_document(plan.points[0].document)
-    what, seconds = batch_cost(first, len(plan.points), plan.compute)
+    points = max(1, len(plan.points) // shards)
+    what, seconds = batch_cost(first, points, plan.compute)
     count = workers or cores()
     tell_cost((f"{what}, {count} at a time", seconds / count), quiet=quiet)
     say("oilfilm: the time left is shown from the first point on")
 
 
 @contextmanager
-def _folder(directory: Path, *, keep: bool) -> Iterator[Path]:
+def _folder(directory: Path, *, keep: bool, shared: bool) -> Iterator[Path]:
     """The folder of the batch; one that goes away where only the JSON is wanted."""
     if keep:
-        yield held_directory(directory)
+        yield held_directory(directory, shared=shared)
         return
     with scratch_folder() as temporary:
         yield temporary
@@ -104,29 +233,32 @@ def _folder(directory: Path, *, keep: bool) -> Iterator[Path]:
 @contextmanager
 def _kept(directory: Path | None) -> Iterator[None]:
     """Say what is left of a batch that was stopped, or that the machine failed."""
-    from ..batch.store import POINTS
+    from ..batch.store import has_points
 
     try:
         yield
     except (KeyboardInterrupt, OSError) as stop:
-        if directory is not None and any((directory / POINTS).glob("*.json")):
+        if directory is not None and has_points(directory):
             full = is_disk_failure(stop)
             go_on = f"{'make room, then ' if full else ''}continue with --resume"
             say(f"finished points are kept in {directory}; {go_on}")
         raise
 
 
-def _pool(plan: Sweep, workers: int | None, scheduler: str | None) -> Callable[[], Pool]:
+def _pool(plan: Sweep, wanted: _Wanted) -> Callable[[], Pool]:
     def start() -> Pool:
         from ehl.multigrid.threads import cores
 
-        from ..batch.pools import ClusterPool, LocalPool
+        from ..batch.pools import ClusterPool, ExecutorPool, LocalPool
         from ..runs.kernel_cache import compiled_stamp
 
-        if scheduler is not None:
-            return ClusterPool(scheduler)
-        models = {str(point.resolved.get("ehl", {}).get("film_model")) for point in plan.points}
-        return LocalPool(workers or cores(), compiled_stamp(f"{plan.compute} {sorted(models)}"))
+        if wanted.scheduler is not None:
+            return ClusterPool(wanted.scheduler)
+        if wanted.executor is not None:
+            sys.path.insert(0, os.getcwd())  # where a user's own module is
+            return ExecutorPool(wanted.executor)
+        stamp = compiled_stamp(f"{plan.compute} {list(plan.film_models)}")
+        return LocalPool(wanted.workers or cores(), stamp)
 
     return start
 
@@ -134,20 +266,46 @@ def _pool(plan: Sweep, workers: int | None, scheduler: str | None) -> Callable[[
 def _plot(results: BatchResults, directory: Path) -> None:
     from postprocess.batch.plots import write_batch_plots
 
+    if results.counts is not None:
+        say("oilfilm: plots: not drawn of more than 10000 points; batch.parquet has them")
+        return
     for problem in write_batch_plots(results, directory):
         say(f"oilfilm: {problem}")
 
 
-def _report(results: BatchResults, directory: Path | None, as_json: bool, quiet: bool) -> int:
+def _report_shard(done: Batch, choice: Choice, *, as_json: bool, quiet: bool) -> int:
+    """Say how the points of a shard ended."""
+    from ..batch.results import shard_counts
+
+    counts = shard_counts(done, choice.shard)
+    if as_json:
+        print_json({"kind": "shard", "shard": str(choice.shard), **counts})
+    failed = counts["failed"] + counts["lost"]
+    if not quiet or failed:
+        named = (f"{number} {name}" for name, number in counts.items() if number)
+        words = ", ".join(named) or "no points"
+        say(f"oilfilm: shard {choice.shard} in {done.directory}: {words}")
+    if counts["lost"]:
+        return FAILED
+    return NOT_CONVERGED if counts["converged"] < counts["points"] else 0
+
+
+def _report(
+    results: BatchResults, columns: Columns, directory: Path | None, as_json: bool, quiet: bool
+) -> int:
     """Print summary or table; exit code, in which a lost worker is a failure of the machine."""
-    from postprocess.batch.summary import batch_summary
+    from postprocess.batch.summary import batch_summary, counts_of
     from postprocess.batch.table import batch_table
 
-    document = batch_summary(results)
-    code = report(document, lambda: batch_table(results), directory, as_json, quiet)
-    failed = [point for point in results.points if point.summary is None]
+    document = batch_summary(results, columns)
+    code = report(document, lambda: batch_table(results, columns), directory, as_json, quiet)
+    counts = results.counts or counts_of(results)
+    failed = counts.points - counts.done
     if failed:
-        say(f"oilfilm: {len(failed)} of {len(results.points)} points have no result:")
-        for point in failed[:10]:
+        say(f"oilfilm: {failed} of {counts.points} points have no result:")
+        named = [point for point in results.points if point.summary is None]
+        for point in named[:MOST_TOLD]:
             say(f"  point {point.number} ({point.label}): {point.message}")
-    return FAILED if any(point.status == "lost" for point in failed) else code
+        for message, number in counts.reasons:
+            say(f"  {number}: {message}")
+    return FAILED if counts.lost else code

@@ -271,7 +271,7 @@ def _films_kept(path: Path | None) -> Iterator[FilmSampler]:
     """Solves films and keeps them beside the table until that is complete."""
     from ehl.traction.table.film import film_sample
 
-    from ..batch.table_films import forget_films, kept_films
+    from ..batch.shared.table_films import forget_films, kept_films
 
     if path is None:
         yield film_sample

@@ -48,13 +48,15 @@ def results_directory(case: str, output: Path | None, as_json: bool) -> Path | N
     return directory
 
 
-def held_directory(directory: Path) -> Path:
-    """A folder that can be written, held against other programs until the command ends."""
+def held_directory(directory: Path, *, shared: bool = False) -> Path:
+    """A folder that can be written, held against other programs until the command ends; `shared`
+    with those that write parts of it of their own.
+    """
     from ..runs.output_directory import check_output
     from ..runs.output_lock import one_writer
 
     check_output(directory)
-    hold(one_writer(directory))
+    hold(one_writer(directory, shared=shared))
     return directory
 
 

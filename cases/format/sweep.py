@@ -37,6 +37,34 @@ class HypercubeOptions(Table):
     seed: int = between(0, 2**63 - 1, "of the random numbers: other seed, other points", 58_201)
 
 
+class SampleOptions(Table):
+    """Options of [sample], beside the keys it draws."""
+
+    method: Literal["sobol", "latin hypercube", "random"] = described(
+        "Sobol sequence, scrambled, of 2^k samples; Latin hypercube; random", "latin hypercube"
+    )
+    samples: int = between(1, 10_000_000, "points", ...)
+    seed: int = between(0, 2**63 - 1, "of the random numbers: other seed, other points", 58_201)
+    correlations: tuple[Any, ...] = described(
+        "[key, key, number] of keys that are correlated, by a Gaussian copula", (), strict=False
+    )
+
+
+class MorrisOptions(Table):
+    """Options of [morris], beside the keys it screens."""
+
+    trajectories: int = between(2, 10_000, "each of one point more than there are keys", 10)
+    levels: Literal[4, 6, 8, 10] = described("of each key", 4)
+    seed: int = between(0, 2**63 - 1, "of the random numbers", 58_201)
+
+
+class SobolOptions(Table):
+    """Options of [sobol_indices], beside the keys whose shares of the variance are wanted."""
+
+    samples: int = between(4, 2**22, "a power of 2; the points are this times keys + 2", ...)
+    seed: int = between(0, 2**63 - 1, "of the random numbers", 58_201)
+
+
 class SensitivityTable(Table):
     """Finite differences about the case: each key by itself, up and down."""
 
@@ -66,5 +94,12 @@ class SweepFile(Table):
     combinations: tuple[dict[str, Any], ...] = described("points, a table each", (), strict=False)
     latin_hypercube: Annotated[tuple[dict[str, Any], ...], BeforeValidator(_as_list)] = described(
         "[first, last] by key, sampled; several tables add up", (), strict=False
+    )
+    sample: Annotated[tuple[dict[str, Any], ...], BeforeValidator(_as_list)] = described(
+        "ranges or distributions by key, drawn at random; several tables add up", (), strict=False
+    )
+    morris: dict[str, Any] | None = described("ranges by key, screened after Morris", None)
+    sobol_indices: dict[str, Any] | None = described(
+        "ranges or distributions by key, whose shares of the variance are computed", None
     )
     sensitivity: SensitivityTable | None = None

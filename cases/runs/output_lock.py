@@ -30,18 +30,23 @@ TEMPORARY = ".partial"  # end of the name of a folder that is being written
 
 
 @contextmanager
-def one_writer(target: Path) -> Iterator[None]:
-    """Hold a folder or a file against other programs; `CaseError` if one writes it already."""
+def one_writer(target: Path, *, shared: bool = False) -> Iterator[None]:
+    """Hold a folder or a file against other programs; `CaseError` if one writes it already.
+
+    `shared`: against those only that want it for themselves.
+    """
     target = target.absolute()
     lock = home(target) / f".{target.name}.lock"
-    handle = _locked(lock, target)
+    handle = _locked(lock, target, shared=shared)
     if handle is None:  # no locks on this file system
         yield
         return
-    release = partial(_release, lock, handle)
+    # others may hold the file, too, whom the next one would not find without it
+    release = partial(os.close, handle) if shared else partial(_release, lock, handle)
     atexit.register(release)  # also where the program ends in the middle of the work
     try:
-        sweep_left_over(target)
+        if not shared:
+            sweep_left_over(target)
         yield
     finally:
         atexit.unregister(release)
@@ -112,7 +117,7 @@ def _remove_unlocked(folder: Path) -> None:
         os.close(handle)
 
 
-def _locked(lock: Path, target: Path) -> int | None:
+def _locked(lock: Path, target: Path, *, shared: bool) -> int | None:
     """Handle of the lock file, whose lock is held; None where there are no locks."""
     if sys.platform == "win32":
         return None
@@ -123,7 +128,8 @@ def _locked(lock: Path, target: Path) -> int | None:
             reason = error.strerror or error
             raise CaseError(f"{target}: cannot be written: {reason}") from None
         try:
-            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            kind = fcntl.LOCK_SH if shared else fcntl.LOCK_EX
+            fcntl.flock(handle, kind | fcntl.LOCK_NB)
         except BlockingIOError:
             os.close(handle)
             used = "another oilfilm is writing there; wait for its end, or choose another -o"

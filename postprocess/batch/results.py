@@ -30,6 +30,34 @@ class BatchPoint:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Design:
+    """A block of points that belong together: its keys, and the samples or trajectories of it.
+
+    `start`: place of its first point among all, counted from 0.
+    """
+
+    block: str
+    keys: tuple[str, ...]
+    samples: int
+    start: int = 0
+    ranges: tuple[tuple[float, float], ...] = ()  # of the keys, in their units
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Counts:
+    """How the points of a batch ended."""
+
+    points: int
+    done: int
+    failed: int
+    lost: int
+    missing: int
+    converged: int
+    resumed: int
+    reasons: tuple[tuple[str, int], ...] = ()  # messages of those without a result, most first
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class BatchResults:
     """A whole batch: `sweep` is the text of its file, `case` the name of the case it varies.
 
@@ -46,8 +74,13 @@ class BatchResults:
     assumed: tuple[str, ...] = ()
     plot: tuple[str, ...] = ()
     timing: dict[str, float] = field(default_factory=dict)
+    with_json: bool = False  # whether the summary of each point is a file, too
+    designs: tuple[Design, ...] = ()
+    counts: Counts | None = None  # of all points, where `points` are only some of them
 
     @property
     def converged(self) -> bool:
         """Whether every point converged."""
+        if self.counts is not None:
+            return self.counts.converged == self.counts.points
         return all(point.converged for point in self.points)

@@ -5,10 +5,15 @@ from typing import Any
 
 import numpy as np
 
+from ehl.arrays import Array
+
 from ..main_results import main_results
+from .columns import Columns
+from .indices import known, main_values
 from .results import BatchPoint, BatchResults
 
 QUANTILES = (0.05, 0.5, 0.95)
+SAMPLED = ("latin_hypercube", "sample")  # blocks of points drawn at random
 FEWEST = 5  # sampled points that bands need
 
 
@@ -59,23 +64,38 @@ def _results(
     return rows
 
 
-def bands(results: BatchResults) -> dict[str, dict[str, float]]:
-    """Spread of the main results over the points of [latin_hypercube].
+def bands(columns: Columns) -> dict[str, dict[str, Any]]:
+    """Spread of the main results over the sampled points that converged.
 
     For every one `points` [-], and in its unit `mean`, `standard_deviation` and the quantiles
-    `q05`, `q50`, `q95`; empty with fewer than five points.
+    `q05`, `q50`, `q95`, each with the ends of its interval of 95 % (`q05_low`, `q05_high`), null
+    where so few points do not bound it; empty with fewer than five points.
     """
-    sampled = [point for point in results.points if point.block == "latin_hypercube"]
-    rows = [main_results(point.summary) for point in sampled if point.converged]
-    spread = {}
-    for name in dict.fromkeys(name for row in rows for name in row):
-        values = [row[name] for row in rows if row.get(name) is not None]
-        if len(values) >= FEWEST and "_uncertainty_" not in name:
-            low, middle, high = np.quantile(values, QUANTILES)
+    names, values, blocks = main_values(columns)
+    sampled = values[np.isin(blocks, SAMPLED)]
+    spread: dict[str, dict[str, Any]] = {}
+    for name, column in zip(names, sampled.T, strict=True):
+        known = column[~np.isnan(column)]
+        if known.size >= FEWEST:
             spread[name] = {
-                "points": len(values),
-                "mean": float(np.mean(values)),
-                "standard_deviation": float(np.std(values, ddof=1)),
-                **{"q05": float(low), "q50": float(middle), "q95": float(high)},
+                "points": int(known.size),
+                "mean": float(np.mean(known)),
+                "standard_deviation": float(np.std(known, ddof=1)),
+                **_quantiles(known),
             }
     return spread
+
+
+def _quantiles(values: Array) -> dict[str, float | None]:
+    """Quantiles with their intervals by order statistics (Conover 1999, sec. 3.2), which are those
+    of independent points; of a hypercube or a Sobol sequence they are rather too wide.
+    """
+    from scipy.stats import quantile_test
+
+    found: dict[str, float | None] = {}
+    for share, value in zip(QUANTILES, np.quantile(values, QUANTILES), strict=True):
+        name = f"q{round(100 * share):02d}"
+        ends: Any = quantile_test(values, p=share).confidence_interval(0.95)
+        found[name] = float(value)
+        found |= {f"{name}_low": known(ends.low), f"{name}_high": known(ends.high)}
+    return found

@@ -4,34 +4,30 @@ from collections.abc import Iterator
 from typing import Any
 
 from ..main_results import main_results
-from .results import BatchPoint, BatchResults
+from .columns import Columns, InMemory, columns_of
+from .indices import design_documents
+from .numbers import scalar_numbers
+from .records import FAILED, LOST
+from .results import BatchPoint, BatchResults, Counts
 from .sensitivity import bands, sensitivities
 
-NOT_NUMBERS = frozenset(
-    "case oilfilm messages balls contacts stiffness points domain nodes surface "
-    # times depend on the machine
-    "timing_s wall_s critical_curves minimum_preload".split()
-)
 # of a point: name in the summary and in the table, attribute
 STATE = {"point": "number", "block": "block", "status": "status", "converged": "converged"}
-MOST_COMPONENTS = 3  # of a vector, each a column
+COUNTS = ("points", "done", "failed", "lost", "missing", "converged")
 MOST_NAMED = 10  # points listed in a message
 OUTSIDE = "outside loads or speeds of the tables"  # of a point's messages
 
 
-def batch_summary(results: BatchResults) -> dict[str, Any]:
-    """The document of a batch: each point with its keys and main results, or its message."""
-    points = [
-        {name: getattr(point, attribute) for name, attribute in STATE.items()}
-        | {
-            "keys": point.values,
-            "resumed": point.resumed,
-            "message": point.message or None,
-            **main_results(point.summary),
-            "file": f"points/{point.key}.json",
-        }
-        for point in results.points
-    ]
+def batch_summary(results: BatchResults, columns: Columns | None = None) -> dict[str, Any]:
+    """The document of a batch: each point with its keys and main results, or its message.
+
+    Of a batch too large to list, `points` is null; `columns` are those of all points, made of
+    `results` if left out.
+    """
+    columns = columns or columns_of(InMemory(results))
+    counts = results.counts or counts_of(results)
+    whole = results.counts is None
+    points = [_entry(results, point) for point in results.points] if whole else None
     return {
         "oilfilm": results.version,
         "kind": "batch",
@@ -40,15 +36,55 @@ def batch_summary(results: BatchResults) -> dict[str, Any]:
         "sweep": results.sweep,
         "assumed": list(results.assumed),
         "converged": results.converged,
-        "messages": [*results.messages, *_messages(results)],
+        "messages": [*results.messages, *(_messages(results) if whole else _counted(counts))],
         "keys": list(results.keys),
         "points": points,
+        "counts": {name: getattr(counts, name) for name in COUNTS},
         "sensitivity": sensitivities(results),
-        "bands": bands(results),
-        "resumed": sum(point.resumed for point in results.points),
-        "failed": sum(point.summary is None for point in results.points),
+        "bands": bands(columns),
+        **design_documents(columns, results.designs),
+        "resumed": counts.resumed,
+        "failed": counts.failed + counts.lost + counts.missing,
         "timing_s": results.timing,
     }
+
+
+def _entry(results: BatchResults, point: BatchPoint) -> dict[str, Any]:
+    """A point in the list of the summary."""
+    return {name: getattr(point, attribute) for name, attribute in STATE.items()} | {
+        "keys": point.values,
+        "resumed": point.resumed,
+        "message": point.message or None,
+        **main_results(point.summary),
+        "key": point.key,
+        "file": f"points/{point.key}.json" if results.with_json else None,
+    }
+
+
+def counts_of(results: BatchResults) -> Counts:
+    """How the points of results in memory ended."""
+    points = results.points
+    done = sum(point.summary is not None for point in points)
+    failed, lost = (sum(point.status == own for point in points) for own in (FAILED, LOST))
+    return Counts(
+        points=len(points),
+        done=done,
+        failed=failed,
+        lost=lost,
+        missing=len(points) - done - failed - lost,
+        converged=sum(point.converged for point in points),
+        resumed=sum(point.resumed for point in points),
+    )
+
+
+def _counted(counts: Counts) -> Iterator[str]:
+    """What a batch says whose points are too many to be listed."""
+    yield f"points: null, {counts.points} points are listed in the other files only"
+    off = counts.done - counts.converged
+    if off:
+        yield f"{off} of {counts.points} points not converged; column converged of the table"
+    for message, number in counts.reasons[:MOST_NAMED]:
+        yield f"{number} points without a result, as: {message}"
 
 
 def _messages(results: BatchResults) -> Iterator[str]:
@@ -75,47 +111,6 @@ def _is_outside(point: BatchPoint) -> bool:
     return any(OUTSIDE in message for message in (point.summary or {}).get("messages", ()))
 
 
-def scalar_numbers(summary: dict[str, Any], path: str = "") -> dict[str, float]:
-    """Every single number of a summary by its dotted path; parts of vectors as .x, .y, .z."""
-    numbers: dict[str, float] = {}
-    for key, value in summary.items():
-        name = f"{path}.{key}" if path else key
-        if key in NOT_NUMBERS:
-            continue
-        if isinstance(value, dict):
-            numbers |= scalar_numbers(value, name)
-        elif isinstance(value, bool | int | float):
-            numbers[name] = value
-        elif isinstance(value, list) and 0 < len(value) <= MOST_COMPONENTS:
-            parts = zip(components(key, len(value)), value, strict=True)
-            numbers |= {f"{name}.{axis}": v for axis, v in parts if isinstance(v, int | float)}
-    return numbers
-
-
 def point_numbers(point: BatchPoint) -> dict[str, Any]:
     """Every single number of a point by the name that it has in the table of the batch."""
     return scalar_numbers(point.summary or {}) | main_results(point.summary)
-
-
-def components(key: str, count: int) -> tuple[str, ...]:
-    """Names of the components of a short list: of a vector, a tilt, or the ends of a range."""
-    if count == MOST_COMPONENTS:
-        return ("x", "y", "z")
-    return (("y", "z") if key.startswith(("tilt", "ring_moment")) else ("first", "last"))[:count]
-
-
-def results_as_columns(results: BatchResults) -> dict[str, list[Any]]:
-    """A list of all points for each column of the batch; None where a point has no value."""
-    main = [main_results(point.summary) for point in results.points]
-    every = [scalar_numbers(point.summary or {}) for point in results.points]
-    columns: dict[str, list[Any]] = {
-        name: [getattr(point, attribute) for point in results.points]
-        for name, attribute in STATE.items()
-    }
-    columns |= {key: [point.values.get(key) for point in results.points] for key in results.keys}
-    for table in (main, every):
-        names = dict.fromkeys(name for row in table for name in row)
-        columns |= {
-            name: [row.get(name) for row in table] for name in names if name not in columns
-        }
-    return columns

@@ -1,5 +1,6 @@
 """A batch as a table for a terminal of 80 columns."""
 
+from collections.abc import Iterator
 from typing import Any
 
 from rich.console import Group
@@ -11,16 +12,26 @@ from ehl.units import unit_symbol, without_unit
 from ..main_results import BATCH_COLUMNS, LIVES, MAIN_QUANTITY, main_results
 from ..table import number_table
 from ..text import NOTHING, in_figures, number
+from .columns import Columns, InMemory, columns_of
+from .indices import MORRIS, SOBOL, design_documents
 from .results import BatchPoint, BatchResults
 from .sensitivity import bands, sensitivities
 
 MOST_ROWS = 40  # of the terminal's table; the files have all
 WIDTH = 80
+MOST_INDICES = 3  # results whose indices fit beside the keys
 CELL = 10  # characters of a column of results
 
 
-def batch_table(results: BatchResults) -> Group:
-    """The points of a batch, the ends of many, with the results that fit beside the keys."""
+def batch_table(results: BatchResults, columns: Columns | None = None) -> Group:
+    """The points of a batch, the ends of many, with the results that fit beside the keys; of one
+    too large to list, how many there are, and the bands over its `columns`.
+    """
+    columns = columns or columns_of(InMemory(results))
+    if results.counts is not None:
+        text = f"{results.counts.points} points, {results.counts.converged} converged"
+        title = Text(results.title, style="bold")
+        return Group(title, text, *_uncertainties(results, columns))
     main = [main_results(point.summary) for point in results.points]
     given = {key: [point.values.get(key) for point in results.points] for key in results.keys}
     keys = [key for key, varied in given.items() if len({*map(str, varied)}) > 1]
@@ -45,10 +56,12 @@ def batch_table(results: BatchResults) -> Group:
     flags = {_flag(point) for point in results.points}
     meanings = {"!": "! not converged", "x": "x failed, see the messages"}
     notes = [text for flag, text in meanings.items() if flag in flags]
-    return Group(Text(results.title, style="bold"), table, *notes, *_uncertainties(results))
+    return Group(
+        Text(results.title, style="bold"), table, *notes, *_uncertainties(results, columns)
+    )
 
 
-def _uncertainties(results: BatchResults) -> list[Table]:
+def _uncertainties(results: BatchResults, columns: Columns) -> list[Table]:
     """Sensitivities to each key, and bands over sampled keys, of a few main results, if any."""
     tables = []
     changes = sensitivities(results)
@@ -64,7 +77,7 @@ def _uncertainties(results: BatchResults) -> list[Table]:
         title = "d ln(result)/d ln(key); ~: within the error bars"
         tables.append(number_table(headers, rows, ["key"], title=title))
         tables[-1].columns[0].no_wrap = False
-    spread = {name: band for name, band in bands(results).items() if name in BATCH_COLUMNS}
+    spread = {name: band for name, band in bands(columns).items() if name in BATCH_COLUMNS}
     if spread:
         rows = [
             [
@@ -74,8 +87,36 @@ def _uncertainties(results: BatchResults) -> list[Table]:
             for name, band in spread.items()
         ]
         headers = ["", "5 %", "median", "95 %"]
-        tables.append(number_table(headers, rows, [""], title="over the sampled points"))
-    return tables
+        count = min(band["points"] for band in spread.values())
+        title = f"over {count} sampled points"
+        tables.append(number_table(headers, rows, [""], title=title))
+    return [*tables, *_indices(design_documents(columns, results.designs))]
+
+
+def _indices(documents: dict[str, Any]) -> Iterator[Table]:
+    """Which key matters, for a few main results: by Sobol indices, by Morris' effects."""
+    kinds = {
+        SOBOL: ("total", "Sobol indices, total, and first ones in brackets"),
+        MORRIS: ("mean_magnitude", "mean magnitude of Morris' effects over the range of the key"),
+    }
+    for kind, (value, title) in kinds.items():
+        found = (documents[kind] or {}).get("results", {})
+        shown = {n: r for n, r in found.items() if n in BATCH_COLUMNS and isinstance(r, dict)}
+        names = list(shown)[-MOST_INDICES:]
+        if not names:
+            continue
+        rows = []
+        for key in (key for key in shown[names[0]] if key != "trajectories"):
+            cells = [number(shown[name][key][value], ".3g") for name in names]
+            if kind == SOBOL:
+                firsts = (f" ({number(shown[name][key]['first'], '.2f')})" for name in names)
+                cells = [cell + first for cell, first in zip(cells, firsts, strict=True)]
+            rows.append([key, *cells])
+        units = ["" if kind == SOBOL else f"\n{_unit(name)}" for name in names]
+        heads = [
+            MAIN_QUANTITY[name].symbol + unit for name, unit in zip(names, units, strict=True)
+        ]
+        yield number_table(["key", *heads], rows, ["key"], title=title)
 
 
 def _sensitivity(cell: dict[str, Any] | None) -> str:

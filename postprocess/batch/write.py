@@ -1,7 +1,7 @@
 """Files of a batch: every number of every point, as one table and one data set."""
 
 import json
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -10,44 +10,85 @@ import numpy as np
 from ehl.units import unit_of
 
 from ..files import write_csv
-from ..netcdf.groups import Variables, write_dataset
+from ..netcdf.groups import DatasetParts, Variables, write_dataset_in_parts
+from .columns import STATE, STATE_KINDS, Columns, Kinds, Numbers, Row
+from .records import BOOL, INTEGER, NOTHING
 from .results import BatchResults
-from .summary import results_as_columns
 
 RACES = ("inner", "outer")
+TYPES = {"bool": np.int8, "int": np.int64}
 
 
-def write_batch_csv(results: BatchResults, path: Path) -> None:
+def write_batch_csv(columns: Columns, path: Path) -> None:
     """Write one line for every point, units in the header, nothing for null."""
-    table = results_as_columns(results)
-    units = {name: _unit(name, values) for name, values in table.items()}
+    names = (*STATE, *columns.source.keys, *columns.names)
+    units = {name: column_unit(name, columns) for name in names}
     header = [f"{name} [{unit}]" if unit else name for name, unit in units.items()]
-    write_csv(path, header, zip(*table.values(), strict=True))
+    write_csv(path, header, _lines(columns))
 
 
-def _unit(name: str, values: Iterable[Any]) -> str:
+def _lines(columns: Columns) -> Iterator[tuple[Any, ...]]:
+    """The cells of every point."""
+    keys = columns.source.keys
+    for rows, values, kinds in columns.chunks():
+        cells = [_cells(values[:, k], kinds[:, k]) for k in range(values.shape[1])]
+        for row, numbers in zip(rows, zip(*cells, strict=True), strict=True):
+            state = (row.number, row.block, row.status, row.converged)
+            yield (*state, *(row.values.get(key) for key in keys), *numbers)
+
+
+def _cells(values: Numbers, kinds: Kinds) -> list[Any]:
+    """A column of a chunk as Python has it: truth values, whole numbers, None for null."""
+    found: list[Any] = values.tolist()
+    for kind in np.unique(kinds):
+        places = np.flatnonzero(kinds == kind)
+        if kind == NOTHING:
+            found = _replaced(found, places, lambda value: None)
+        elif kind in (BOOL, INTEGER):
+            found = _replaced(found, places, bool if kind == BOOL else int)
+    return found
+
+
+def _replaced(values: list[Any], places: Any, convert: Callable[[Any], Any]) -> list[Any]:
+    for place in places.tolist():
+        values[place] = convert(values[place])
+    return values
+
+
+def column_unit(name: str, columns: Columns) -> str:
     """Unit of a column; words and truth values have none."""
-    known = [value for value in values if value is not None]
-    return "" if known and all(isinstance(value, bool | str) for value in known) else unit_of(name)
+    kind = columns.kinds.get(name) or STATE_KINDS[name]
+    return "" if kind in ("bool", "word") else unit_of(name)
 
 
-def write_batch_netcdf(results: BatchResults, path: Path) -> None:
+def write_batch_netcdf(
+    columns: Columns, path: Path, results: BatchResults, *, whole: bool = True
+) -> None:
     """Write the table's columns over `point`, numbers of balls and contacts over ball and race.
 
     Units are attributes, the input of every point is the variable `case`; NaN for no value.
+    `whole`: with the numbers of balls and contacts and the input, of the points in `results`.
     """
-    variables: Variables = {}
+    keys = columns.source.keys
     # netCDF lists them with spaces between
-    coordinates = [key for key in results.keys if " " not in key]
-    for name, values in results_as_columns(results).items():
-        unit = _unit(name, values)
-        variables[name] = (("point",), _array(values), {"units": unit} if unit else {})
-    messages = [point.message for point in results.points]
-    cases = [json.dumps(point.case, ensure_ascii=False) for point in results.points]
-    variables["message"] = (("point",), _array(messages), {})
-    variables["case"] = (("point",), _array(cases), {"long_name": "input as run, JSON"})
-    variables |= _per_ball(results) | _per_contact(results)
-    attributes = {
+    coordinates = [key for key in keys if " " not in key]
+    units = {name: column_unit(name, columns) for name in (*STATE, *keys, *columns.names)}
+    attributes = {name: {"units": unit} if unit else {} for name, unit in units.items()}
+    kinds = {name: _type(name, columns) for name in units}
+    parts = DatasetParts(
+        dimension="point",
+        size=len(columns.source),
+        types=kinds | {"message": object},
+        attributes=attributes,
+        values=_parts(columns, kinds),
+    )
+    variables: Variables = {}
+    if whole:
+        cases = [json.dumps(point.case, ensure_ascii=False) for point in results.points]
+        array = np.array(cases, dtype=object)
+        variables["case"] = (("point",), array, {"long_name": "input as run, JSON"})
+        variables |= _per_ball(results) | _per_contact(results)
+    document = {
         "title": results.title,
         "oilfilm": results.version,
         "kind": "batch",
@@ -56,19 +97,46 @@ def write_batch_netcdf(results: BatchResults, path: Path) -> None:
         "keys": json.dumps(results.keys),
         "converged": int(results.converged),
     }
-    write_dataset(variables, attributes, path, coordinates)
+    write_dataset_in_parts(parts, variables, document, path, coordinates)
 
 
-def _array(values: list[Any]) -> np.ndarray[Any, Any]:
-    """Numbers as floats with NaN for None, truth values as bytes, everything else as text."""
-    known = [value for value in values if value is not None]
-    if known and all(isinstance(value, bool) for value in values):
-        return np.array(values, dtype=np.int8)
-    if known and all(isinstance(value, int) and not isinstance(value, bool) for value in values):
-        return np.array(values, dtype=np.int64)
-    if all(isinstance(value, int | float) for value in known):
+def _type(name: str, columns: Columns) -> type:
+    """Type of a column in netCDF: floats where a point has no value, else as they are."""
+    kind = columns.kinds.get(name) or STATE_KINDS[name]
+    if kind in TYPES and name not in columns.gaps:
+        return TYPES[kind]
+    return object if kind in ("word", "text") else float
+
+
+def _parts(columns: Columns, types: dict[str, type]) -> Iterator[dict[str, Any]]:
+    """Arrays of all columns, some thousand points at a time."""
+    keys = columns.source.keys
+    for rows, values, _ in columns.chunks():
+        part: dict[str, Any] = {
+            name: values[:, k].astype(types[name]) for k, name in enumerate(columns.names)
+        }
+        part |= {name: _array([r.values.get(name) for r in rows], types[name]) for name in keys}
+        yield part | _state(rows)
+
+
+def _state(rows: Sequence[Row]) -> dict[str, Any]:
+    """What became of the points."""
+    return {
+        "point": _array([row.number for row in rows], np.int64),
+        "block": _array([row.block for row in rows], object),
+        "status": _array([row.status for row in rows], object),
+        "converged": _array([row.converged for row in rows], np.int8),
+        "message": _array([row.message for row in rows], object),
+    }
+
+
+def _array(values: list[Any], kind: type) -> np.ndarray[Any, Any]:
+    """Values of a type; floats with NaN for None, text as such."""
+    if kind is object:
+        return np.array([_text(value) for value in values], dtype=object)
+    if kind is float:
         return np.array([np.nan if value is None else float(value) for value in values])
-    return np.array([_text(value) for value in values], dtype=object)
+    return np.array(values, dtype=kind)
 
 
 def _text(value: Any) -> str:

@@ -86,7 +86,9 @@ def _results(summary: dict[str, Any]) -> dict[str, Any]:
     if isinstance(values.get("balls"), list):
         values["balls"] = {f"ball {ball['ball']}": ball for ball in values["balls"]}
     if values.get("kind") == "batch":
-        values = {"points": {_point_name(point["keys"]): point for point in values["points"]}}
+        values = {
+            "points": {_point_name(point["keys"]): point for point in values["points"] or ()}
+        }
     return values
 
 

@@ -5,7 +5,7 @@ Loading xarray and its libraries takes longer than writing the fields of a beari
 
 import io
 import json
-from collections.abc import Collection
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -14,12 +14,14 @@ import h5netcdf
 import h5py
 import numpy as np
 
-from bearing.files import write_bytes
+from bearing.files import atomic_path, require_room, write_bytes
 
 # dimensions, values, attributes by name
 Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]]
 # of the netCDF file, raised when an older reader would misread it; 1: x along the entrainment
 FORMAT = 2
+ROOM = 24  # of a value that comes in parts, short texts included [bytes]
+MARGIN = 2**20  # of what HDF5 adds to the values [bytes]
 FIELDS_FILE = "results.nc"
 FIELDS = ("P", "h", "T", "filled")  # over the plane of a contact, as float32
 COMPRESSION: dict[str, Any] = {"compression": "gzip", "compression_opts": 4, "shuffle": True}
@@ -49,6 +51,60 @@ def write_groups(groups: dict[str, Group], path: Path) -> None:
         for name, group in groups.items():
             _write_group(file if name == "/" else file.create_group(name), group)
     write_bytes(path, content.getvalue())
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DatasetParts:
+    """Variables over one dimension that come some thousand values at a time.
+
+    `types`: of each variable, `object` for text; `attributes` of those that have any; `values`:
+    arrays of all variables, one part of the dimension after the other.
+    """
+
+    dimension: str
+    size: int
+    types: dict[str, type]
+    attributes: dict[str, dict[str, Any]]
+    values: Iterable[dict[str, Any]]
+
+
+def write_dataset_in_parts(
+    parts: DatasetParts,
+    variables: Variables,
+    attributes: dict[str, Any],
+    path: Path,
+    coordinates: Collection[str] = (),
+) -> None:
+    """Write a file of one group, as `write_dataset`, whose large variables come in parts.
+
+    OSError before anything is written where the disk has no room for them.
+    """
+    named = " ".join(name for name in coordinates if name in parts.types)
+    known = {"oilfilm_format": FORMAT} | ({"coordinates": named} if named else {})
+    plain = Group(variables=variables, attributes=attributes | known)
+    with atomic_path(path) as temporary:
+        # what HDF5 cannot write to a full disk may end the program
+        require_room(path.parent, ROOM * parts.size * len(parts.types) + _bytes(variables))
+        with h5netcdf.File(temporary, "w") as file:
+            file.dimensions[parts.dimension] = parts.size
+            _write_group(file, plain)
+            for name, kind in parts.types.items():
+                form: Any = h5py.string_dtype() if kind is object else np.dtype(kind)
+                variable = file.create_variable(name, (parts.dimension,), dtype=form)
+                variable.attrs.update(parts.attributes.get(name, {}))
+            start = 0
+            for part in parts.values:
+                stop = start + len(next(iter(part.values())))
+                for name, array in part.items():
+                    file.variables[name][start:stop] = array
+                start = stop
+
+
+def _bytes(variables: Variables) -> int:
+    """Room that variables take in a file, text included [bytes]."""
+    sizes = [np.asarray(values) for _, values, _ in variables.values()]
+    texts = (sum(map(len, array.flat)) for array in sizes if array.dtype == object)
+    return MARGIN + sum(array.nbytes for array in sizes) + sum(texts)
 
 
 def _write_group(target: Any, group: Group) -> None:

@@ -12,7 +12,15 @@ from . import html
 
 MAX_ROWS = 500  # points listed; the CSV has all
 # keys of a point that are no results
-STATE = ("point", "block", "keys", "status", "converged", "resumed", "message", "file")
+STATE = ("point", "block", "keys", "status", "converged", "resumed", "message", "key", "file")
+INDICES = ("first", "total")
+EFFECTS = {
+    "mean magnitude": "mean_magnitude",
+    "from": "mean_magnitude_low",
+    "to": "mean_magnitude_high",
+    "mean": "mean",
+    "standard deviation": "standard_deviation",
+}
 BANDS = {
     "5 %": "q05",
     "median": "q50",
@@ -24,8 +32,8 @@ BANDS = {
 
 def cards(summary: dict[str, Any]) -> str:
     """How many points there are, and the ends of the main results."""
-    points = summary["points"]
-    entries = [html.card("points", str(len(points)))]
+    points = summary["points"] or []
+    entries = [html.card("points", str(_count(summary)))]
     if summary["failed"]:
         entries.append(html.card("without a result", str(summary["failed"])))
     for key, name in (("film_minimum_um", "minimum film"), ("torque_N_mm", "torque")):
@@ -36,6 +44,11 @@ def cards(summary: dict[str, Any]) -> str:
     return html.side_by_side(*entries, kind="cards")
 
 
+def _count(summary: dict[str, Any]) -> int:
+    """Points of a batch, also where they are too many to be listed."""
+    return summary["counts"]["points"] if summary["points"] is None else len(summary["points"])
+
+
 def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, str]]:
     """Anchor, title and content of every part."""
     pictures = [
@@ -44,7 +57,7 @@ def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, 
     ]
     yield "input", "Sweep", _sweep(summary)
     yield "plots", "Results over the keys", "".join(pictures)
-    yield "sensitivity", "What uncertain input does", _sensitivity(summary) + _bands(summary)
+    yield "sensitivity", "What uncertain input does", _uncertainty(summary)
     yield "points", "Points", _points(summary)
     yield "notes", "Notes", html.notes(summary["messages"])
     yield "versions", "Versions and times", html.versions(summary)
@@ -52,7 +65,7 @@ def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, 
 
 def _sweep(summary: dict[str, Any]) -> str:
     """The sweep file as run, and the keys that the case marks assumed."""
-    numbers = {"case": summary["case"], "keys": summary["keys"], "points": len(summary["points"])}
+    numbers = {"case": summary["case"], "keys": summary["keys"], "points": _count(summary)}
     if summary.get("assumed"):
         numbers["assumed in the case"] = summary["assumed"]
     source = f'<pre class="small scroll">{escape(str(summary.get("sweep", "")))}</pre>'
@@ -62,8 +75,10 @@ def _sweep(summary: dict[str, Any]) -> str:
 
 
 def _points(summary: dict[str, Any]) -> str:
-    """One line for each point: varied keys, main results, state."""
-    points = summary["points"]
+    """One line for each point: varied keys, main results, state; nothing of a batch too large."""
+    points = summary["points"] or []
+    if not points:
+        return ""
     keys = [
         key
         for key in summary["keys"]
@@ -89,6 +104,53 @@ def _points(summary: dict[str, Any]) -> str:
     more = len(points) - MAX_ROWS
     listing = html.table(head, rows, (len(head) - 1,))
     return listing + (f"<p>{more} more points are in batch.csv.</p>" if more > 0 else "")
+
+
+def _uncertainty(summary: dict[str, Any]) -> str:
+    """Differences, bands and indices, as far as there are any."""
+    parts = (_sensitivity(summary), _bands(summary), _sobol(summary), _morris(summary))
+    return "".join(parts)
+
+
+def _sobol(summary: dict[str, Any]) -> str:
+    """Sobol indices with their intervals, a line for each result and key."""
+    block = summary.get("sobol_indices") or {}
+    rows = []
+    for name, keys in block.get("results", {}).items():
+        if not isinstance(keys, dict):
+            continue
+        for key, row in keys.items():
+            ends = [
+                f"{_index(row[f'{own}_low'])} … {_index(row[f'{own}_high'])}" for own in INDICES
+            ]
+            first, total = (_index(row[own]) for own in INDICES)
+            cells = [html.name_text(name), escape(key), first, ends[0], total, ends[1]]
+            rows.append(("", cells))
+    if not rows:
+        return ""
+    titles = ("", "key", "first index", "95 % interval", "total index", "95 % interval")
+    head = f"<h3>Sobol indices from {block['points']} points</h3>"
+    return head + html.table([(title, "") for title in titles], rows, (0, 1))
+
+
+def _index(value: float | None) -> str:
+    return html.NOTHING if value is None else html.number(value, 2)
+
+
+def _morris(summary: dict[str, Any]) -> str:
+    """Morris' effects, a line for each result and key."""
+    block = summary.get("morris") or {}
+    rows = []
+    for name, keys in block.get("results", {}).items():
+        for key, row in keys.items():
+            if key != "trajectories":
+                numbers = [html.number(row[own], 3) for own in EFFECTS.values()]
+                title = f"{html.name_text(name)} [{unit_symbol(name) or '–'}]"
+                rows.append(("", [title, escape(key), *numbers]))
+    if not rows:
+        return ""
+    head = f"<h3>Morris' effects over the ranges, {block['trajectories']} trajectories</h3>"
+    return head + html.table([(title, "") for title in ("", "key", *EFFECTS)], rows, (0, 1))
 
 
 def _sensitivity(summary: dict[str, Any]) -> str:

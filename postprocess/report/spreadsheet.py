@@ -10,7 +10,7 @@ import xlsxwriter
 
 from ehl.units import unit_symbol, without_unit
 
-from ..batch.summary import MOST_COMPONENTS, components
+from ..batch.numbers import MOST_COMPONENTS, components
 from ..files import atomic_path, read_summary
 from ..text import is_number, number
 from .html import without_noise

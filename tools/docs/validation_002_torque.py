@@ -26,8 +26,8 @@ from bearing.torque.breakdown import torque_breakdown
 from bearing.torque.films_torque import films_as_they_run
 from bearing.torque.integrated import solved_shear
 from cases import load_case
+from cases.batch.shared.tables import case_of_document
 from cases.batch.sweep import read_sweep
-from cases.batch.tables import case_of_document
 from cases.format.case import Case
 from cases.runs.equilibrium import case_equilibrium
 from cases.runs.heating import self_heated

@@ -5,8 +5,11 @@ from __future__ import annotations
 import csv
 import json
 import math
+import sqlite3
 from concurrent.futures import Future
 from concurrent.futures.process import BrokenProcessPool
+from contextlib import closing
+from errno import ENOSPC
 
 import numpy as np
 import pytest
@@ -14,16 +17,18 @@ from typer.testing import CliRunner
 
 import postprocess
 from cases import CaseError
-from cases.batch.contact_cache import cached_solver
-from cases.batch.engine import ProgressEstimate, duration, run_batch
+from cases.batch.engine import Choice, ProgressEstimate, duration, run_batch
 from cases.batch.keys import WITHOUT_CONTACTS, content_key
-from cases.batch.points import Receipt, Task
+from cases.batch.points import Task
 from cases.batch.pools import LocalPool, scheduler_address
 from cases.batch.results import gathered, write_batch
-from cases.batch.store import finished_keys, open_folder, read_point, write_point
+from cases.batch.shared.contact_cache import cached_solver
+from cases.batch.store import finished_points, open_folder
 from cases.batch.sweep import read_sweep, sweep_from_text
-from cases.batch.worker import compute_point
+from cases.batch.worker import compute_block, compute_point
 from cases.cli.main import app
+from postprocess.batch.records import Record
+from postprocess.batch.store import PointStore, StoredPoints, store_files
 
 HEAD = 'case = "6208_full_ceramic"\n'
 QUICK = (
@@ -41,6 +46,7 @@ class HerePool:
     """Computes in this process at once, so that a test sees what the engine does; `broken` is the points that kill."""
 
     shares_folder = True
+    retries = True
 
     def __init__(self, broken=(), times=1, stop_after=None):
         self.broken, self.times, self.rebuilt, self.handed_out = set(broken), times, 0, []
@@ -50,7 +56,11 @@ class HerePool:
     def capacity(self):
         return 3
 
-    def submit(self, task):
+    def block(self):
+        return 1
+
+    def submit(self, block):
+        (task,) = block
         self.handed_out.append(task.key)
         future = Future()
         if self.stop_after is not None and len(self.handed_out) > self.stop_after:
@@ -59,7 +69,7 @@ class HerePool:
             future.set_exception(BrokenProcessPool("gone"))
         else:
             try:
-                future.set_result(compute_point(task))
+                future.set_result(compute_block(block))
             except OSError as error:
                 future.set_exception(error)
         return future
@@ -73,6 +83,25 @@ class HerePool:
 
     def close(self, *, at_once):
         self.closed = at_once
+
+
+def stored(folder):
+    """Finished points of a batch on disk."""
+    return StoredPoints(store_files(folder))
+
+
+def finished(folder, sweep):
+    """Names of the points of a sweep that are finished."""
+    return finished_points(folder, [point.key for point in sweep.points], stored(folder))[0]
+
+
+def damage(path, key):
+    """Change a byte of the record of a point."""
+    with closing(sqlite3.connect(path)) as file:
+        (content,) = file.execute("SELECT summary FROM points WHERE key = ?", (key,)).fetchone()
+        changed = content[:50] + bytes([content[50] ^ 1]) + content[51:]
+        file.execute("UPDATE points SET summary = ? WHERE key = ?", (changed, key))
+        file.commit()
 
 
 def points(text):
@@ -221,7 +250,7 @@ def test_messages_name_the_line_of_the_sweep_file(text, message):
 
 def test_too_many_points_are_refused_before_they_are_made():
     axes = "".join(f'"operation.k{i}" = {list(range(99))}\n' for i in range(9))
-    assert "allowed: at most 100000" in messages(HEAD + "[sweep]\n" + axes)[0]
+    assert "allowed: at most 10000000" in messages(HEAD + "[sweep]\n" + axes)[0]
 
 
 def test_equal_points_are_computed_once(tmp_path):
@@ -232,12 +261,19 @@ def test_equal_points_are_computed_once(tmp_path):
     assert len(gathered(batch).points) == 3
 
 
-def test_a_point_that_is_still_written_does_not_look_finished(tmp_path, monkeypatch):
+def test_files_of_a_point_are_there_before_it_counts_as_finished(tmp_path, monkeypatch):
+    from cases.batch import engine
+
     seen = []
-    monkeypatch.setattr("bearing.files.os.fsync", lambda number: seen.append(list(tmp_path.rglob("*.json"))))
-    write_point(tmp_path, "0123456789abcdef", {".json": b"{}"})
-    assert seen == [[]]
-    assert (tmp_path / "points" / "0123456789abcdef.json").exists()
+
+    class Watched(engine.PointStore):
+        def put(self, record):
+            seen.append((tmp_path / "out" / "points" / f"{record.key}.json").exists())
+            super().put(record)
+
+    monkeypatch.setattr("cases.batch.store.PointStore", Watched)
+    run_batch(sweep_from_text(QUICK, "sweep.toml"), tmp_path / "out", HerePool, Choice(keep_json=True))
+    assert seen == [True] * 6
 
 
 def test_files_of_a_batch(tmp_path):
@@ -310,7 +346,7 @@ def test_an_interrupt_keeps_what_is_finished_and_resume_goes_on(tmp_path):
     with pytest.raises(KeyboardInterrupt):
         run_batch(sweep, tmp_path / "out", lambda: pool)
     assert pool.closed is True
-    kept = finished_keys(tmp_path / "out", [point.key for point in sweep.points])
+    kept = finished(tmp_path / "out", sweep)
     assert len(kept) == 4
     with pytest.raises(CaseError, match="--resume"):
         run_batch(sweep, tmp_path / "out", HerePool)
@@ -329,14 +365,14 @@ def test_nothing_stays_of_what_a_worker_was_writing_when_it_was_ended(tmp_path):
 
     with pytest.raises(KeyboardInterrupt):
         run_batch(sweep_from_text(QUICK, "sweep.toml"), tmp_path / "out", lambda: Writing(stop_after=1))
-    assert len(list((tmp_path / "out" / "points").glob("*.json"))) == 1
+    assert len(stored(tmp_path / "out").status) == 1
     assert not list((tmp_path / "out").rglob(".*"))
 
 
 def test_resume_after_the_sweep_was_extended_and_a_file_was_damaged(tmp_path):
     first = sweep_from_text(QUICK, "sweep.toml")
     run_batch(first, tmp_path / "out", HerePool)
-    (tmp_path / "out" / "points" / f"{first.points[0].key}.json").write_text("{")
+    damage(tmp_path / "out" / "points.sqlite", first.points[0].key)
     longer = sweep_from_text(QUICK.replace("1750.0", "1750.0, 3000.0"), "sweep.toml")
     pool = HerePool()
     batch = run_batch(longer, tmp_path / "out", lambda: pool, resume=True)
@@ -348,24 +384,24 @@ def test_resume_after_the_sweep_was_extended_and_a_file_was_damaged(tmp_path):
 
 
 def test_a_full_disk_ends_the_batch_and_keeps_what_is_there(tmp_path, monkeypatch):
-    import errno
+    from cases.batch import engine
 
-    from cases.batch import worker
+    class Small(engine.PointStore):
+        def put(self, record):
+            if len(written) == 2:
+                (pages,) = self._file.execute("PRAGMA page_count").fetchone()
+                self._file.execute(f"PRAGMA max_page_count = {pages}")
+            super().put(record)
+            self.flush(at_once=True)
+            written.append(record.key)
 
     written = []
-
-    def write(folder, key, files):
-        if len(written) == 2:
-            raise OSError(errno.ENOSPC, "No space left on device", str(folder))
-        written.append(key)
-        real(folder, key, files)
-
-    real = worker.write_point
-    monkeypatch.setattr(worker, "write_point", write)
+    monkeypatch.setattr("cases.batch.store.PointStore", Small)
     sweep = sweep_from_text(QUICK, "sweep.toml")
-    with pytest.raises(OSError, match="No space left"):
+    with pytest.raises(OSError, match="full") as caught:
         run_batch(sweep, tmp_path / "out", HerePool)
-    assert finished_keys(tmp_path / "out", [point.key for point in sweep.points]) == set(written)
+    assert caught.value.errno == ENOSPC
+    assert finished(tmp_path / "out", sweep) == set(written) != set()
 
 
 def test_a_full_disk_is_told_with_what_is_kept(tmp_path, monkeypatch):
@@ -373,11 +409,11 @@ def test_a_full_disk_is_told_with_what_is_kept(tmp_path, monkeypatch):
 
     from cases.batch import results
 
-    def full(*arguments):
+    def full(*arguments, **choices):
         raise OSError(errno.ENOSPC, "No space left on device")
 
     (tmp_path / "mine.toml").write_text(QUICK)
-    monkeypatch.setattr("cases.cli.batch._pool", lambda plan, workers, scheduler: HerePool)
+    monkeypatch.setattr("cases.cli.batch._pool", lambda plan, wanted: HerePool)
     words = ["batch", str(tmp_path / "mine.toml"), "-o", str(tmp_path / "out"), "-q"]
     with monkeypatch.context() as patch:
         patch.setattr(results, "write_batch", full)
@@ -397,7 +433,7 @@ def test_a_folder_of_something_else_is_left_alone(tmp_path):
     assert [path.name for path in (tmp_path / "out").iterdir()] == ["notes.txt"]
 
 
-@pytest.mark.parametrize("name", ["summary.json", "points/1a.json", "points/1a.nc"])
+@pytest.mark.parametrize("name", ["summary.json", "points.sqlite", "points/1a.json", "points/1a.nc"])
 def test_a_folder_in_the_place_of_a_file_is_refused_before_anything_is_computed(name, tmp_path):
     (tmp_path / "sweep.toml").write_text("")
     (tmp_path / name).mkdir(parents=True)
@@ -419,7 +455,7 @@ def test_contacts_equal_in_several_points_are_solved_once(tmp_path, monkeypatch)
         return original(conditions, options)
 
     original = ehl.solve_contact
-    monkeypatch.setattr("cases.batch.contact_cache.solve_contact", solve)
+    monkeypatch.setattr("cases.batch.shared.contact_cache.solve_contact", solve)
     results = gathered(run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool))
     assert len(solved) == 2  # both races of one ball, for two points
     first, second = (point.summary["contacts"] for point in results.points)
@@ -479,20 +515,23 @@ def test_a_damaged_contact_is_told_and_solved_anew(damage, tmp_path, capsys):
     assert capsys.readouterr().err == ""
 
 
-@pytest.mark.parametrize("suffix", [".json", ".nc"])
+@pytest.mark.parametrize("suffix", ["record", ".nc"])
 def test_a_damaged_point_is_told_and_computed_anew(suffix, tmp_path, capsys):
     text = 'case = "ball_on_disc"\nfields = true\n[sweep]\n"contact.load_N" = [10.0, 11.0]\n"ehl.points" = [33]\n'
     sweep = sweep_from_text(text, "sweep.toml")
     run_batch(sweep, tmp_path / "out", HerePool)
-    path = tmp_path / "out" / "points" / f"{sweep.points[0].key}{suffix}"
-    data = path.read_bytes()
-    digit = next(i for i in range(len(data) // 2, len(data)) if data[i : i + 1].isdigit())
-    path.write_bytes(data[:digit] + (b"1" if data[digit : digit + 1] != b"1" else b"2") + data[digit + 1 :])
+    if suffix == "record":
+        path, told = tmp_path / "out" / "points.sqlite", "1 points are damaged; they are computed anew"
+        damage(path, sweep.points[0].key)
+    else:
+        path, told = tmp_path / "out" / "points" / f"{sweep.points[0].key}.nc", "damaged; the point is computed anew"
+        data = path.read_bytes()
+        path.write_bytes(data[:-90] + bytes([data[-90] ^ 1]) + data[-89:])
     pool = HerePool()
     batch = run_batch(sweep, tmp_path / "out", lambda: pool, resume=True)
     assert pool.handed_out == [sweep.points[0].key]
     assert batch.resumed == {sweep.points[1].key}
-    assert f"{path}: damaged; the point is computed anew" in capsys.readouterr().err
+    assert f"{path}: {told}" in capsys.readouterr().err
     assert [point.status for point in gathered(batch).points] == ["done"] * 2
 
 
@@ -517,7 +556,7 @@ def test_slip_maps_are_points_too(tmp_path):
 
 def test_a_worker_of_another_version_is_refused(tmp_path):
     task = Task(key="a", document={}, compute="run", fields=False, share=False, folder=str(tmp_path), program="0.0.0")
-    with pytest.raises(RuntimeError, match=r"started with 0\.0\.0"):
+    with pytest.raises(RuntimeError, match=r"started with code 0\.0\.0"):
         compute_point(task)
 
 
@@ -527,9 +566,9 @@ def test_a_worker_without_the_folder_sends_its_files(tmp_path):
     class Elsewhere(HerePool):
         shares_folder = False
 
-        def submit(self, task):
-            assert task.folder is None
-            return super().submit(task)
+        def submit(self, block):
+            assert block[0].folder is None
+            return super().submit(block)
 
     apart = gathered(run_batch(sweep, tmp_path / "apart", Elsewhere))
     here = gathered(run_batch(sweep, tmp_path / "here", HerePool))
@@ -568,7 +607,7 @@ def test_processes_give_the_same_as_one_after_the_other(tmp_path):
 def test_the_command(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "quick.toml").write_text(QUICK)
-    monkeypatch.setattr("cases.cli.batch._pool", lambda plan, workers, scheduler: HerePool)
+    monkeypatch.setattr("cases.cli.batch._pool", lambda plan, wanted: HerePool)
     answer = CliRunner().invoke(app, ["batch", "quick.toml", "--json"])
     assert answer.exit_code == 0, answer.output
     document = json.loads(answer.stdout)
@@ -604,24 +643,28 @@ def test_a_lost_point_is_the_machines_failure(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "quick.toml").write_text(QUICK)
     key = read_sweep("quick.toml").points[3].key
-    monkeypatch.setattr("cases.cli.batch._pool", lambda plan, workers, scheduler: lambda: HerePool([key], times=2))
+    monkeypatch.setattr("cases.cli.batch._pool", lambda plan, wanted: lambda: HerePool([key], times=2))
     answer = CliRunner().invoke(app, ["batch", "quick.toml", "-q"])
     assert answer.exit_code == 4
     assert "1 of 6 points have no result" in answer.stderr
-    assert read_point(tmp_path / "quick_results", key)["status"] == "lost"
+    assert stored(tmp_path / "quick_results").status[key] == "lost"
 
 
 def test_a_shipped_sweep_is_found_by_name():
     assert len(read_sweep("6208_load_and_speed").points) == 16
 
 
-def test_the_result_of_a_lost_future_is_kept_when_it_was_written(tmp_path):
-    """A worker may die after it wrote its point: the second one finds it there."""
+def test_a_point_computed_twice_counts_once(tmp_path):
+    """By two shards that know nothing of each other, say; a result counts before a failure, wherever it stands."""
     sweep = sweep_from_text(QUICK, "sweep.toml")
     run_batch(sweep, tmp_path / "out", HerePool)
-    point = sweep.points[0]
-    task = Task(key=point.key, document={}, compute="run", fields=False, share=False, folder=str(tmp_path / "out"))
-    assert compute_point(task) == Receipt("done")
+    (record,) = stored(tmp_path / "out").records([sweep.points[0].key])
+    with closing(PointStore(tmp_path / "out" / "points-1-of-2.sqlite")) as other:
+        other.put(Record(key=record.key, status="failed", message="no room"))
+    with closing(PointStore(tmp_path / "out" / "points.sqlite")) as own:
+        own.put(Record(key=record.key, status="lost"))
+    assert stored(tmp_path / "out").records([record.key]) == [record]
+    assert finished(tmp_path / "out", sweep) == {point.key for point in sweep.points}
 
 
 def test_only_tables_that_leave_contacts_alone_make_a_cache_worth_its_disk():

@@ -14,18 +14,19 @@ from bearing import Race
 from bearing.friction.table_files import load_tables
 from bearing.operation import BallKinematics
 from cases import CaseError, load_case, run_case
-from cases.batch import tables
 from cases.batch.compute import torque_by_tables
 from cases.batch.engine import run_batch
 from cases.batch.points import Task
 from cases.batch.pools import ClusterPool, LocalPool
 from cases.batch.results import gathered, write_batch
+from cases.batch.shared import tables
 from cases.batch.sweep import sweep_from_text
 from cases.batch.worker import compute_point
 from cases.cli.main import app
 from ehl.traction.table.build import TableOptions, build_table
 from postprocess import summary
 from postprocess.batch.plots import quantities, varied_keys
+from postprocess.batch.records import summary_of
 from postprocess.batch.summary import batch_summary
 from postprocess.main_results import main_results
 
@@ -112,7 +113,7 @@ def test_tables_that_are_given(shared, tmp_path):
         tables="far/x.zip",
     )
     receipt = compute_point(sent, file.read_bytes())
-    assert json.loads(receipt.files[".json"])["summary"]["torque_N_mm"] == results.points[0].summary["torque_N_mm"]
+    assert summary_of(receipt.record)["torque_N_mm"] == results.points[0].summary["torque_N_mm"]
     case = load_case("6208_five_terms")
     thick = replace(case, lubricant=replace(case.lubricant, viscosity=2.0 * case.lubricant.viscosity))
     with pytest.raises(ValueError, match=r"another bearing or oil \(inner race: oil\)"):
@@ -229,7 +230,7 @@ def test_damaged_tables_fail_their_points_and_are_told(tmp_path):
 
 
 def test_damaged_tables_of_the_folder_are_told_and_made_anew(tmp_path, monkeypatch, capsys):
-    from cases.batch import tables
+    from cases.batch.shared import tables
     from cases.batch.store import TABLES
 
     made = []

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import json
+from contextlib import closing
 from dataclasses import replace
 from io import StringIO
 
@@ -13,15 +13,17 @@ from typer.testing import CliRunner
 
 from cases.batch.engine import run_batch
 from cases.batch.results import gathered
-from cases.batch.store import write_point
 from cases.batch.sweep import read_sweep, sweep_from_text
 from cases.cli.main import app
 from cases.format.shipped import shipped_sweeps
+from postprocess.batch.columns import InMemory, columns_of
 from postprocess.batch.keys import Varied, families, varied_keys
 from postprocess.batch.plots import draw_batch, draw_together, quantities, write_diagram
 from postprocess.batch.read import read_batch
+from postprocess.batch.records import record_of
 from postprocess.batch.results import BatchPoint, BatchResults
-from postprocess.batch.summary import batch_summary, results_as_columns
+from postprocess.batch.store import PointStore
+from postprocess.batch.summary import batch_summary
 from postprocess.batch.table import batch_table
 from postprocess.files import write_json
 from postprocess.main_results import result_names, thinnest_film
@@ -60,7 +62,7 @@ def test_the_lines_of_the_figure_are_the_numbers_asked_for(results):
 
 def test_known_names_are_columns_of_the_table(results):
     """All that has a number in the table and is torque or main result can be drawn; nothing else is."""
-    known, table = result_names("run"), results_as_columns(results)
+    known, table = result_names("run"), columns_of(InMemory(results)).names
     torques = {name for name in table if name.startswith("torque_N_mm.models.")}
     assert torques <= set(known)
     assert {"film_minimum_um", "self_heating.temperature_C", "torque_N_mm.models.integrated.total"} <= set(known)
@@ -174,8 +176,9 @@ def test_any_number_of_values_can_be_drawn(loads, temperatures, lines, hidden):
 
 @pytest.mark.parametrize("over", [("temperature_C", "radial_load_N"), ()])
 def test_diagrams_of_a_finished_batch(tmp_path, over):
-    for point in THREE.points:
-        write_point(tmp_path, point.key, {".json": json.dumps({"key": point.key, "summary": point.summary}).encode()})
+    with closing(PointStore(tmp_path / "points.sqlite")) as store:
+        for point in THREE.points:
+            store.put(record_of(point.key, point.summary))
     write_json(batch_summary(THREE), tmp_path / "summary.json")
     read = read_batch(tmp_path)
     assert [point.values for point in read.points] == [point.values for point in THREE.points]

@@ -6,9 +6,11 @@ import json
 import os
 import random
 import signal
+import sqlite3
 import subprocess
 import sys
 import time
+from contextlib import closing
 from pathlib import Path
 
 import numpy as np
@@ -68,8 +70,9 @@ def test_a_batch_killed_ten_times_ends_like_an_undisturbed_one(tmp_path):
         process = subprocess.Popen([*words, "-o", "killed", "--resume"], cwd=tmp_path, stderr=subprocess.DEVNULL)
         try:
             process.wait(rng.uniform(0.1, 0.6) * whole)
-            for file in rng.sample(sorted((tmp_path / "killed" / "points").glob("*.json")), 8):
-                file.unlink()  # it was done before it could be killed
+            with closing(sqlite3.connect(tmp_path / "killed" / "points.sqlite")) as file:
+                file.execute("DELETE FROM points WHERE id % 2")  # it was done before it could be killed
+                file.commit()
         except subprocess.TimeoutExpired:
             orphans += children(process.pid)
             process.send_signal(signal.SIGKILL)
@@ -105,12 +108,15 @@ def test_a_dead_worker_of_a_cluster_costs_nothing(tmp_path):
     killed = []
 
     class Killing(ClusterPool):
-        def submit(self, task):
-            if not killed and len(list((tmp_path / "out" / "points").glob("*.json"))) >= 3:
+        done = 0
+
+        def submit(self, block):
+            self.done += 1
+            if not killed and self.done >= 3:
                 victim = next(iter(self._client.run(os.getpid).values()))
                 os.kill(victim, signal.SIGKILL)
                 killed.append(victim)
-            return super().submit(task)
+            return super().submit(block)
 
     with distributed.LocalCluster(
         n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, host="127.0.0.1"
@@ -124,9 +130,12 @@ def test_a_worker_killed_from_outside(tmp_path):
     """The pool is rebuilt and every point gets its result."""
 
     class Killing(LocalPool):
-        def submit(self, task):
-            future = super().submit(task)
-            if not killed and len(list((tmp_path / "out" / "points").glob("*.json"))) >= 2:
+        done = 0
+
+        def submit(self, block):
+            self.done += 1
+            future = super().submit(block)
+            if not killed and self.done >= 2:
                 victim = next(iter(self._executor._processes))
                 os.kill(victim, signal.SIGKILL)
                 killed.append(victim)
@@ -142,9 +151,9 @@ def test_kernels_are_compiled_by_one_worker(tmp_path):
     """Until a first point is done none else is handed out; where it is known that they are compiled, all at once."""
 
     class Watched(LocalPool):
-        def submit(self, task):
+        def submit(self, block):
             at_hand.append((self._cold, sum(not future.done() for future in futures)))
-            futures.append(super().submit(task))
+            futures.append(super().submit(block))
             return futures[-1]
 
     sweep, stamp = sweep_from_text(QUICK, "sweep.toml"), tmp_path / "kernels" / "stamp"
@@ -163,7 +172,8 @@ def test_an_interrupt_ends_the_workers_and_keeps_the_points(tmp_path):
     words = [*OILFILM, "batch", str(tmp_path / "sweep.toml"), "-o", "out", "--workers", "1"]
     process = subprocess.Popen(words, cwd=tmp_path, stderr=subprocess.PIPE, text=True)
     deadline = time.monotonic() + 240.0
-    while not list((tmp_path / "out" / "points").glob("*.json")) and time.monotonic() < deadline:
+    wal = tmp_path / "out" / "points.sqlite-wal"
+    while not (wal.exists() and wal.stat().st_size > 40_000) and time.monotonic() < deadline:
         time.sleep(0.05)
     process.send_signal(signal.SIGINT)
     _, stderr = process.communicate(timeout=240.0)

@@ -12,8 +12,8 @@ from bearing import solve_quasistatic
 from bearing.friction.race_tables import table_contacts, table_range
 from bearing.geometry import Race
 from cases import load_case
-from cases.batch import table_films
-from cases.batch.table_films import forget_films, kept_films
+from cases.batch.shared import table_films
+from cases.batch.shared.table_films import forget_films, kept_films
 from cases.cli.compute import _films_kept
 
 

@@ -8,8 +8,8 @@ from typer.testing import CliRunner
 from bearing.friction.table_files import save_race_tables, save_temperature_tables
 from bearing.geometry import Race
 from bearing.material import load_material
+from cases.batch.shared.tables import tables_once
 from cases.batch.sweep import sweep_from_text
-from cases.batch.tables import tables_once
 from cases.cli.main import app
 from cases.format.case import case_from_text
 from cases.format.problems import CaseError

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from postprocess.batch.columns import InMemory, columns_of
 from postprocess.batch.results import BatchPoint, BatchResults
 from postprocess.batch.sensitivity import bands, sensitivities
 from postprocess.batch.summary import batch_summary
@@ -64,11 +65,11 @@ def test_changes_within_the_error_bars_are_marked():
 def test_bands_of_an_even_distribution():
     values = np.linspace(10.0, 30.0, 401)
     points = [("latin_hypercube", CASE | {"lubricant.viscosity_mPa_s": float(v)}) for v in values]
-    found = bands(batch(points))["film_minimum_um"]
+    found = bands(columns_of(InMemory(batch(points))))["film_minimum_um"]
     expected = [summary(CASE | {"lubricant.viscosity_mPa_s": v})["film_minimum_um"] for v in (11.0, 20.0, 29.0)]
     assert [found[q] for q in ("q05", "q50", "q95")] == pytest.approx(expected, rel=1e-9)
     assert found["points"] == 401
-    few = bands(batch(points[:5]))["film_minimum_um"]
+    few = bands(columns_of(InMemory(batch(points[:5]))))["film_minimum_um"]
     films = [summary(keys)["film_minimum_um"] for _, keys in points[:5]]
     assert few["mean"] == pytest.approx(sum(films) / 5)
     assert few["standard_deviation"] == pytest.approx((sum((film - few["mean"]) ** 2 for film in films) / 4) ** 0.5)

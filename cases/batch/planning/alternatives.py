@@ -5,9 +5,10 @@ same in other keys.
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from ..format.bearing import CLEARANCE
-from ..format.lubricant import VISCOSITIES
-from .blocks import Variation, case_path
+from ...format.bearing import CLEARANCE
+from ...format.lubricant import VISCOSITIES
+from ..keys import case_path
+from .blocks import Variation
 
 # keys of a table that say the same quantity
 ROWS = {
@@ -21,25 +22,44 @@ ROWS = {
 SENSITIVITY = "sensitivity"  # block whose points stay near the case as it is
 
 
+class PointDocuments:
+    """The case's document with the values of variations, without their alternatives."""
+
+    def __init__(self, base: dict[str, Any]) -> None:
+        self.base = base
+        self._gone: dict[tuple[str, ...], tuple[tuple[str, str, str], ...]] = {}
+
+    def of(self, variation: Variation) -> dict[str, Any]:
+        """The document of one variation; tables that it leaves as they are are those of the
+        case.
+        """
+        document = dict(self.base)
+        for setting in variation.settings:
+            node = document
+            *tables, key = case_path(setting.key)
+            for table in tables:
+                inner = node.get(table)
+                node[table] = dict(inner) if isinstance(inner, dict) else {}
+                node = node[table]
+            node[key] = setting.value
+        for table, key, _ in self._alternatives(variation):
+            value = document[table].pop(key)
+            if key == CLEARANCE[1]:
+                # of the rating life
+                document[table].setdefault("nominal_contact_angle_deg", value)
+        return document
+
+    def _alternatives(self, variation: Variation) -> tuple[tuple[str, str, str], ...]:
+        """What gives way, which depends on the keys alone."""
+        keys = (variation.block, *(setting.key for setting in variation.settings))
+        if keys not in self._gone:
+            self._gone[keys] = tuple(_alternatives(self.base, variation))
+        return self._gone[keys]
+
+
 def with_values(base: dict[str, Any], variation: Variation) -> dict[str, Any]:
     """The case's document with the values of a variation, without their alternatives."""
-    document = {
-        key: dict(value) if isinstance(value, dict) else value for key, value in base.items()
-    }
-    for setting in variation.settings:
-        node = document
-        *tables, key = case_path(setting.key)
-        for table in tables:
-            inner = node.get(table)
-            node[table] = dict(inner) if isinstance(inner, dict) else {}
-            node = node[table]
-        node[key] = setting.value
-    gone = tuple(_alternatives(base, variation))
-    for table, key, _ in gone:
-        value = document[table].pop(key)
-        if key == CLEARANCE[1]:
-            document[table].setdefault("nominal_contact_angle_deg", value)  # of the rating life
-    return document
+    return PointDocuments(base).of(variation)
 
 
 def replaced_keys(base: dict[str, Any], variations: Sequence[Variation]) -> tuple[str, ...]:

@@ -26,15 +26,15 @@ from ehl.oil.rheology import Rheology
 from ehl.traction.table.build import TableOptions, build_table
 from ehl.traction.table.table import TableRange
 
-from ..format.case import Case, ContactCase, case_of_document
-from ..format.traction import fitting_tables, tables_of_file
-from ..runs.equilibrium import case_equilibrium, without_traction_equilibrium
-from ..runs.films import Progress
-from ..runs.interrupt import say
-from ..version import version
-from .keys import BESIDE_TRACTION_TABLES, content_key, digest, document_text
-from .points import Point, Sweep
-from .store import TABLES, write_file
+from ...format.case import Case, ContactCase, case_of_document
+from ...format.traction import fitting_tables, tables_of_file
+from ...runs.equilibrium import case_equilibrium, without_traction_equilibrium
+from ...runs.films import Progress
+from ...runs.interrupt import say
+from ..keys import BESIDE_TRACTION_TABLES, content_key, digest, document_text
+from ..points import Point, Sweep
+from ..program import program_digest
+from ..store import TABLES, write_file
 
 
 def needs_tables(case: Case | ContactCase, compute: str) -> bool:
@@ -67,44 +67,53 @@ def bodies_and_oil(case: Case) -> str:
         return document_text(case.document)
 
 
-def with_table_names(points: Sequence[Point], given: str | None, nodes: int) -> tuple[Point, ...]:
+def with_table_names(
+    points: Sequence[Point],
+    sharing: Sequence[str | None],
+    documents: Sequence[dict[str, Any]],
+    made_of: tuple[str | None, int],
+) -> tuple[Point, ...]:
     """The points with the names of their tables, which their own names then depend on, too.
 
     Parameters
     ----------
     points : sequence of Point
-        Those that need tables with what they must have in common in place of the name.
-    given : str or None
-        Hash of the tables that the sweep file names.
-    nodes : int
-        Of the films of tables to be made [-].
+        All points of the sweep.
+    sharing : sequence of (str or None)
+        What the tables of each must have in common; None of those that need none.
+    documents : sequence of dict
+        Of each, as run.
+    made_of : (str or None, int)
+        Hash of the tables that the sweep file names; nodes of the films of tables to be made [-].
     """
-    sharing: dict[str, set[str]] = {}
-    for point in points:
-        if point.tables is not None:
-            text = document_text(point.resolved, BESIDE_TRACTION_TABLES)
-            sharing.setdefault(point.tables, set()).add(text)
+    given, nodes = made_of
+    texts: dict[str, set[str]] = {}
+    for common, document in zip(sharing, documents, strict=True):
+        if common is not None:
+            text = document_text(document, BESIDE_TRACTION_TABLES)
+            texts.setdefault(common, set()).add(text)
     names = {
-        common: given or digest(common, *sorted(texts), str(nodes), version())
-        for common, texts in sharing.items()
+        common: given or digest(common, *sorted(own), str(nodes), program_digest())
+        for common, own in texts.items()
     }
 
-    def named(point: Point) -> Point:
-        if point.tables is None:
+    def named(point: Point, common: str | None) -> Point:
+        if common is None:
             return point
-        name = names[point.tables]
+        name = names[common]
         return replace(point, tables=name, key=digest(point.key, name))
 
-    return tuple(map(named, points))
+    return tuple(map(named, points, sharing))
 
 
 def foreign_points(
-    path: Path, points: Sequence[Point], examples: Mapping[str, Case]
+    path: Path, sharing: Mapping[int, str], examples: Mapping[str, Case]
 ) -> dict[str, list[int]]:
     """Points that the tables of a file were not made for, by what is wrong; none of damaged ones,
     which are reported later.
 
-    `examples` has a case for each set of points that have in common what tables depend on.
+    `sharing`: what the tables of points must have in common, by their numbers; `examples` has a
+    case for each of it.
     """
     try:
         tables = tables_of_file(path)
@@ -117,7 +126,7 @@ def foreign_points(
         try:
             fitting_tables(tables(*oil), path.name, case.bearing, *oil, case.films.solids)
         except ValueError as problem:
-            numbers = [point.number for point in points if point.tables == common]
+            numbers = [number for number, name in sharing.items() if name == common]
             wrong.setdefault(str(problem).replace(str(path), path.name), []).extend(numbers)
     return {reason: sorted(numbers) for reason, numbers in wrong.items()}
 

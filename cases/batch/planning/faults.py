@@ -3,8 +3,9 @@
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from ..format.problems import CaseFault, Path, shown
-from .blocks import Variation, case_path
+from ...format.problems import CaseFault, Path, shown
+from ..keys import case_path
+from .blocks import Variation
 
 HIDING = {
     "bearing": (

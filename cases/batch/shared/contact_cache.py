@@ -18,9 +18,9 @@ from ehl import (
     solve_contact,
 )
 
-from ..runs.interrupt import say
-from .keys import content_key
-from .store import write_file
+from ...runs.interrupt import say
+from ..keys import content_key
+from ..store import write_file
 
 NESTED = (ConvergenceRecord, FilmValue)  # dataclasses of a solution
 MOST_BYTES = 4_000_000_000  # the cache of a batch grows no further

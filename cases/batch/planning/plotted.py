@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from ehl.units import unit_of
 from postprocess.main_results import result_names
 
-from ..format.problems import CaseFault, nearest_name, shown
+from ...format.problems import CaseFault, nearest_name, shown
 
 MOST_PANELS = 3  # of a figure
 

@@ -9,8 +9,8 @@ from typing import Any
 from ehl.traction.table.film import FilmSample, film_sample
 from ehl.traction.table.table import TableContact, TableRange
 
-from .keys import content_key
-from .store import write_file
+from ..keys import content_key
+from ..store import write_file
 
 Place = tuple[float, float]
 # what arrays are put together from, beside the classes of `ehl`

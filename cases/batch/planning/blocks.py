@@ -1,0 +1,155 @@
+"""Points of the blocks of a sweep file: factorial, listed, Latin hypercube, differences."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import prod
+from typing import Any, overload
+
+from ...format.fields import is_number
+from ...format.problems import CaseFault, Path, shown
+from ...format.sweep import SensitivityTable, SweepFile
+
+MOST_POINTS = 10_000_000
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """One key of a block: dotted name, place in the sweep file, value or values given."""
+
+    key: str
+    where: Path
+    value: Any
+
+
+@dataclass(frozen=True, slots=True)
+class Variation:
+    """What one point changes of the case."""
+
+    block: str
+    settings: tuple[Setting, ...]
+
+
+def block_settings(table: dict[str, Any], where: Path) -> list[Setting]:
+    """The keys of a block; `"operation.load" = 1` and `operation.load = 1` are the same."""
+    settings: list[Setting] = []
+    for name, value in table.items():
+        if isinstance(value, dict):
+            inner = block_settings(value, (*where, name))
+            settings += [Setting(f"{name}.{s.key}", s.where, s.value) for s in inner]
+        else:
+            settings.append(Setting(name, (*where, name), value))
+    return settings
+
+
+class Lazy(Sequence[Variation]):
+    """Variations that are made when they are asked for."""
+
+    @overload
+    def __getitem__(self, place: int) -> Variation: ...
+
+    @overload
+    def __getitem__(self, place: slice) -> list[Variation]: ...
+
+    def __getitem__(self, place: int | slice) -> Variation | list[Variation]:
+        if isinstance(place, slice):
+            return [self.made(k) for k in range(*place.indices(len(self)))]
+        return self.made(range(len(self))[place])
+
+    def made(self, place: int) -> Variation:
+        """The variation at a place, counted from 0."""
+        raise NotImplementedError
+
+
+class Factorial(Lazy):
+    """Combinations of lists of settings, the last one fastest."""
+
+    def __init__(self, choices: Sequence[Sequence[Setting]]) -> None:
+        self.choices = choices
+        self.size = prod(map(len, choices)) if choices else 0
+
+    def __len__(self) -> int:
+        return self.size
+
+    def made(self, place: int) -> Variation:
+        """The digits of the place are the places in the lists."""
+        chosen = []
+        for choice in reversed(self.choices):
+            place, k = divmod(place, len(choice))
+            chosen.append(choice[k])
+        return Variation("sweep", tuple(reversed(chosen)))
+
+    def edges(self) -> set[int]:
+        """Places where a key has the last value of its list, the others their first ones."""
+        places = {0}
+        step = self.size
+        for choice in self.choices:
+            step //= len(choice)
+            places.add((len(choice) - 1) * step)
+        return places
+
+
+class Sampled(Lazy):
+    """Rows of a table of values, a column for each key."""
+
+    def __init__(
+        self, block: str, keys: Sequence[tuple[str, Path]], rows: Sequence[Sequence[Any]]
+    ) -> None:
+        self.block = block
+        self.keys = keys
+        self.rows = rows
+
+    def __len__(self) -> int:
+        return len(self.rows)
+
+    def made(self, place: int) -> Variation:
+        """The values of a row."""
+        row = zip(self.keys, self.rows[place], strict=True)
+        return Variation(self.block, tuple(Setting(*key, value) for key, value in row))
+
+
+def factorial(file: SweepFile) -> tuple[Factorial, list[CaseFault]]:
+    """Combinations of the lists in [sweep], last key fastest, and faults."""
+    settings = block_settings(file.sweep, ("sweep",))
+    problems = [
+        CaseFault(s.where, f"found {shown(s.value)}", "allowed: a list of values")
+        for s in settings
+        if not isinstance(s.value, list) or not s.value
+    ]
+    if problems:
+        return Factorial([]), problems
+    return Factorial([[Setting(s.key, s.where, v) for v in s.value] for s in settings]), []
+
+
+def listed(file: SweepFile) -> list[Variation]:
+    """The points of [[combinations]]."""
+    tables = enumerate(file.combinations)
+    return [
+        Variation("combinations", tuple(block_settings(table, ("combinations", k))))
+        for k, table in tables
+    ]
+
+
+def differences(
+    table: SensitivityTable, keys: tuple[str, ...], values: dict[str, Any]
+) -> tuple[list[Variation], list[str], list[CaseFault]]:
+    """The case itself, and each of the keys by itself down and up from its value in the case as
+    run; what was left out, and what is wrong.
+    """
+    variations = [Variation("sensitivity", ())]
+    notes = []
+    problems = []
+    where = ("sensitivity", "keys")
+    for key in keys:
+        value = values.get(key)
+        if isinstance(value, float) and is_number(value) and value != 0.0:
+            changed = (value * (1.0 - table.step), value * (1.0 + table.step))
+            variations += [Variation("sensitivity", (Setting(key, where, v),)) for v in changed]
+        elif table.keys == "assumed":
+            reason = "is not given" if value is None else f"{shown(value)} has no relative change"
+            notes.append(f"sensitivity: {key} left out, {reason}")
+        else:
+            allowed = "allowed: keys of the case with a number that is not 0"
+            problems.append(CaseFault(where, f"{key} = {shown(value)}", allowed))
+    if len(variations) == 1 and not problems:
+        problems.append(CaseFault(where, "no key to vary", "needed: a list of keys"))
+    return variations, notes, problems

@@ -1,0 +1,106 @@
+"""How the value of a key is distributed: ranges and laws of blocks of samples."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from ehl.arrays import Array
+
+from ...format.fields import is_number
+from ...format.problems import CaseFault, shown
+from .blocks import Setting
+
+FORMS = {  # numbers of each law
+    "uniform": "[first, last]",
+    "normal": "[mean, standard deviation]",
+    "truncated_normal": "[mean, standard deviation, first, last]",
+    "lognormal": "[median, standard deviation of the logarithm]",
+    "triangular": "[first, mode, last]",
+}
+ALLOWED = "allowed: [first, last], or one of " + ", ".join(
+    f"{{ {name} = {form} }}" for name, form in FORMS.items()
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Distribution:
+    """Values of a key by their shares: `inverse` is the quantile function."""
+
+    inverse: Callable[[Array], Any]
+    bounded: bool
+
+    def values(self, shares: Array) -> list[Any]:
+        """Values at shares between 0 and 1 [-]; in the unit of the key."""
+        found: list[Any] = np.asarray(self.inverse(shares)).tolist()
+        return found
+
+
+def with_law(setting: Setting) -> Setting:
+    """A key with its law as value, where the name of the law was taken for the end of the key."""
+    key, _, law = setting.key.rpartition(".")
+    if law not in FORMS:
+        return setting
+    return Setting(key, setting.where[:-1], {law: setting.value})
+
+
+def distribution(setting: Setting) -> Distribution | CaseFault:
+    """The distribution that a block gives a key, or what is wrong with it."""
+    given = setting.value
+    name, numbers = ("uniform", given)
+    if isinstance(given, dict) and len(given) == 1:
+        name, numbers = next(iter(given.items()))
+    known = name in FORMS and isinstance(numbers, list) and all(map(is_number, numbers))
+    if known and len(numbers) == FORMS[name].count(",") + 1 and _makes_sense(name, numbers):
+        return _made(name, numbers)
+    return CaseFault(setting.where, f"found {shown(given)}", ALLOWED)
+
+
+def _makes_sense(name: str, numbers: list[float]) -> bool:
+    """Whether ends are in order and spreads positive."""
+    if name == "uniform":
+        return numbers[0] < numbers[1]
+    if name == "triangular":
+        return numbers[0] <= numbers[1] <= numbers[2] and numbers[0] < numbers[2]
+    if name == "lognormal":
+        return numbers[0] > 0 and numbers[1] > 0
+    return numbers[1] > 0 and (name == "normal" or numbers[2] < numbers[3])
+
+
+def _made(name: str, numbers: list[float]) -> Distribution:
+    """A law by its numbers; whole numbers as both ends of a range give whole numbers."""
+    from scipy import stats
+
+    if name == "uniform" and all(isinstance(number, int) for number in numbers):
+        return Distribution(partial(_whole, int(numbers[0]), int(numbers[1])), True)
+    if name == "uniform":
+        return Distribution(stats.uniform(numbers[0], numbers[1] - numbers[0]).ppf, True)
+    if name == "normal":
+        return Distribution(stats.norm(*numbers).ppf, False)
+    if name == "lognormal":
+        return Distribution(stats.lognorm(numbers[1], scale=numbers[0]).ppf, False)
+    if name == "truncated_normal":
+        mean, spread, first, last = numbers
+        ends = ((first - mean) / spread, (last - mean) / spread)
+        return Distribution(stats.truncnorm(*ends, loc=mean, scale=spread).ppf, True)
+    first, mode, last = numbers
+    width = last - first
+    return Distribution(stats.triang((mode - first) / width, loc=first, scale=width).ppf, True)
+
+
+def _whole(first: int, last: int, shares: Array) -> Any:
+    """Whole numbers from the first to the last, each as likely."""
+    count = last - first + 1
+    return first + np.minimum(np.floor(shares * count).astype(int), count - 1)
+
+
+def correlated(shares: Array, matrix: Array) -> Array:
+    """Shares, shape (n, keys), with a Gaussian copula: of normal scores with a correlation
+    matrix.
+    """
+    from scipy import stats
+
+    scores = stats.norm.ppf(shares) @ np.linalg.cholesky(matrix).T
+    return stats.norm.cdf(scores)

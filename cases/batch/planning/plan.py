@@ -1,0 +1,149 @@
+"""The points of a sweep, each made when it is asked for."""
+
+import hashlib
+import json
+from bisect import bisect_right
+from collections.abc import Callable, Iterator, Sequence
+from functools import lru_cache
+from itertools import accumulate
+from pathlib import Path
+from typing import Any, overload
+
+from ...format.sweep import SweepFile
+from ..keys import BESIDE_TRACTION_TABLES, DESCRIBING, digest, document_text
+from ..points import Point
+from ..program import program_digest
+from .blocks import Variation
+
+FORMAT = 3  # of what a point leaves on disk
+INPUT_FILES = (("friction", "traction_table"),)  # table and key of files that a case reads
+
+SIMPLE = (float, str, bool)
+BITS = 256  # of the sum of hashes
+
+Document = dict[str, Any]
+
+
+class Plan(Sequence[Point]):
+    """Points of blocks of variations, one block after the other."""
+
+    def __init__(
+        self,
+        blocks: Sequence[Sequence[Variation]],
+        document: Callable[[Variation], Document],
+        name: Callable[[Document], str],
+        keys: tuple[str, ...],
+    ) -> None:
+        self.blocks = [block for block in blocks if len(block)]
+        self.ends = list(accumulate(map(len, self.blocks)))
+        self.document = document
+        self.name = name
+        self.keys = keys
+
+    def __len__(self) -> int:
+        return self.ends[-1] if self.ends else 0
+
+    @overload
+    def __getitem__(self, place: int) -> Point: ...
+
+    @overload
+    def __getitem__(self, place: slice) -> list[Point]: ...
+
+    def __getitem__(self, place: int | slice) -> Point | list[Point]:
+        if isinstance(place, slice):
+            return [self[k] for k in range(*place.indices(len(self)))]
+        place = range(len(self))[place]
+        return self._point(place, self.variation(place))
+
+    def __iter__(self) -> Iterator[Point]:
+        place = 0
+        for block in self.blocks:
+            for variation in block:
+                yield self._point(place, variation)
+                place += 1
+
+    def variation(self, place: int) -> Variation:
+        """What a point changes of the case."""
+        number = bisect_right(self.ends, place)
+        start = self.ends[number - 1] if number else 0
+        return self.blocks[number][place - start]
+
+    def _point(self, place: int, variation: Variation) -> Point:
+        document = self.document(variation)
+        return Point(
+            number=place + 1,
+            block=variation.block,
+            keys=self.keys,
+            document=document,
+            key=self.name(document),
+        )
+
+
+class PointName:
+    """Names of points: hashes of all that their results depend on, the program included.
+
+    A name holds the sum of the hashes of all tables, so that only those have to be read again that
+    a point changes.
+    """
+
+    def __init__(self, file: SweepFile, base: Document) -> None:
+        whole: Document = {"compute": file.compute, "fields": file.fields, "format": FORMAT}
+        if file.compute == "table":
+            whole["table_points"] = file.table_points
+        self.head = document_text(whole | {"program": program_digest()}).encode()
+        self.without = frozenset(BESIDE_TRACTION_TABLES if file.compute == "table" else DESCRIBING)
+        self.base = base
+        self.hashes = {name: self._hash(name, value) for name, value in base.items()}
+        self.total = sum(self.hashes.values())
+
+    def of(self, document: Document) -> str:
+        """The name of a point."""
+        total = self.total
+        for name, value in document.items():
+            if value is not self.base.get(name):
+                total += self._hash(name, value) - self.hashes.get(name, 0)
+        for name in self.hashes.keys() - document.keys():
+            total -= self.hashes[name]
+        known = hashlib.sha256(self.head)
+        known.update((total % 2**BITS).to_bytes(BITS // 8, "big"))
+        for content in input_files(document):
+            known.update(content.encode())
+        return known.hexdigest()[:20]
+
+    def _hash(self, name: str, value: Any) -> int:
+        """A table as a number; 0 of what does not count."""
+        if name in self.without:
+            return 0
+        text = f"{name}={json.dumps(_plain(value), sort_keys=True, default=str)}"
+        return int.from_bytes(hashlib.sha256(text.encode()).digest(), "big")
+
+
+def _plain(value: Any) -> Any:
+    """A table with whole numbers as the floats that they are equal to."""
+    if isinstance(value, dict):
+        return {k: v if type(v) in SIMPLE else _plain(v) for k, v in value.items()}
+    if isinstance(value, list):
+        return [_plain(item) for item in value]
+    return float(value) if type(value) is int else value
+
+
+def input_files(document: Document) -> Iterator[str]:
+    """Digests of the files that a case reads; of one that is not there, its name."""
+    for table, key in INPUT_FILES:
+        given = document.get(table)
+        path = given.get(key) if isinstance(given, dict) else None
+        if isinstance(path, str):
+            yield _current_digest(path)
+
+
+def _current_digest(name: str) -> str:
+    try:
+        state = Path(name).stat()
+        return _file_digest(name, state.st_mtime_ns, state.st_size)
+    except (OSError, ValueError):
+        return name
+
+
+@lru_cache(maxsize=64)
+def _file_digest(name: str, _changed: int, _size: int) -> str:
+    return digest(Path(name).read_bytes())

@@ -1,0 +1,187 @@
+"""Points drawn at random: Latin hypercubes, Sobol sequences, designs of Morris and of Saltelli."""
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from pydantic import ValidationError
+
+from ehl.arrays import Array
+from postprocess.batch.results import Design
+
+from ...format.problems import CaseFault, Path, schema_faults, shown
+from ...format.sweep import HypercubeOptions, MorrisOptions, SampleOptions, SobolOptions, SweepFile
+from .blocks import Sampled, block_settings
+from .distributions import Distribution, correlated, distribution, with_law
+
+# levels of Morris' designs at the ends of a law without ends: its quantiles of 2.5 and 97.5 %
+OUTER = 0.025
+Options = HypercubeOptions | SampleOptions | MorrisOptions | SobolOptions
+
+
+def sampled_blocks(file: SweepFile) -> tuple[list[tuple[Sampled, Design]], list[CaseFault]]:
+    """Blocks of points that are drawn at random, in the order of the format's description, and
+    faults.
+    """
+    tables: list[tuple[str, dict[str, Any], type[Options], Path]] = []
+    several: dict[str, type[Options]] = {
+        "latin_hypercube": HypercubeOptions,
+        "sample": SampleOptions,
+    }
+    single: dict[str, type[Options]] = {"morris": MorrisOptions, "sobol_indices": SobolOptions}
+    for name, kind in several.items():
+        given = getattr(file, name)
+        where = [(name, k) if len(given) > 1 else (name,) for k in range(len(given))]
+        tables += [(name, table, kind, place) for table, place in zip(given, where, strict=True)]
+    for name, kind in single.items():
+        table = getattr(file, name)
+        tables += [] if table is None else [(name, table, kind, (name,))]
+    blocks = []
+    faults: list[CaseFault] = []
+    for name, table, kind, place in tables:
+        options = _options(kind, table, place)
+        if isinstance(options, list):
+            faults += options
+            continue
+        block, design, wrong = sampled_block(name, table, options, place)
+        blocks.append((block, design))
+        faults += wrong
+    return blocks, faults
+
+
+def _options(kind: type[Options], table: dict[str, Any], where: Path) -> Options | list[CaseFault]:
+    """The options of a block, or their faults."""
+    try:
+        given = {key: table[key] for key in kind.model_fields if key in table}
+        options = kind.model_validate(given)
+    except ValidationError as error:
+        faults = schema_faults(error.errors(include_url=False), kind.model_json_schema())
+        return [CaseFault((*where, *p.path), p.finding, p.allowed) for p in faults]
+    two = isinstance(options, SobolOptions) or getattr(options, "method", "") == "sobol"
+    if two and not isinstance(options, MorrisOptions) and options.samples.bit_count() != 1:
+        near = 2 ** round(math.log2(options.samples))
+        allowed = f"allowed: a power of 2, as {near}"
+        return [CaseFault((*where, "samples"), f"found {options.samples}", allowed)]
+    return options
+
+
+def sampled_block(
+    name: str, table: dict[str, Any], options: Options, where: Path
+) -> tuple[Sampled, Design, list[CaseFault]]:
+    """The points of a block, what they are a design of, and faults."""
+    own = set(type(options).model_fields)
+    given = block_settings({k: v for k, v in table.items() if k not in own}, where)
+    settings = [with_law(setting) for setting in given]
+    laws = [distribution(setting) for setting in settings]
+    faults = [law for law in laws if isinstance(law, CaseFault)]
+    known = [law for law in laws if isinstance(law, Distribution)]
+    if not settings:
+        faults.append(CaseFault(where, "no keys", "needed: keys with their ranges or laws"))
+    keys = tuple(setting.key for setting in settings)
+    matrix = np.eye(len(keys))
+    if isinstance(options, SampleOptions):
+        matrix, wrong = _correlations(options, keys, where)
+        faults += wrong
+    design = Design(block=name, keys=keys, samples=_runs(options))
+    if faults:
+        return Sampled(name, [], []), design, faults
+    shares = _shares(options, len(keys))
+    if isinstance(options, SampleOptions):
+        shares = correlated(shares, matrix) if options.correlations else shares
+    elif isinstance(options, MorrisOptions):
+        shares = np.column_stack([_inside(s, law) for s, law in zip(shares.T, known, strict=True)])
+    ends = [law.values(_inside(np.array([0.0, 1.0]), law)) for law in known]
+    design = replace(design, ranges=tuple((float(low), float(high)) for low, high in ends))
+    columns = [law.values(column) for law, column in zip(known, shares.T, strict=True)]
+    places = [(setting.key, setting.where) for setting in settings]
+    return Sampled(name, places, list(zip(*columns, strict=True))), design, []
+
+
+def _inside(shares: Array, law: Distribution) -> Array:
+    """Levels of a law: the quantiles between its outer ones where it has no ends."""
+    return shares if law.bounded else OUTER + (1.0 - 2.0 * OUTER) * shares
+
+
+def _runs(options: Options) -> int:
+    return options.trajectories if isinstance(options, MorrisOptions) else options.samples
+
+
+def _shares(options: Options, keys: int) -> Array:
+    """Places of all points in the unit cube, shape (points, keys)."""
+    if isinstance(options, MorrisOptions):
+        return morris_design(keys, options.trajectories, options.levels, options.seed)
+    if isinstance(options, SobolOptions):
+        return saltelli_design(keys, options.samples, options.seed)
+    method = options.method if isinstance(options, SampleOptions) else "latin hypercube"
+    return unit_sample(method, keys, options.samples, options.seed)
+
+
+def unit_sample(method: str, keys: int, samples: int, seed: int) -> Array:
+    """A sample of the unit cube, shape (samples, keys): a Latin hypercube (McKay, Beckman and
+    Conover 1979), a scrambled Sobol sequence (Owen 1998), or random.
+    """
+    from scipy.stats import qmc
+
+    rng = np.random.default_rng(seed)
+    if method == "random":
+        return rng.random((samples, keys))
+    if method == "sobol":
+        return qmc.Sobol(keys, seed=rng).random(samples)
+    return qmc.LatinHypercube(keys, seed=rng).random(samples)
+
+
+def saltelli_design(keys: int, samples: int, seed: int) -> Array:
+    """Points for Sobol indices: A, B, and for each key A with its column from B (Saltelli et al.
+    2010), shape (samples (keys + 2), keys); `samples` is a power of 2.
+    """
+    both = unit_sample("sobol", 2 * keys, samples, seed)
+    first, second = both[:, :keys], both[:, keys:]
+    mixed = []
+    for key in range(keys):
+        one = first.copy()
+        one[:, key] = second[:, key]
+        mixed.append(one)
+    return np.concatenate([first, second, *mixed])
+
+
+def morris_design(keys: int, trajectories: int, levels: int, seed: int) -> Array:
+    """Trajectories in which one key after the other moves by p/(2(p - 1)), Morris (1991), shape
+    (trajectories (keys + 1), keys); `levels` p is even.
+    """
+    rng = np.random.default_rng(seed)
+    step = levels / (2.0 * (levels - 1.0))
+    lower = np.arange(levels // 2) / (levels - 1.0)
+    rows = []
+    for _ in range(trajectories):
+        place = rng.choice(lower, keys)
+        up = rng.random(keys) < 0.5
+        place = np.where(up, place, place + step)
+        rows.append(place.copy())
+        for key in rng.permutation(keys):
+            place[key] += step if up[key] else -step
+            rows.append(place.copy())
+    return np.array(rows)
+
+
+def _correlations(
+    options: SampleOptions, keys: Sequence[str], where: Path
+) -> tuple[Array, list[CaseFault]]:
+    """The correlation matrix of normal scores, and what is wrong with it."""
+    matrix = np.eye(len(keys))
+    place = (*where, "correlations")
+    allowed = "allowed: lists of two keys of this block and a number above -1 and below 1"
+    for entry in options.correlations:
+        right = isinstance(entry, list | tuple) and len(entry) == 3
+        if not right or entry[0] == entry[1] or not {*entry[:2]} <= {*keys}:
+            return matrix, [CaseFault(place, f"found {shown(entry)}", allowed)]
+        number = entry[2]
+        if isinstance(number, bool | str) or not -1.0 < number < 1.0:
+            return matrix, [CaseFault(place, f"found {shown(entry)}", allowed)]
+        i, j = keys.index(entry[0]), keys.index(entry[1])
+        matrix[i, j] = matrix[j, i] = number
+    if options.correlations and np.linalg.eigvalsh(matrix).min() <= 0.0:
+        finding = "no distribution has all of these correlations at once"
+        return matrix, [CaseFault(place, finding, "allowed: a positive definite matrix of them")]
+    return matrix, []

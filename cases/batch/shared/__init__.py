@@ -1,0 +1,8 @@
+"""What points share.
+
+| module | responsibility |
+|---|---|
+| contact_cache | solved contacts shared by points |
+| tables | traction tables shared by points |
+| table_films | films of a table that is not complete yet |
+"""

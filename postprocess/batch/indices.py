@@ -1,0 +1,195 @@
+"""Which key matters: Sobol indices and Morris' elementary effects of the main results."""
+
+import warnings
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ehl.arrays import Array
+
+from .columns import Columns
+from .results import Design
+
+CONFIDENCE = 0.95  # of intervals
+RESAMPLES = 999  # of a bootstrap
+SEED = 91_730_264  # of its random numbers
+SOBOL = "sobol_indices"
+MORRIS = "morris"
+
+
+def main_values(columns: Columns) -> tuple[list[str], Array, list[str]]:
+    """Names of the main results, their values, shape (points, results), NaN where a point did not
+    converge, and the blocks of the points.
+    """
+    names = [n for n in columns.names if n in columns.layouts.main and "_uncertainty_" not in n]
+    places = [columns.names.index(name) for name in names]
+    parts = [np.empty((0, len(names)))]
+    blocks: list[str] = []
+    for rows, values, _ in columns.chunks():
+        part = values[:, places]
+        part[[not row.converged for row in rows]] = np.nan
+        parts.append(part)
+        blocks += [row.block for row in rows]
+    return names, np.concatenate(parts), blocks
+
+
+def sobol_indices(values: Array, keys: int, samples: int) -> tuple[Any, Any, Any]:
+    """First and total Sobol indices of one result, and their intervals by bootstrap.
+
+    Saltelli et al. (2010), table 2: first indices by (b), total ones by (f), of Jansen.
+
+    Parameters
+    ----------
+    values : ndarray, shape (samples (keys + 2),)
+        Results at the points of Saltelli's design: A, B, A with one column from B after the other.
+
+    Returns
+    -------
+    first, total : ndarray, shape (keys,)
+        Indices [-].
+    intervals : ndarray, shape (2, keys, 2)
+        Ends of the intervals of 95 % of the first and of the total indices [-].
+    """
+    from scipy.stats import DegenerateDataWarning
+    from scipy.stats import sobol_indices as of_scipy
+
+    parts = values.reshape(keys + 2, 1, samples)
+    parts = parts - values[: 2 * samples].mean()
+    functions: Any = {"f_A": parts[0], "f_B": parts[1], "f_AB": parts[2:]}
+    # resamples without any spread give no interval, which is null then
+    with np.errstate(divide="ignore", invalid="ignore"), warnings.catch_warnings():
+        warnings.simplefilter("ignore", DegenerateDataWarning)
+        found = of_scipy(func=functions, n=samples)
+        bars = found.bootstrap(confidence_level=CONFIDENCE, n_resamples=RESAMPLES)
+    ends = [bar.confidence_interval for bar in (bars.first_order, bars.total_order)]
+    intervals = np.array([np.column_stack([end.low.ravel(), end.high.ravel()]) for end in ends])
+    return found.first_order.ravel(), found.total_order.ravel(), intervals
+
+
+def known(value: float) -> float | None:
+    """A number that is finite, else null."""
+    return float(value) if np.isfinite(value) else None
+
+
+def sobol_document(names: list[str], values: Array, design: Design) -> dict[str, Any]:
+    """Under each main result that varies, for each key `first` and `total` index [-] with the ends
+    of their intervals of 95 %; a reason in place of them where points have no result.
+
+    `names`, `values`: of the main results of all points of the batch.
+    """
+    count = design.samples * (len(design.keys) + 2)
+    block = values[design.start : design.start + count]
+    document: dict[str, Any] = {"samples": design.samples, "points": count, "results": {}}
+    for name, column in zip(names, block.T, strict=True):
+        missing = int(np.isnan(column).sum())
+        if missing == count or np.nanmax(column) == np.nanmin(column):
+            continue
+        if missing:
+            document["results"][name] = f"null, {missing} of {count} points have no result"
+            continue
+        first, total, intervals = sobol_indices(column, len(design.keys), design.samples)
+        document["results"][name] = {
+            key: {
+                "first": float(first[k]),
+                "first_low": known(intervals[0, k, 0]),
+                "first_high": known(intervals[0, k, 1]),
+                "total": float(total[k]),
+                "total_low": known(intervals[1, k, 0]),
+                "total_high": known(intervals[1, k, 1]),
+            }
+            for k, key in enumerate(design.keys)
+        }
+    return document
+
+
+def elementary_effects(values: Array, places: Array) -> tuple[Array, Array]:
+    """Elementary effects of one result, Morris (1991): change over the step of the key that moved.
+
+    Parameters
+    ----------
+    values : ndarray, shape (trajectories, keys + 1)
+        Results along the trajectories; NaN where there is none.
+    places : ndarray, shape (trajectories, keys + 1, keys)
+        Keys along them [-], on any scale in which they are compared.
+
+    Returns
+    -------
+    effects, steps : ndarray, shape (trajectories, keys)
+        Change of the result over that of the key, and whether it is known is told by NaN; the
+        signed steps of the keys.
+    """
+    moved = np.diff(places, axis=1)
+    key = np.argmax(np.abs(moved), axis=2)
+    steps = np.take_along_axis(moved, key[:, :, None], axis=2)[:, :, 0]
+    change = np.diff(values, axis=1)
+    effects = np.full(change.shape, np.nan)
+    sizes = np.full(change.shape, np.nan)
+    rows = np.arange(len(values))[:, None]
+    effects[rows, key] = change
+    sizes[rows, key] = steps
+    return effects / sizes, sizes
+
+
+def morris_document(
+    names: list[str], values: Array, design: Design, places: Array
+) -> dict[str, Any]:
+    """Under each main result, for each key the mean of its effects `mean`, of their magnitudes
+    `mean_magnitude` with the ends of its interval of 95 %, and their `standard_deviation`, in the
+    unit of the result for the whole range of the key; `trajectories` that are complete.
+
+    `places`: values of the keys over their ranges [-], shape (points, keys).
+    """
+    keys = len(design.keys)
+    shape = (design.samples, keys + 1)
+    count = design.samples * (keys + 1)
+    block = values[design.start : design.start + count]
+    rng = np.random.default_rng(SEED)
+    document: dict[str, Any] = {"trajectories": design.samples, "points": count, "results": {}}
+    for name, column in zip(names, block.T, strict=True):
+        effects, _ = elementary_effects(column.reshape(shape), places.reshape(*shape, keys))
+        effects = effects[~np.isnan(effects).any(axis=1)]
+        if len(effects) < 2 or not effects.any():
+            continue
+        chosen = rng.integers(len(effects), size=(RESAMPLES, len(effects)))
+        spread = np.abs(effects)[chosen].mean(axis=1)
+        low, high = np.quantile(spread, (0.5 - 0.5 * CONFIDENCE, 0.5 + 0.5 * CONFIDENCE), axis=0)
+        rows = {
+            key: {
+                "mean": float(effects[:, k].mean()),
+                "mean_magnitude": float(np.abs(effects[:, k]).mean()),
+                "mean_magnitude_low": float(low[k]),
+                "mean_magnitude_high": float(high[k]),
+                "standard_deviation": float(effects[:, k].std(ddof=1)),
+            }
+            for k, key in enumerate(design.keys)
+        }
+        document["results"][name] = {"trajectories": len(effects), **rows}
+    return document
+
+
+def design_documents(columns: Columns, designs: Sequence[Design]) -> dict[str, Any]:
+    """What the designs of a batch tell, under `sobol_indices` and `morris`; null without one."""
+    document: dict[str, Any] = {SOBOL: None, MORRIS: None}
+    if not any(design.block in document for design in designs):
+        return document
+    names, values, _ = main_values(columns)
+    for design in designs:
+        if design.block == SOBOL:
+            document[SOBOL] = sobol_document(names, values, design)
+        elif design.block == MORRIS:
+            places = _places(columns, design)
+            document[MORRIS] = morris_document(names, values, design, places)
+    return document
+
+
+def _places(columns: Columns, design: Design) -> Array:
+    """Keys of the points of a design over their ranges [-], shape (points, keys)."""
+    stop = design.start + design.samples * (len(design.keys) + 1)
+    given = []
+    for rows in columns.source.chunks():
+        for row in rows:
+            if design.start < row.number <= stop:
+                given.append([row.values[key] for key in design.keys])
+    low, high = np.array(design.ranges).T
+    return (np.array(given, dtype=float) - low) / (high - low)

@@ -1,0 +1,225 @@
+"""Finished points of a batch on disk: one SQLite file for each writer.
+
+points.sqlite            of `oilfilm batch`
+points-3-of-8.sqlite     of its shard 3/8
+
+A row is one record with the digest of its content; rows are only added, the last of a key counts.
+"""
+
+import errno
+import sqlite3
+from collections.abc import Iterator, Sequence
+from contextlib import closing, contextmanager, suppress
+from pathlib import Path
+from time import monotonic
+from typing import Any
+
+from .records import DONE, Record
+
+PATTERN = "points*.sqlite"
+FORMAT = 1  # of the tables below
+PAGE = 4096  # of a file [bytes]: records of 10 kB waste little of them
+MOST_PENDING = 50  # records, and
+PATIENCE = 2.0  # time [s], after which records are put on disk
+WAIT = 10.0  # for another program that reads the file [s]
+COLUMNS = ("key", "status", "message", "vals", "numbers", "summary", "files")
+SELECT = (
+    f"SELECT points.id, digest, text, {', '.join(COLUMNS)} "
+    "FROM points LEFT JOIN layouts ON layouts.id = layout"
+)
+TABLES = f"""
+CREATE TABLE layouts (id INTEGER PRIMARY KEY, text TEXT NOT NULL);
+CREATE TABLE points (
+    id INTEGER PRIMARY KEY, key TEXT, status TEXT, digest BLOB, layout INTEGER,
+    message TEXT, vals TEXT, files TEXT, numbers BLOB, summary BLOB
+);
+PRAGMA user_version = {FORMAT};
+"""
+
+
+class PointStore:
+    """The file of one writer, which nobody else writes; OSError where the disk takes no more."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        with _disk_failures(path):
+            self._file = _connected(path)
+            self._layouts = {
+                text: number for number, text in self._file.execute("SELECT id, text FROM layouts")
+            }
+        self._pending = 0
+        self._since = monotonic()
+
+    def put(self, record: Record) -> None:
+        """Keep a record; on disk after `PATIENCE` or with some others."""
+        row = tuple(_column(record, name) for name in COLUMNS)
+        places = ", ".join("?" * (len(COLUMNS) + 2))
+        with _disk_failures(self.path):
+            layout = self._layout(record.layout)
+            self._file.execute(
+                f"INSERT INTO points (digest, layout, {', '.join(COLUMNS)}) VALUES ({places})",
+                (record.digest, layout, *row),
+            )
+        self._pending += 1
+        self.flush(at_once=self._pending >= MOST_PENDING)
+
+    def _layout(self, text: str) -> int:
+        if text not in self._layouts:
+            cursor = self._file.execute("INSERT INTO layouts (text) VALUES (?)", (text,))
+            assert cursor.lastrowid is not None  # of a table with numbered rows
+            self._layouts[text] = cursor.lastrowid
+        return self._layouts[text]
+
+    def flush(self, *, at_once: bool = False) -> None:
+        """Put on disk what is due."""
+        if self._pending and (at_once or monotonic() - self._since > PATIENCE):
+            with _disk_failures(self.path):
+                self._file.commit()
+            self._pending = 0
+            self._since = monotonic()
+
+    def close(self, *, keep: bool = True) -> None:
+        """Close the file such that it can be read where nothing can be written.
+
+        Where a full disk does not let it, what was on disk before is there still.
+        """
+        with closing(self._file), _disk_failures(self.path) if keep else suppress(sqlite3.Error):
+            self._file.commit()
+            self._file.execute("PRAGMA journal_mode = DELETE")
+
+
+def _column(record: Record, name: str) -> Any:
+    return record.values if name == "vals" else getattr(record, name)
+
+
+@contextmanager
+def _disk_failures(path: Path) -> Iterator[None]:
+    """Errors of SQLite as those of the disk; of a locked file as that of an access."""
+    try:
+        yield
+    except sqlite3.DatabaseError as error:
+        name = getattr(error, "sqlite_errorname", "")
+        numbers = {"SQLITE_FULL": errno.ENOSPC, "SQLITE_BUSY": errno.EACCES}
+        raise OSError(numbers.get(name, errno.EIO), str(error), str(path)) from error
+
+
+def _connected(path: Path, wait: float = WAIT) -> sqlite3.Connection:
+    """A file opened for this program alone after at most `wait` [s]; sqlite3.DatabaseError if it
+    is damaged.
+    """
+    file = sqlite3.connect(path, timeout=wait)
+    try:
+        file.execute(f"PRAGMA page_size = {PAGE}")
+        file.execute("PRAGMA locking_mode = EXCLUSIVE")  # needs no memory shared with others
+        file.execute("PRAGMA journal_mode = WAL")
+        file.execute("PRAGMA synchronous = FULL")
+        (version,) = file.execute("PRAGMA user_version").fetchone()
+        if version == 0:
+            file.executescript(TABLES)
+    except BaseException:
+        file.close()
+        raise
+    return file
+
+
+def store_files(directory: Path) -> list[Path]:
+    """The files of points of a batch, sorted."""
+    return sorted(directory.glob(PATTERN))
+
+
+def whole_records(path: Path) -> Iterator[tuple[int, Record | None]]:
+    """Number of each row of a file, and its record, None where the row is damaged."""
+    try:
+        with closing(_for_reading(path)) as file:
+            last = 0
+            while True:
+                try:
+                    for row in file.execute(f"{SELECT} WHERE points.id > ? ORDER BY 1", (last,)):
+                        last = row[0]
+                        yield last, _record(row)
+                    return
+                except sqlite3.DatabaseError:
+                    (most,) = file.execute("SELECT max(id) FROM points").fetchone()
+                    if most is None or last >= most:
+                        return
+                    last += 1
+                    yield last, None  # the row cannot be read
+    except sqlite3.DatabaseError:  # nothing of the file can be
+        return
+
+
+def _for_reading(path: Path) -> sqlite3.Connection:
+    """A file to read; what a killed writer had not merged into it is merged first."""
+    if not path.with_name(f"{path.name}-wal").exists():
+        return sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True)
+    try:
+        return _connected(path, 0.0)
+    except sqlite3.OperationalError:  # where nothing can be written, or somebody writes
+        return sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True)
+
+
+def _record(row: tuple[Any, ...]) -> Record | None:
+    digest, layout = row[1:3]
+    fields = dict(zip(COLUMNS, row[3:], strict=True))
+    fields["values"] = fields.pop("vals")
+    try:
+        record = Record(layout=layout or "[]", **fields)
+        return record if record.digest == digest else None
+    except (TypeError, ValueError):
+        return None
+
+
+def is_sound(path: Path) -> bool:
+    """Whether SQLite can open a file and its tables."""
+    try:
+        with closing(_for_reading(path)) as file:
+            file.execute("SELECT max(id) FROM points").fetchone()
+            file.execute("SELECT max(id) FROM layouts").fetchone()
+    except sqlite3.DatabaseError:
+        return False
+    return True
+
+
+class StoredPoints:
+    """Finished points of several files: where each is, and what became of it."""
+
+    def __init__(self, paths: Sequence[Path]) -> None:
+        self.paths = tuple(paths)
+        self.status: dict[str, str] = {}
+        self.damaged: dict[Path, int] = {}  # rows by their file
+        self.with_files: set[str] = set()
+        self._places: dict[str, tuple[int, int]] = {}
+        for number, path in enumerate(self.paths):
+            for row, record in whole_records(path):
+                if record is None:
+                    self.damaged[path] = self.damaged.get(path, 0) + 1
+                elif self.status.get(record.key) != DONE:
+                    self.status[record.key] = record.status
+                    self._places[record.key] = (number, row)
+                    if record.files != "{}":
+                        self.with_files.add(record.key)
+
+    def records(self, keys: Sequence[str]) -> list[Record | None]:
+        """The records of points; None where there is none."""
+        found: dict[str, Record | None] = {}
+        for number, path in enumerate(self.paths):
+            rows = {
+                self._places[key][1]
+                for key in keys
+                if key in self._places and self._places[key][0] == number
+            }
+            if rows:
+                found |= _chosen(path, sorted(rows))
+        return [found.get(key) for key in keys]
+
+
+def _chosen(path: Path, rows: list[int]) -> dict[str, Record | None]:
+    """Records of some rows of a file, by their keys."""
+    found: dict[str, Record | None] = {}
+    with closing(_for_reading(path)) as file:
+        for row in rows:
+            with suppress(sqlite3.DatabaseError):
+                line = file.execute(f"{SELECT} WHERE points.id = ?", (row,)).fetchone()
+                if line is not None and (record := _record(line)) is not None:
+                    found[record.key] = record
+    return found

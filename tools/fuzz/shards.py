@@ -1,0 +1,143 @@
+"""A batch in shards that are killed, run into a full disk and find their files damaged, against an undisturbed one.
+
+    python tools/fuzz/shards.py --seed 7193 --points 2000 --shards 8 --rounds 40
+
+Each round starts a shard and, after a random share of the time that it takes, kills it (SIGKILL, SIGTERM or SIGINT),
+or limits the size of its files so that the disk is full, or changes bytes of a file of points when it has ended. At the
+end all shards are run once more undisturbed and collected. A fault is an exit code other than those of the command's
+help, a traceback, more than `WITHIN` seconds from SIGINT or SIGTERM to the end, or a table or data set that differs in
+one byte from those of the batch that nothing disturbed.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import random
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[2]
+HANG = 600.0  # [s]
+SWEEP = """case = "6208_full_ceramic"
+[fixed]
+"ehl.film_maps" = "none"
+[sweep]
+"operation.inner_speed_rpm" = {speeds}
+"operation.radial_load_N" = {loads}
+"""
+KINDS = ("kill", "kill", "term", "int", "full", "flip", "cut", "zero", "journal")
+SAME = ("batch.csv", "results.nc")
+
+
+def oilfilm(words: str, folder: Path, room: int | None = None) -> subprocess.Popen[str]:
+    """A command; `room`: of each file that it writes [bytes]."""
+
+    def limit() -> None:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (room, resource.RLIM_INFINITY))
+
+    return subprocess.Popen(
+        [sys.executable, "-m", "cases.cli", *words.split()],
+        cwd=folder,
+        env=os.environ | {"PYTHONPATH": f"{ROOT}:{os.environ.get('PYTHONPATH', '')}"},
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+        preexec_fn=None if room is None else limit,
+    )
+
+
+def ended(process: subprocess.Popen[str], allowed: tuple[int, ...], what: str) -> list[str]:
+    """What is wrong with an end."""
+    errors = process.communicate(timeout=HANG)[1]
+    wrong = [f"{what}: exit code {process.returncode}: {errors[-500:]}"] * (process.returncode not in allowed)
+    return wrong + [f"{what}: {errors[-1500:]}"] * ("Traceback" in errors or "internal error" in errors)
+
+
+def damage(kind: str, folder: Path, rng: random.Random) -> str:
+    """Change a file of points that nobody writes; its name."""
+    pattern = "points-*.sqlite-wal" if kind == "journal" else "points-*.sqlite"
+    files = [path for path in sorted(folder.glob(pattern)) if path.stat().st_size > 200]
+    if not files:
+        return "nothing"
+    path = rng.choice(files)
+    data = bytearray(path.read_bytes())
+    place = rng.randrange(len(data))
+    if kind == "cut":
+        del data[place:]
+    elif kind == "zero":
+        data[place : place + 4096] = bytes(len(data[place : place + 4096]))
+    else:
+        data[place] ^= 1 << rng.randrange(8)
+    path.write_bytes(data)
+    return path.name
+
+
+def disturbed(kind: str, words: str, folder: Path, rng: random.Random, longest: float) -> list[str]:
+    """A shard that something happens to; what is wrong with how it ends."""
+    if kind == "full":
+        out = folder / "out"
+        largest = max((path.stat().st_size for path in out.glob("points-*.sqlite*")), default=0)
+        return ended(oilfilm(words, folder, largest + rng.randrange(60_000)), (0, 1, 4), "full disk")
+    process = oilfilm(words, folder)
+    numbers = {"kill": signal.SIGKILL, "term": signal.SIGTERM, "int": signal.SIGINT}
+    if kind in numbers:
+        try:
+            process.wait(rng.uniform(0.05, 1.0) * longest)
+        except subprocess.TimeoutExpired:
+            process.send_signal(numbers[kind])
+        return ended(process, (0, 3, -signal.SIGKILL), kind)
+    wrong = ended(process, (0,), "undisturbed")
+    damage(kind, folder / "out", rng)
+    return wrong
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--seed", type=int, default=7193)
+    parser.add_argument("--points", type=int, default=2000)
+    parser.add_argument("--shards", type=int, default=8)
+    parser.add_argument("--rounds", type=int, default=40)
+    parser.add_argument("--workers", type=int, default=2)
+    chosen = parser.parse_args()
+    rng = random.Random(chosen.seed)
+    loads = np.linspace(400.0, 3000.0, 20).round(3).tolist()
+    speeds = np.linspace(1000.0, 10000.0, chosen.points // 20).round(3).tolist()
+    with tempfile.TemporaryDirectory(prefix="shards-") as name:
+        folder = Path(name)
+        (folder / "sweep.toml").write_text(SWEEP.format(speeds=speeds, loads=loads))
+        words = f"batch sweep.toml -q --workers {chosen.workers}"
+        start = time.monotonic()
+        faults = ended(oilfilm(f"{words} -o calm", folder), (0,), "the undisturbed batch")
+        longest = max(3.0, (time.monotonic() - start) / chosen.shards + 3.0)
+        print(f"undisturbed: {time.monotonic() - start:.0f} s", flush=True)
+        counts: dict[str, int] = {}
+        for k in range(chosen.rounds):
+            kind = rng.choice(KINDS)
+            counts[kind] = counts.get(kind, 0) + 1
+            shard = f"{rng.randrange(chosen.shards) + 1}/{chosen.shards}"
+            found = disturbed(kind, f"{words} -o out --shard {shard}", folder, rng, longest)
+            faults += [f"round {k}, shard {shard}: {fault}" for fault in found]
+        for k in range(chosen.shards):
+            faults += ended(oilfilm(f"{words} -o out --shard {k + 1}/{chosen.shards}", folder), (0,), "at the end")
+        faults += ended(oilfilm("batch sweep.toml -q -o out --collect", folder), (0,), "collecting")
+        for file in SAME:
+            calm, out = folder / "calm" / file, folder / "out" / file
+            if not out.exists() or calm.read_bytes() != out.read_bytes():
+                faults.append(f"{file} differs from that of the undisturbed batch")
+    for fault in faults:
+        print(fault)
+    told = ", ".join(f"{number} {kind}" for kind, number in sorted(counts.items()))
+    print(f"{chosen.points} points, {chosen.shards} shards, {chosen.rounds} rounds ({told}): {len(faults)} faults")
+    return bool(faults)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
