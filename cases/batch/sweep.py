@@ -70,7 +70,7 @@ def read_sweep(name_or_path: str | FilePath) -> Sweep:
     return sweep_from_text(read_text(path), str(path), path.parent)
 
 
-def _document(text: str, name: str) -> dict[str, Any]:
+def _sweep_tables(text: str, name: str) -> dict[str, Any]:
     """The tables of a sweep file; `CaseError` if they are those of a case."""
     document = parse(text, name)
     if "case" not in document:
@@ -84,7 +84,7 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
     """The sweep that the text of a file describes; its case is sought in `folder` first."""
     source = _Source(text, name, folder or FilePath())
     try:
-        file = SweepFile.model_validate(_document(text, name))
+        file = SweepFile.model_validate(_sweep_tables(text, name))
     except ValidationError as error:
         schema = SweepFile.model_json_schema()
         raise source.error(schema_faults(error.errors(include_url=False), schema)) from None
