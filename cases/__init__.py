@@ -5,6 +5,7 @@
 | format | case files: tables, rules, conversion to SI |
 | runs | one case run: bearing, contact, slip, stiffness, tables, dynamics |
 | batch | many points of one case |
+| optimise | optimisation of a case by its keys |
 | cli | the command line |
 | library | shipped cases, sweeps and printed reference values (TOML, CSV) |
 | version | version of the program |

@@ -14,6 +14,7 @@
 | compute | run, contact, film, slip, stiffness, table |
 | dynamics | dynamics |
 | batch | batch |
+| optimise | optimise |
 | view | view |
 | reading | folders of results that are read: there, and as they were written |
 | documents | report, compare, cut, interferogram |

@@ -137,7 +137,7 @@ def batch(  # noqa: PLR0913
         done = _computed(plan, folder, wanted, choice, _Told(keep, quiet, not collect))
         if shard is not None:
             return _report_shard(done, choice, as_json=as_json, quiet=quiet)
-        with _kept(folder if keep else None), collected(done) as (results, columns):
+        with kept(folder if keep else None), collected(done) as (results, columns):
             _write(results, columns, folder, wanted)
             return _report(results, columns, folder if keep else None, as_json, quiet)
 
@@ -178,7 +178,7 @@ def _computed(plan: Sweep, directory: Path, wanted: _Wanted, choice: Choice, tol
     if not told.compute:
         return computed_before(plan, directory)
     _tell(plan, wanted.workers, choice.shard.count, quiet=told.quiet)
-    with _kept(directory if told.keep else None), progress_bar(quiet=told.quiet) as progress:
+    with kept(directory if told.keep else None), progress_bar(quiet=told.quiet) as progress:
         return run_batch(plan, directory, _pool(plan, wanted), choice, progress=progress)
 
 
@@ -231,7 +231,7 @@ def _folder(directory: Path, *, keep: bool, shared: bool) -> Iterator[Path]:
 
 
 @contextmanager
-def _kept(directory: Path | None) -> Iterator[None]:
+def kept(directory: Path | None) -> Iterator[None]:
     """Say what is left of a batch that was stopped, or that the machine failed."""
     from ..batch.store import has_points
 

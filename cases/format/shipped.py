@@ -7,11 +7,13 @@ from .problems import CaseError, nearest_name
 
 HERE = Path(__file__).parents[1] / "library"
 SWEEPS = "sweeps"  # the folder whose files name a case and vary it
+OPTIMISATIONS = "optimisations"  # the folder of those that search
 
 
 def shipped_cases() -> dict[str, Path]:
     """Stem to file of every shipped case, in alphabetical order."""
-    files = (path for path in HERE.rglob("*.toml") if path.parent.name != SWEEPS)
+    others = (SWEEPS, OPTIMISATIONS)
+    files = (path for path in HERE.rglob("*.toml") if path.parent.name not in others)
     return {path.stem: path for path in sorted(files, key=lambda path: path.stem)}
 
 
@@ -31,6 +33,12 @@ def find_case(name_or_path: str | Path) -> Path:
 def find_sweep(name_or_path: str | Path) -> Path:
     """The file of a sweep, likewise."""
     return _find(name_or_path, shipped_sweeps(), "sweep")
+
+
+def find_optimisation(name_or_path: str | Path) -> Path:
+    """The file of an optimisation, likewise."""
+    files = sorted((HERE / OPTIMISATIONS).glob("*.toml"))
+    return _find(name_or_path, {path.stem: path for path in files}, "optimisation")
 
 
 def _find(name_or_path: str | Path, cases: dict[str, Path], kind: str) -> Path:

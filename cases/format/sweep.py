@@ -4,7 +4,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, WithJsonSchema
 
-from .fields import Name, Points, Table, above, between, checked, described
+from .fields import Name, Points, Table, above, between, checked, described, within
 
 
 def _keys(value: object) -> object:
@@ -103,3 +103,60 @@ class SweepFile(Table):
         "ranges or distributions by key, whose shares of the variance are computed", None
     )
     sensitivity: SensitivityTable | None = None
+
+
+def _names(value: object) -> object:
+    """One name, or a list of them."""
+    names = (value,) if isinstance(value, str) else value
+    known = isinstance(names, list | tuple) and all(isinstance(n, str) and n for n in names)
+    return tuple(names) if known and isinstance(names, list | tuple) else None
+
+
+NAMES = 'a name of a number of batch.csv as "torque_N_mm", or a list'
+Names = Annotated[
+    Any,
+    checked(_names, NAMES),
+    WithJsonSchema(
+        {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]}
+    ),
+]
+
+
+class GoalTable(Table):
+    """What is to be small, and what large."""
+
+    minimise: Names = described("numbers that are to be small", ())
+    maximise: Names = described("numbers that are to be large", ())
+    quantile: float = between(0.5, 0.999, "of each goal over [scatter], on its bad side", 0.95)
+    scatter_samples: int = between(2, 1000, "points of [scatter] for every design", 8)
+
+
+class LimitTable(Table):
+    """Limits of one number."""
+
+    least: float | None = within(1e30, "lower limit")
+    most: float | None = within(1e30, "upper limit")
+
+
+class SearchTable(Table):
+    """How long is searched."""
+
+    designs: int = between(4, 10_000, "computed in all", 60)
+    first: int = between(2, 10_000, "of them drawn at random to begin with", 16)
+    together: int = between(1, 1000, "computed at a time", 4)
+    seed: int = between(0, 2**63 - 1, "of the random numbers", 58_201)
+
+
+class OptimisationFile(Table):
+    """An optimisation: `oilfilm optimise`."""
+
+    schema_version: int = between(1, 1, "version of this format", 1)
+    title: str = described("one line for tables and plots", "")
+    case: Name = described("a case file, relative to this one, or the name of a shipped case", ...)
+    fixed: dict[str, Any] = described("values by key, for every design", {})
+    vary: dict[str, Any] = described("[first, last] by key", ...)
+    scatter: dict[str, Any] = described("distributions by key, of added deviations", {})
+    goal: GoalTable
+    constraints: dict[str, LimitTable] = described("limits by the name of a number", {})
+    search: SearchTable = SearchTable()
+    proof: dict[str, Any] = described("values by key, for the case and the best designs", {})

@@ -10,7 +10,8 @@ ROSS_AXES = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
 
 
 def ross_table(study: StiffnessOverSpeed, damping: float = 0.0) -> dict[str, Array]:
-    """Keyword arguments of ROSS' BearingElement over speed, but for its node n.
+    """Keyword arguments of ROSS' BearingElement over speed, but for its node n, as of ROSS 3;
+    ROSS 2 calls the speed `frequency`.
 
     ROSS has z along the shaft; its x and y are our -z and y (a turn of the frame, right-handed in
     both). Its element has the 2 x 2 block of the lateral directions and the axial stiffness; tilt
@@ -23,7 +24,7 @@ def ross_table(study: StiffnessOverSpeed, damping: float = 0.0) -> dict[str, Arr
     Returns
     -------
     dict of ndarray, shape (n,)
-        frequency [rad/s]; kxx, kxy, kyx, kyy, kzz [N/m]; cxx, cxy, cyx, cyy, czz [N s/m].
+        speed [rad/s], of the rotor; kxx, kxy, kyx, kyy, kzz [N/m]; cxx, cxy, cyx, cyy, czz [N s/m].
     """
     if not damping >= 0.0:
         raise ValueError(f"damping must not be negative, got {damping!r} N s/m")
@@ -31,7 +32,7 @@ def ross_table(study: StiffnessOverSpeed, damping: float = 0.0) -> dict[str, Arr
     turned = ROSS_AXES @ study.matrices[kept][:, :3, :3] @ ROSS_AXES.T
     size = int(kept.sum())
     stiffness = {"kxx": (0, 0), "kxy": (0, 1), "kyx": (1, 0), "kyy": (1, 1), "kzz": (2, 2)}
-    table = {"frequency": study.speeds[kept]}
+    table = {"speed": study.speeds[kept]}
     table |= {name: turned[:, i, j] for name, (i, j) in stiffness.items()}
     return table | {
         name.replace("k", "c"): np.full(size, damping if i == j else 0.0)

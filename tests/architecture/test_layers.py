@@ -27,12 +27,13 @@ HOMES = {
     "h5netcdf": ("postprocess/netcdf/groups.py", "postprocess/*/history.py"),
     "h5py": ("postprocess/netcdf/groups.py", "postprocess/*/history.py"),
     "typer": ("cases/cli/*.py",),
-    "pydantic": ("cases/format/*.py", "cases/batch/*.py"),
+    "pydantic": ("cases/format/*.py", "cases/batch/*.py", "cases/batch/planning/*.py", "cases/optimise/*.py"),
     "pydantic_core": ("cases/format/*.py",),
     "rich": ("cases/cli/*.py", "postprocess/*table.py", "postprocess/*/*.py"),
     "PIL": ("postprocess/scene/*.py",),
     "trame_pyvista": ("postprocess/scene/*.py",),
     "xlsxwriter": ("postprocess/report/*.py",),
+    "pyarrow": ("postprocess/batch/parquet.py", "cases/cli/batch.py"),
     "distributed": ("cases/batch/pools.py",),
 }
 FUNCTION_LINES, MODULE_LINES, ARGUMENTS = 40, 400, 7

@@ -45,7 +45,7 @@ def test_ross_axes_push_by_push(bearings):
     assert table["kzz"][0] == pytest.approx(k[0, 0])
     assert table["kxy"][0] == pytest.approx(-k[2, 1])
     assert table["kyx"][0] == pytest.approx(-k[1, 2])
-    assert table["frequency"][0] == 800.0
+    assert table["speed"][0] == 800.0
     skew = k + np.arange(25.0).reshape(5, 5) * 1e5  # of friction, say: the cross terms differ
     other = ross_table(replace(study, matrices=skew[None]))
     assert other["kxy"][0] == pytest.approx(-skew[2, 1])

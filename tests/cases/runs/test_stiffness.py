@@ -46,8 +46,8 @@ def test_the_table_for_the_rotor_code(folder):
         rows = list(csv.DictReader(file))
     with (folder / "stiffness.csv").open(encoding="utf-8") as file:
         full = list(csv.DictReader(file))
-    assert list(rows[0]) == ["frequency", "kxx", "kxy", "kyx", "kyy", "kzz", "cxx", "cxy", "cyx", "cyy", "czz"]
-    assert float(rows[-1]["frequency"]) == pytest.approx(12000.0 * np.pi / 30.0)
+    assert list(rows[0]) == ["speed", "kxx", "kxy", "kyx", "kyy", "kzz", "cxx", "cxy", "cyx", "cyy", "czz"]
+    assert float(rows[-1]["speed"]) == pytest.approx(12000.0 * np.pi / 30.0)
     assert float(rows[1]["kxx"]) == float(full[1]["k z z [N/m]"])
     assert float(rows[1]["kzz"]) == float(full[1]["k x x [N/m]"])
     assert {row["cyy"] for row in rows} == {"300.0"}

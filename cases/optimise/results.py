@@ -1,0 +1,147 @@
+"""Results of an optimisation: summary, table of the designs, picture of the front."""
+
+from collections.abc import Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from rich.console import Group
+from rich.table import Table
+from rich.text import Text
+
+from ehl.units import unit_symbol, without_unit
+from postprocess.files import write_csv, write_json
+from postprocess.plot_front import Designs, write_front
+from postprocess.table import number_table
+from postprocess.text import evenly_chosen, number
+
+from ..runs.integrity import write_digests
+from ..version import version
+from .search import Design, Found, improvement
+
+SUMMARY = "summary.json"
+TABLE = "designs.csv"
+PICTURE = "plots/front.png"
+MOST_SHOWN = 4  # designs of a front in the terminal
+
+
+def optimisation_summary(found: Found) -> dict[str, Any]:
+    """The document of an optimisation; `converged`: whether a design meets the constraints."""
+    study = found.study
+    gain = improvement(found)
+    return {
+        "oilfilm": version(),
+        "kind": "optimisation",
+        "title": study.title,
+        "case": study.case,
+        "study": study.text,
+        "converged": bool(found.front),
+        "messages": list(_messages(found, gain)),
+        "keys": list(study.keys),
+        "goals": [
+            {"name": name, "wanted": "small" if sign > 0 else "large"}
+            for name, sign in study.goals
+        ],
+        "best": found.front[0] if found.front else None,
+        "front": list(found.front),
+        "designs": [asdict(design) for design in found.designs],
+        "proof": [{"name": name} | asdict(design) for name, design in found.proved],
+        "improvement": gain,
+    }
+
+
+def _messages(found: Found, gain: dict[str, Any] | None) -> list[str]:
+    study = found.study
+    told = []
+    if not found.front:
+        told.append("not converged: no design meets the constraints; widen ranges or limits")
+    if study.place_of_case() is None:
+        told.append("the case itself is outside the ranges and is not compared")
+    elif found.proved and gain is None:
+        told.append("improvement: null, the case or the best design has no proved goal")
+    elif not study.proof:
+        told.append("improvement: null, there is no table [proof]")
+    if len(study.deviations) > 1:
+        points = len(study.deviations)
+        told.append(f"goals and constraints: quantile {study.quantile:g} of {points} points each")
+    return told
+
+
+def write_optimisation(found: Found, directory: Path) -> dict[str, Any]:
+    """Write table, picture and, last, the summary; the summary."""
+    study = found.study
+    names = [name for name in _names(found.designs) if name not in study.keys]
+    header = ["design", *study.keys, *names, "feasible", "front"]
+    rows = [
+        [
+            design.number,
+            *(design.values[key] for key in study.keys),
+            *(design.numbers[name] for name in names),
+            design.feasible,
+            design.number in found.front,
+        ]
+        for design in found.designs
+    ]
+    write_csv(directory / TABLE, header, rows)
+    write_front(_drawn(found), directory / PICTURE)
+    document = optimisation_summary(found)
+    write_json(document, directory / SUMMARY)
+    write_digests(directory, (TABLE, PICTURE, SUMMARY))
+    return document
+
+
+def _names(designs: Sequence[Design]) -> list[str]:
+    return list(designs[0].numbers) if designs else []
+
+
+def _drawn(found: Found) -> Designs:
+    study = found.study
+    goals = study.goals[:2]
+    missing = float("nan")
+    values = [[d.numbers[n] for n, _ in goals] for d in found.designs]
+    return Designs(
+        title=study.title,
+        names=[name for name, _ in goals],
+        signs=[sign for _, sign in goals],
+        goals=np.array([[missing if v is None else v for v in row] for row in values]),
+        errors=np.array([[d.errors.get(n, 0.0) for n, _ in goals] for d in found.designs]),
+        feasible=[design.feasible for design in found.designs],
+        front=[design.number in found.front for design in found.designs],
+        case=None if study.place_of_case() is None else 0,
+    )
+
+
+def optimisation_table(found: Found) -> Group:
+    """The front, or the best design, and its proof, for a terminal of 80 columns."""
+    study = found.study
+    names = list(dict.fromkeys([n for n, _ in study.goals] + [one.name for one in study.limits]))
+    front = [found.designs[number - 1] for number in found.front]
+    chosen = [front[k] for k in evenly_chosen(len(front), MOST_SHOWN)] if front else []
+    columns = {f"design {design.number}": design for design in chosen}
+    if study.place_of_case() is not None:
+        columns = {"case": found.designs[0]} | columns
+    parts: list[Any] = [Text(study.title, style="bold"), _columns(columns, study.keys, names)]
+    if len(front) > len(chosen):
+        parts.append(f"{len(chosen)} of the {len(front)} designs of the front")
+    if found.proved:
+        parts += ["proof:", _columns(dict(found.proved), (), names)]
+    gain = improvement(found)
+    if gain is not None:
+        shown = f"{gain['goal']}: {gain['case']:.4g} to {gain['best']:.4g}"
+        word = "more" if gain["proved"] else "not more"
+        parts.append(f"{shown}, {word} than the error bars ({gain['error']:.2g})")
+    return Group(*parts)
+
+
+def _columns(designs: dict[str, Design], keys: Sequence[str], names: Sequence[str]) -> Table:
+    """Designs side by side: values of the keys, then goals and constraints."""
+    own = list(designs.values())
+    rows = [[_words(key), *(number(one.values[key], ".5g") for one in own)] for key in keys]
+    rows += [[_words(name), *(number(one.numbers[name], ".4g") for one in own)] for name in names]
+    return number_table(["", *designs], rows, [""])
+
+
+def _words(name: str) -> str:
+    last = name.rpartition(".")[2]
+    return f"{without_unit(last)} {unit_symbol(last)}".strip()

@@ -1,0 +1,225 @@
+"""An optimisation file read: keys that vary, goals, constraints, scatter."""
+
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path as FilePath
+from typing import Any
+
+import numpy as np
+from pydantic import ValidationError
+
+from ehl.arrays import Array
+from postprocess.main_results import result_names
+
+from ..batch.keys import value_in
+from ..batch.planning.alternatives import PointDocuments, with_values
+from ..batch.planning.blocks import Sampled, Setting, Variation, block_settings
+from ..batch.planning.distributions import Distribution, distribution, with_law
+from ..batch.planning.plan import Document, Plan, PointName
+from ..batch.planning.samples import unit_sample
+from ..batch.points import Sweep
+from ..format.case import case_of_document
+from ..format.document import parse, read_text
+from ..format.fields import is_number
+from ..format.problems import CaseFault, Path, faults_error, nearest_name, schema_faults, shown
+from ..format.shipped import find_case
+from ..format.sweep import OptimisationFile, SearchTable, SweepFile
+
+RANGE = "allowed: [first, last], two numbers, first < last"
+
+
+@dataclass(frozen=True, slots=True)
+class Limit:
+    """A constraint: sign * number <= sign * bound."""
+
+    name: str
+    sign: float
+    bound: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Study:
+    """An optimisation ready to run."""
+
+    text: str
+    title: str
+    case: str
+    base: Document  # with the fixed values
+    keys: tuple[str, ...]
+    ranges: tuple[tuple[float, float], ...]  # in the units of the keys
+    whole: tuple[bool, ...]  # keys of whole numbers
+    goals: tuple[tuple[str, float], ...]  # name, sign: 1 small, -1 large
+    limits: tuple[Limit, ...]
+    quantile: float
+    scatter: tuple[str, ...]  # keys that scatter
+    deviations: Array  # of them, shape (points of a design, keys that scatter)
+    search: SearchTable
+    proof: tuple[Setting, ...]
+
+    def values(self, place: Array) -> list[float]:
+        """Values of the keys at a place of the unit cube, in their units."""
+        found = []
+        for u, (low, high), whole in zip(place, self.ranges, self.whole, strict=True):
+            value = low + float(u) * (high - low)
+            found.append(float(round(value)) if whole else value)
+        return found
+
+    def place_of_case(self) -> Array | None:
+        """Place of the case itself; None where it is outside the ranges."""
+        given = [value_in(case_of_document(self.base).document, key) for key in self.keys]
+        if not all(map(is_number, given)):
+            return None
+        low, high = np.array(self.ranges).T
+        place = (np.array(given, dtype=float) - low) / (high - low)
+        return place if (place >= 0.0).all() and (place <= 1.0).all() else None
+
+    def sweep(self, designs: list[list[float]], extra: tuple[Setting, ...] = ()) -> Sweep:
+        """The points of designs: one each, or one for each row of `deviations`.
+
+        `extra`: values by key, for all of them.
+        """
+        base = with_values(self.base, Variation("fixed", extra))
+        resolved = case_of_document(base).document
+        keys = (*self.keys, *(key for key in self.scatter if key not in self.keys))
+        rows = []
+        for values in designs:
+            for deviation in self.deviations:
+                row = dict(zip(self.keys, values, strict=True))
+                for key, own in zip(self.scatter, deviation, strict=True):
+                    row[key] = row.get(key, value_in(resolved, key)) + float(own)
+                rows.append(tuple(_plain(row[key], self._is_whole(key)) for key in keys))
+        block = Sampled("designs", [(key, ("vary", key)) for key in keys], rows)
+        file = SweepFile(case=self.case)
+        documents = PointDocuments(base)
+        return Sweep(
+            text=self.text,
+            title=self.title,
+            case=self.case,
+            compute="run",
+            fields=False,
+            keys=keys,
+            points=Plan([block], documents.of, PointName(file, base).of, keys),
+        )
+
+    def _is_whole(self, key: str) -> bool:
+        return key in self.keys and self.whole[self.keys.index(key)]
+
+
+def _plain(value: float, whole: bool) -> float:
+    return int(value) if whole else value
+
+
+def read_study(path: str | FilePath) -> Study:
+    """Read an optimisation file; `CaseError` with one line for every error."""
+    file_path = FilePath(path)
+    name = str(path)
+    text = read_text(file_path)
+    try:
+        file = OptimisationFile.model_validate(parse(text, name))
+    except ValidationError as error:
+        schema = OptimisationFile.model_json_schema()
+        raise faults_error(
+            schema_faults(error.errors(include_url=False), schema), name, text
+        ) from None
+    case_file = _case_file(file.case, file_path.parent)
+    fixed = Variation("fixed", tuple(block_settings(file.fixed, ("fixed",))))
+    base = with_values(parse(read_text(case_file), str(case_file)), fixed)
+    case_of_document(base)
+    vary = block_settings(file.vary, ("vary",))
+    scatter, laws, faults = _scatter(file, base)
+    faults += [CaseFault(s.where, f"found {shown(s.value)}", RANGE) for s in vary if _wrong(s)]
+    faults += _name_faults(file, "contact" if "contact" in base else "run")
+    if faults:
+        raise faults_error(faults, name, text)
+    return Study(
+        text=text,
+        title=file.title or str(base.get("title") or file.case),
+        case=file.case,
+        base=base,
+        keys=tuple(setting.key for setting in vary),
+        ranges=tuple((float(s.value[0]), float(s.value[1])) for s in vary),
+        whole=tuple(all(isinstance(end, int) for end in s.value) for s in vary),
+        goals=_goals(file),
+        limits=_limits(file),
+        quantile=file.goal.quantile,
+        scatter=scatter,
+        deviations=_deviations(file, laws),
+        search=file.search,
+        proof=tuple(block_settings(file.proof, ("proof",))),
+    )
+
+
+def _case_file(case: str, folder: FilePath) -> FilePath:
+    """The case beside the file if there is one, else as every command finds it."""
+    for name in (case, f"{case}.toml"):
+        if (folder / name).is_file():
+            return folder / name
+    return find_case(case)
+
+
+def _wrong(setting: Setting) -> bool:
+    value = setting.value
+    two = isinstance(value, list) and len(value) == 2 and all(map(is_number, value))
+    return not two or not value[0] < value[1]
+
+
+def _goals(file: OptimisationFile) -> tuple[tuple[str, float], ...]:
+    small = [(name, 1.0) for name in file.goal.minimise]
+    return tuple(small + [(name, -1.0) for name in file.goal.maximise])
+
+
+def _limits(file: OptimisationFile) -> tuple[Limit, ...]:
+    limits = []
+    for name, table in file.constraints.items():
+        limits += [] if table.least is None else [Limit(name, -1.0, table.least)]
+        limits += [] if table.most is None else [Limit(name, 1.0, table.most)]
+    return tuple(limits)
+
+
+def _name_faults(file: OptimisationFile, kind: str) -> list[CaseFault]:
+    """Goals and constraints that are no numbers of a point, and what is missing."""
+    known = result_names(kind)
+    given: list[tuple[Path, str]] = [(("constraints", name), name) for name in file.constraints]
+    for side in ("minimise", "maximise"):
+        given += [(("goal", side), name) for name in getattr(file.goal, side)]
+    faults = [
+        CaseFault(
+            where,
+            f"found {shown(name)}",
+            "allowed: main results, torque_N_mm, supply and self_heating of batch.csv",
+            nearest=nearest_name(name, known),
+        )
+        for where, name in given
+        if name not in known
+    ]
+    if not _goals(file):
+        faults.append(CaseFault(("goal",), "no goal", "needed: minimise or maximise"))
+    if not file.vary:
+        faults.append(CaseFault(("vary",), "no keys", f"needed: keys with their ranges; {RANGE}"))
+    return faults
+
+
+def _scatter(
+    file: OptimisationFile, base: Document
+) -> tuple[tuple[str, ...], list[Distribution], list[CaseFault]]:
+    """Keys that scatter, the laws of their deviations, and faults."""
+    settings = [with_law(s) for s in block_settings(file.scatter, ("scatter",))]
+    laws = [distribution(setting) for setting in settings]
+    faults = [law for law in laws if isinstance(law, CaseFault)]
+    resolved = case_of_document(base).document
+    for setting in settings:
+        value: Any = value_in(resolved, setting.key)
+        if not is_number(value):
+            finding = f"the case has {shown(value)}"
+            faults.append(CaseFault(setting.where, finding, "allowed: keys with a number"))
+    keys = tuple(setting.key for setting in settings)
+    return keys, [law for law in laws if isinstance(law, Distribution)], faults
+
+
+def _deviations(file: OptimisationFile, laws: list[Distribution]) -> Array:
+    """The same deviations for every design, shape (points of a design, keys that scatter)."""
+    if not laws:
+        return np.zeros((1, 0))
+    draw = partial(unit_sample, "latin hypercube", seed=file.search.seed)
+    shares = draw(keys=len(laws), samples=file.goal.scatter_samples)
+    return np.column_stack([law.values(u) for law, u in zip(laws, shares.T, strict=True)])

@@ -1,0 +1,144 @@
+"""Optimisation: the surrogate, what is asked for, and a search through the batch."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from cases import CaseError
+from cases.cli.main import app
+from cases.optimise.ask import Told, first_designs, next_designs, pareto_front, scalar_goal
+from cases.optimise.results import optimisation_table, write_optimisation
+from cases.optimise.search import improvement, searched
+from cases.optimise.study import read_study
+from cases.optimise.surrogate import fitted
+
+from ..batch.test_batch import HerePool
+
+SEED = 7_193
+STUDY = """
+case = "6208_full_ceramic"
+[fixed]
+"ehl.film_maps" = "none"
+[vary]
+"bearing.diametral_clearance_um" = [8.0, 18.0]
+"lubricant.viscosity_mPa_s" = [15.0, 40.0]
+[goal]
+minimise = "torque_N_mm"
+[constraints]
+"film_minimum_um" = { least = 0.5 }
+[search]
+designs = 6
+first = 4
+together = 1
+[proof]
+"operation.temperature_C" = 41.0
+"""
+
+
+def told(places, goals, constraints=None):
+    """Designs without noise."""
+    none = np.zeros((len(places), 0))
+    constraints = none if constraints is None else constraints
+    return Told(places, goals, np.zeros_like(goals), constraints, np.zeros_like(constraints))
+
+
+def test_the_surrogate_meets_exact_values_and_not_noisy_ones():
+    rng = np.random.default_rng(SEED)
+    places = first_designs(2, 25, SEED)
+    values = np.sin(4.0 * places[:, 0]) + places[:, 1] ** 2
+    exact = fitted(places, values, np.zeros(25))
+    mean, deviation = exact.predict(places)
+    assert mean == pytest.approx(values, abs=1e-4)
+    assert deviation.max() < 1e-2
+    other = rng.random((200, 2))
+    mean, deviation = exact.predict(other)
+    error = np.abs(mean - np.sin(4.0 * other[:, 0]) - other[:, 1] ** 2)
+    assert error.mean() < 0.02 and (error < 4.0 * deviation + 1e-3).mean() > 0.9
+    noisy = fitted(places, values + 0.1 * rng.standard_normal(25), np.full(25, 0.1))
+    assert np.abs(noisy.predict(places)[0] - values).mean() < 0.08  # nearer than the noise
+
+
+def test_the_search_finds_the_least_of_branins_function():
+    """0.397887 in three places (Dixon and Szego 1978), with a constraint that leaves one of them."""
+    places = first_designs(2, 10, SEED)
+
+    def branin(u):
+        x, y = 15.0 * u[:, 0] - 5.0, 15.0 * u[:, 1]
+        bowl = (y - 5.1 / (4.0 * np.pi**2) * x**2 + 5.0 / np.pi * x - 6.0) ** 2
+        return bowl + 10.0 * (1.0 - 1.0 / (8.0 * np.pi)) * np.cos(x) + 10.0
+
+    for k in range(12):
+        goals, limits = branin(places)[:, None], (places[:, 0] - 0.3)[:, None]  # x below -0.5
+        places = np.vstack([places, next_designs(told(places, goals, limits), 2, SEED + k)])
+    met = places[:, 0] <= 0.3
+    assert branin(places)[met].min() < 0.42
+    assert branin(places)[~met].size < 15  # it does not look where the constraint is not met
+
+
+def test_several_goals_are_one_by_weights_and_their_front_is_what_nothing_betters():
+    goals = np.array([[0.0, 1.0], [1.0, 0.0], [0.5, 0.4], [0.6, 0.6], [0.5, 0.4]])
+    assert pareto_front(goals).tolist() == [True, True, True, False, True]
+    value, noise = scalar_goal(goals, np.full_like(goals, 0.1), np.random.default_rng(SEED))
+    assert value.argmax() in (0, 1) and (noise > 0.0).all()
+
+
+def test_a_search_is_the_same_in_one_piece_and_resumed(tmp_path):
+    path = tmp_path / "study.toml"
+    path.write_text(STUDY)
+    study = read_study(path)
+    whole = searched(study, tmp_path / "whole", HerePool, False, lambda *_: None)
+    with pytest.raises(KeyboardInterrupt):
+        searched(study, tmp_path / "part", lambda: HerePool(stop_after=3), False, lambda *_: None)
+    part = searched(study, tmp_path / "part", HerePool, True, lambda *_: None)
+    for found, name in ((whole, "whole"), (part, "part")):
+        write_optimisation(found, tmp_path / name)
+    same = [(tmp_path / name / "designs.csv").read_bytes() for name in ("whole", "part")]
+    assert same[0] == same[1]
+    assert len(whole.designs) == 6
+    assert whole.designs[0].values["bearing.diametral_clearance_um"] == 13.0  # the case itself
+    best = whole.designs[whole.front[0] - 1]
+    assert best.numbers["torque_N_mm"] <= min(d.numbers["torque_N_mm"] for d in whole.designs if d.feasible)
+    gain = improvement(whole)
+    assert whole.proved[0][0] == "case"
+    assert gain["best"] < gain["case"] and gain["proved"]
+    assert len(optimisation_table(whole).renderables) >= 4
+
+
+def test_a_robust_goal_is_a_quantile_over_the_scatter(tmp_path):
+    path = tmp_path / "study.toml"
+    path.write_text(STUDY.replace("first = 4", "first = 2").replace("designs = 6", "designs = 4"))
+    plain = read_study(path)
+    scattered = "[goal]\nscatter_samples = 3\nquantile = 0.9\n"
+    text = path.read_text().replace("[goal]\n", scattered)
+    path.write_text(text + '[scatter]\n"bearing.diametral_clearance_um" = { normal = [0.0, 2.0] }\n')
+    robust = read_study(path)
+    points = robust.sweep([[13.0, 26.1]]).points
+    clearances = [point.given["bearing.diametral_clearance_um"] for point in points]
+    assert len(set(clearances)) == 3 and np.mean(clearances) == pytest.approx(13.0, abs=1.0)
+    assert len(plain.sweep([[13.0, 26.1]]).points) == 1
+
+
+WRONG = {
+    STUDY.replace('"torque_N_mm"', '"torqe_N_mm"'): "did you mean 'torque_N_mm'",
+    STUDY.replace("[8.0, 18.0]", "[18.0, 8.0]"): "allowed: [first, last], two numbers",
+    STUDY.replace('minimise = "torque_N_mm"\n', ""): "needed: minimise or maximise",
+    STUDY.replace('"film_minimum_um" = { least', '"film_minimm_um" = { least'): "did you mean 'film_minimum_um'",
+    STUDY.replace("designs = 6", "designs = 1"): "search.designs: found 1",
+}
+
+
+@pytest.mark.parametrize(("text", "told_words"), WRONG.items())
+def test_what_is_wrong_with_a_file_is_told(text, told_words, tmp_path):
+    (tmp_path / "study.toml").write_text(text)
+    with pytest.raises(CaseError) as caught:
+        read_study(tmp_path / "study.toml")
+    assert any(told_words in message for message in caught.value.messages), caught.value.messages
+
+
+def test_a_file_that_is_not_there(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    answer = CliRunner().invoke(app, ["optimise", "6208_torqe"])
+    assert answer.exit_code == 2
+    assert "did you mean '6208_torque'" in answer.stderr
