@@ -113,14 +113,14 @@ def _design(study: Study, points: Sequence[BatchPoint], number: int, *, bars: bo
     for name, sign in sides.items():
         values = [row.get(name) for row in rows]
         head, _, unit = name.rpartition("_")
-        bars = [row.get(f"{head}_uncertainty_{unit}") or 0.0 for row in rows]
+        spread = [row.get(f"{head}_uncertainty_{unit}") or 0.0 for row in rows]
         if any(value is None for value in values):
             numbers[name] = None
             continue
         signed = sign * np.array(values, dtype=float)
         share = study.quantile if len(values) > 1 else 1.0
         numbers[name] = sign * float(np.quantile(signed, share))
-        errors[name] = float(np.mean(bars))
+        errors[name] = float(np.mean(spread))
     met = all(
         numbers[limit.name] is not None
         and limit.sign * ((numbers[limit.name] or 0.0) - limit.bound)

@@ -24,7 +24,8 @@ def ross_table(study: StiffnessOverSpeed, damping: float = 0.0) -> dict[str, Arr
     Returns
     -------
     dict of ndarray, shape (n,)
-        speed [rad/s], of the rotor; kxx, kxy, kyx, kyy, kzz [N/m]; cxx, cxy, cyx, cyy, czz [N s/m].
+        speed [rad/s] of the rotor; kxx, kxy, kyx, kyy, kzz [N/m]; cxx, cxy, cyx, cyy, czz
+        [N s/m].
     """
     if not damping >= 0.0:
         raise ValueError(f"damping must not be negative, got {damping!r} N s/m")

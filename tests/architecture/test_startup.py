@@ -40,5 +40,10 @@ def test_bearings_are_loaded_without_scipy():
     assert imported("import bearing") <= {"numpy"}
 
 
+def test_the_front_door_is_empty_until_it_is_used():
+    assert imported("import oilfilm") == set()
+    assert {"scipy", "numba"} <= imported("import oilfilm; oilfilm.solve_contact")
+
+
 def test_results_and_cases_are_loaded_when_they_are_used():
     assert imported("import cases, postprocess") <= {"numpy"}

@@ -1,0 +1,51 @@
+"""`import oilfilm`: the public names, the types that go with them, the files of a release."""
+
+from __future__ import annotations
+
+import ast
+import re
+import tomllib
+from importlib import import_module
+from pathlib import Path
+
+import pytest
+
+import oilfilm
+
+ROOT = Path(__file__).parents[1]
+
+
+@pytest.mark.parametrize("name", oilfilm.__all__)
+def test_a_name_is_that_of_its_package(name):
+    assert getattr(oilfilm, name) is getattr(import_module(oilfilm.PUBLIC[name]), name)
+
+
+def test_types_name_the_same():
+    tree = ast.parse((ROOT / "oilfilm" / "__init__.pyi").read_text(encoding="utf-8"))
+    imported = {
+        alias.asname: node.module for node in tree.body if isinstance(node, ast.ImportFrom) for alias in node.names
+    }
+    assert imported == oilfilm.PUBLIC
+
+
+def test_what_is_not_public_is_told():
+    with pytest.raises(AttributeError, match="no attribute 'solve_everything'"):
+        oilfilm.solve_everything  # noqa: B018
+    assert oilfilm.__version__[0].isdigit()
+    assert "load_case" in dir(oilfilm)
+
+
+def test_the_recipe_has_the_dependencies_of_the_project():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    recipe = (ROOT / "packaging" / "meta.yaml").read_text(encoding="utf-8")
+    for dependency in project["dependencies"]:
+        name, bound = re.match(r"([\w.-]+)(>=[\w.]+)", dependency).groups()
+        name = {"matplotlib": "matplotlib-base"}.get(name, name)
+        assert f"    - {name} {bound}\n" in recipe
+
+
+def test_the_citation_names_the_license_of_the_project():
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    citation = (ROOT / "CITATION.cff").read_text(encoding="utf-8")
+    assert f"license: {project['license']}\n" in citation
+    assert citation.startswith("cff-version: 1.2.0\n")

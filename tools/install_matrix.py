@@ -1,0 +1,122 @@
+"""Install wheel and sdist away from the repository, with newest and lowest dependencies, and run what is shipped.
+
+    python tools/install_matrix.py                                 # this Python, newest and lowest
+    python tools/install_matrix.py --python 3.11 3.12 3.13 3.14    # those of them that `pythonX.Y` or uv finds
+    python tools/install_matrix.py --quick                         # cases validated, one run
+
+Each combination has an environment of its own in a temporary folder. Lowest dependencies are the lower bounds of
+pyproject.toml, written as `name==bound`. Warnings of Python are errors (`-W error`), but deprecations of libraries. A
+line for each combination; exit code 1 where one is not green.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import tomllib
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+WARNINGS = "error,ignore::DeprecationWarning,ignore::PendingDeprecationWarning"
+RUN = ("6208_full_ceramic", "moes_20_10")  # run where the others are validated only
+
+
+def lowest() -> list[str]:
+    """The lower bounds of the dependencies, as exact versions."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    return [re.sub(r">=([\w.]+)", r"==\1", dependency) for dependency in project["dependencies"]]
+
+
+def run(words: list[str], folder: Path, **more: str) -> subprocess.CompletedProcess[str]:
+    environment = {k: v for k, v in os.environ.items() if k not in ("PYTHONPATH", "PYTHONHOME", "VIRTUAL_ENV")}
+    return subprocess.run(words, cwd=folder, env=environment | more, capture_output=True, text=True, check=False)
+
+
+def interpreter(version: str) -> str | None:
+    """A Python of a version: on the path, or one that uv knows."""
+    if version == f"{sys.version_info.major}.{sys.version_info.minor}":
+        return sys.executable
+    found = shutil.which(f"python{version}")
+    if found is None and shutil.which("uv"):
+        answer = subprocess.run(["uv", "python", "find", version], capture_output=True, text=True, check=False)
+        found = answer.stdout.strip() or None
+    return found
+
+
+def built(folder: Path) -> list[Path]:
+    """Wheel and sdist, built in an environment of their own."""
+    run([sys.executable, "-m", "venv", "build"], folder)
+    python = str(folder / "build" / "bin" / "python")
+    run([python, "-m", "pip", "install", "-q", "build"], folder)
+    answer = run([python, "-m", "build", "--outdir", str(folder / "dist"), str(ROOT)], folder)
+    files = sorted((folder / "dist").glob("oilfilm-*"))
+    if len(files) != 2:
+        sys.exit(f"wheel and sdist were not built: {answer.stdout[-1500:]}{answer.stderr[-1500:]}")
+    return files
+
+
+def problems(python: str, package: Path, exact: list[str], folder: Path, *, quick: bool) -> list[str]:
+    """What is wrong with one combination."""
+    folder.mkdir()
+    run([python, "-m", "venv", "env"], folder)
+    own = str(folder / "env" / "bin" / "python")
+    answer = run([own, "-m", "pip", "install", "-q", "--prefer-binary", str(package), *exact], folder)
+    if answer.returncode:
+        return [f"not installed: {answer.stderr[-800:]}"]
+    oilfilm = [str(folder / "env" / "bin" / "oilfilm")]
+    wrong = []
+    commands = run([*oilfilm, "--help"], folder, PYTHONWARNINGS=WARNINGS)
+    names = re.findall(r"^  ([a-z]+)  ", commands.stdout.partition("Commands:")[2], re.MULTILINE)
+    wrong += [] if names else [f"--help: {commands.stderr[-300:]}"]
+    for name in names:
+        answer = run([*oilfilm, name, "--help"], folder, PYTHONWARNINGS=WARNINGS)
+        wrong += [f"{name} --help: {answer.stderr[-300:]}"] * bool(answer.returncode)
+    cases = run([own, "-c", "from cases.format.shipped import shipped_cases; print(*shipped_cases())"], folder)
+    for case in cases.stdout.split():
+        whole = not quick or case in RUN
+        kind = run([own, "-c", f"import oilfilm; print(type(oilfilm.load_case({case!r})).__name__)"], folder)
+        command = "contact" if "ContactCase" in kind.stdout else "run"
+        words = [command, case, "-q", "-o", case] if whole else ["validate", case]
+        answer = run([*oilfilm, *words], folder, PYTHONWARNINGS=WARNINGS)
+        wrong += [f"{' '.join(words)}: code {answer.returncode}: {answer.stderr[-300:]}"] * (answer.returncode > 1)
+    return wrong
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--python", nargs="+", default=[f"{sys.version_info.major}.{sys.version_info.minor}"])
+    parser.add_argument("--quick", action="store_true", help="validate cases, run two of them")
+    parser.add_argument("--only", choices=("newest", "lowest"), help="one set of dependencies")
+    chosen = parser.parse_args()
+    red = 0
+    with tempfile.TemporaryDirectory(prefix="install-") as name:
+        folder = Path(name)
+        packages = built(folder)
+        for version in chosen.python:
+            python = interpreter(version)
+            if python is None:
+                print(f"{version}: there is no such Python here")
+                red += 1
+                continue
+            for package in packages:
+                kind = "wheel" if package.suffix == ".whl" else "sdist"
+                for which, exact in (("newest", []), ("lowest", lowest())):
+                    if chosen.only not in (None, which):
+                        continue
+                    place = folder / f"{version}-{kind}-{which}"
+                    wrong = problems(python, package, exact, place, quick=chosen.quick)
+                    print(f"{version}, {kind}, {which}: {'green' if not wrong else 'RED'}", flush=True)
+                    for problem in wrong:
+                        print(f"    {problem}", flush=True)
+                    red += bool(wrong)
+                    shutil.rmtree(place)
+    return bool(red)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
