@@ -10,7 +10,6 @@ dynamics     - results of a time simulation
 files        - JSON and CSV files of results
 main_results - what is looked at first in a summary of any kind, by keys with their units
 netcdf       - netCDF-4 files of results
-plot_front   - front of two goals of an optimisation, or one goal over its designs
 plot_style   - common to all plots: type sizes, colours, colour maps, the part of a contact shown
 quantities   - output quantities: each is declared once: key, unit, title, getter
 report       - the HTML report of a result folder

@@ -83,11 +83,7 @@ def _sweep_tables(text: str, name: str) -> dict[str, Any]:
 def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Sweep:
     """The sweep that the text of a file describes; its case is sought in `folder` first."""
     source = _Source(text, name, folder or FilePath())
-    try:
-        file = SweepFile.model_validate(_sweep_tables(text, name))
-    except ValidationError as error:
-        schema = SweepFile.model_json_schema()
-        raise source.error(schema_faults(error.errors(include_url=False), schema)) from None
+    file = _file(source)
     case_file = _case_file(file.case, source)
     fixed = Variation("fixed", tuple(block_settings(file.fixed, ("fixed",))))
     case = parse(read_text(case_file), str(case_file))
@@ -124,6 +120,15 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
         designs=tuple(designs),
         film_models=tuple(sorted({_film_model(case) for _, case in checked.values()})),
     )
+
+
+def _file(source: _Source) -> SweepFile:
+    """The content of a sweep file, checked against its format."""
+    try:
+        return SweepFile.model_validate(_sweep_tables(source.text, source.name))
+    except ValidationError as error:
+        schema = SweepFile.model_json_schema()
+        raise source.error(schema_faults(error.errors(include_url=False), schema)) from None
 
 
 def _document(documents: PointDocuments, variation: Variation, *, torque: bool) -> Document:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -15,8 +15,15 @@ from .progress import progress_bar
 from .terminal import guarded, hold
 
 if TYPE_CHECKING:
-    from ..optimise.search import Found
+    from collections.abc import Sequence
+
+    from rich.console import Group
+    from rich.table import Table
+
+    from ..optimise.search import Design, Found
     from ..optimise.study import Study
+
+MOST_SHOWN = 4  # designs of a front in the terminal
 
 
 @app.command()
@@ -36,7 +43,7 @@ def optimise(
 ) -> int:
     """Search the keys of a case for the best designs within limits."""
     from ..format.shipped import find_optimisation
-    from ..optimise.results import optimisation_table, write_optimisation
+    from ..optimise.results import write_optimisation
     from ..optimise.study import read_study
 
     study = read_study(find_optimisation(file))
@@ -80,3 +87,50 @@ def _found(
     finally:
         for own in pools:
             own.end()
+
+
+def optimisation_table(found: Found) -> Group:
+    """The front, or the best design, and its proof, for a terminal of 80 columns."""
+    from rich.console import Group
+    from rich.text import Text
+
+    from postprocess.text import evenly_chosen
+
+    from ..optimise.search import improvement
+
+    study = found.study
+    names = list(dict.fromkeys([n for n, _ in study.goals] + [one.name for one in study.limits]))
+    front = [found.designs[number - 1] for number in found.front]
+    chosen = [front[k] for k in evenly_chosen(len(front), MOST_SHOWN)] if front else []
+    columns = {f"design {design.number}": design for design in chosen}
+    if study.place_of_case() is not None:
+        columns = {"case": found.designs[0]} | columns
+    parts: list[Any] = [Text(study.title, style="bold"), _columns(columns, study.keys, names)]
+    if len(front) > len(chosen):
+        parts.append(f"{len(chosen)} of the {len(front)} designs of the front")
+    if found.proved:
+        parts += ["proof:", _columns(dict(found.proved), (), names)]
+    gain = improvement(found)
+    if gain is not None:
+        shown = f"{gain['goal']}: {gain['case']:.4g} to {gain['best']:.4g}"
+        word = "more" if gain["proved"] else "not more"
+        parts.append(f"{shown}, {word} than the error bars ({gain['error']:.2g})")
+    return Group(*parts)
+
+
+def _columns(designs: dict[str, Design], keys: Sequence[str], names: Sequence[str]) -> Table:
+    """Designs side by side: values of the keys, then goals and constraints."""
+    from postprocess.table import number_table
+    from postprocess.text import number
+
+    own = list(designs.values())
+    rows = [[_words(key), *(number(one.values[key], ".5g") for one in own)] for key in keys]
+    rows += [[_words(name), *(number(one.numbers[name], ".4g") for one in own)] for name in names]
+    return number_table(["", *designs], rows, [""])
+
+
+def _words(name: str) -> str:
+    from ehl.units import unit_symbol, without_unit
+
+    last = name.rpartition(".")[2]
+    return f"{without_unit(last)} {unit_symbol(last)}".strip()

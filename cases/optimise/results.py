@@ -6,15 +6,9 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from rich.console import Group
-from rich.table import Table
-from rich.text import Text
 
-from ehl.units import unit_symbol, without_unit
+from postprocess.batch.plots_front import Designs, write_front
 from postprocess.files import write_csv, write_json
-from postprocess.plot_front import Designs, write_front
-from postprocess.table import number_table
-from postprocess.text import evenly_chosen, number
 
 from ..runs.integrity import write_digests
 from ..version import version
@@ -23,7 +17,6 @@ from .search import Design, Found, improvement
 SUMMARY = "summary.json"
 TABLE = "designs.csv"
 PICTURE = "plots/front.png"
-MOST_SHOWN = 4  # designs of a front in the terminal
 
 
 def optimisation_summary(found: Found) -> dict[str, Any]:
@@ -110,38 +103,3 @@ def _drawn(found: Found) -> Designs:
         front=[design.number in found.front for design in found.designs],
         case=None if study.place_of_case() is None else 0,
     )
-
-
-def optimisation_table(found: Found) -> Group:
-    """The front, or the best design, and its proof, for a terminal of 80 columns."""
-    study = found.study
-    names = list(dict.fromkeys([n for n, _ in study.goals] + [one.name for one in study.limits]))
-    front = [found.designs[number - 1] for number in found.front]
-    chosen = [front[k] for k in evenly_chosen(len(front), MOST_SHOWN)] if front else []
-    columns = {f"design {design.number}": design for design in chosen}
-    if study.place_of_case() is not None:
-        columns = {"case": found.designs[0]} | columns
-    parts: list[Any] = [Text(study.title, style="bold"), _columns(columns, study.keys, names)]
-    if len(front) > len(chosen):
-        parts.append(f"{len(chosen)} of the {len(front)} designs of the front")
-    if found.proved:
-        parts += ["proof:", _columns(dict(found.proved), (), names)]
-    gain = improvement(found)
-    if gain is not None:
-        shown = f"{gain['goal']}: {gain['case']:.4g} to {gain['best']:.4g}"
-        word = "more" if gain["proved"] else "not more"
-        parts.append(f"{shown}, {word} than the error bars ({gain['error']:.2g})")
-    return Group(*parts)
-
-
-def _columns(designs: dict[str, Design], keys: Sequence[str], names: Sequence[str]) -> Table:
-    """Designs side by side: values of the keys, then goals and constraints."""
-    own = list(designs.values())
-    rows = [[_words(key), *(number(one.values[key], ".5g") for one in own)] for key in keys]
-    rows += [[_words(name), *(number(one.numbers[name], ".4g") for one in own)] for name in names]
-    return number_table(["", *designs], rows, [""])
-
-
-def _words(name: str) -> str:
-    last = name.rpartition(".")[2]
-    return f"{without_unit(last)} {unit_symbol(last)}".strip()

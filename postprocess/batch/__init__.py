@@ -6,6 +6,7 @@ keys        - the keys that a batch varies, as its figures tell them apart
 numbers     - every single number of a summary by its name
 parquet     - the table of a batch as a Parquet file
 plots       - figures of a batch: film, torque, life over one to three of the varied keys
+plots_front - front of two goals of an optimisation, or one goal over its designs
 read        - a finished batch, read back from its folder
 records     - a finished point as it is stored
 results     - results of a batch, point by point

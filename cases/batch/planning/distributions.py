@@ -49,7 +49,8 @@ def with_law(setting: Setting) -> Setting:
 def distribution(setting: Setting) -> Distribution | CaseFault:
     """The distribution that a block gives a key, or what is wrong with it."""
     given = setting.value
-    name, numbers = ("uniform", given)
+    name: Any = "uniform"
+    numbers: Any = given
     if isinstance(given, dict) and len(given) == 1:
         name, numbers = next(iter(given.items()))
     known = name in FORMS and isinstance(numbers, list) and all(map(is_number, numbers))

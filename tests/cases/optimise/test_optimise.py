@@ -8,8 +8,9 @@ from typer.testing import CliRunner
 
 from cases import CaseError
 from cases.cli.main import app
+from cases.cli.optimise import optimisation_table
 from cases.optimise.ask import Told, first_designs, next_designs, pareto_front, scalar_goal
-from cases.optimise.results import optimisation_table, write_optimisation
+from cases.optimise.results import write_optimisation
 from cases.optimise.search import improvement, searched
 from cases.optimise.study import read_study
 from cases.optimise.surrogate import fitted
