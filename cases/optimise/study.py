@@ -14,7 +14,7 @@ from postprocess.main_results import result_names
 from ..batch.keys import value_in
 from ..batch.planning.alternatives import PointDocuments, with_values
 from ..batch.planning.blocks import Sampled, Setting, Variation, block_settings
-from ..batch.planning.distributions import Distribution, distribution, with_law
+from ..batch.planning.distributions import RANGE, Distribution, distribution, with_law
 from ..batch.planning.plan import Document, Plan, PointName
 from ..batch.planning.samples import unit_sample
 from ..batch.points import Sweep
@@ -24,8 +24,6 @@ from ..format.fields import is_number
 from ..format.problems import CaseFault, Path, faults_error, nearest_name, schema_faults, shown
 from ..format.shipped import find_case
 from ..format.sweep import OptimisationFile, SearchTable, SweepFile
-
-RANGE = "allowed: [first, last], two numbers, first < last"
 
 
 @dataclass(frozen=True, slots=True)

@@ -20,6 +20,7 @@ FORMS = {  # numbers of each law
     "lognormal": "[median, standard deviation of the logarithm]",
     "triangular": "[first, mode, last]",
 }
+RANGE = "allowed: [first, last], two numbers, first < last"
 ALLOWED = "allowed: [first, last], or one of " + ", ".join(
     f"{{ {name} = {form} }}" for name, form in FORMS.items()
 )
@@ -46,17 +47,24 @@ def with_law(setting: Setting) -> Setting:
     return Setting(key, setting.where[:-1], {law: setting.value})
 
 
-def distribution(setting: Setting) -> Distribution | CaseFault:
-    """The distribution that a block gives a key, or what is wrong with it."""
+def distribution(setting: Setting, *, laws: bool = True) -> Distribution | CaseFault:
+    """The distribution that a block gives a key, or what is wrong with it; `laws`: others than
+    ranges are allowed.
+    """
     given = setting.value
     name: Any = "uniform"
     numbers: Any = given
     if isinstance(given, dict) and len(given) == 1:
         name, numbers = next(iter(given.items()))
-    known = name in FORMS and isinstance(numbers, list) and all(map(is_number, numbers))
+    known = (
+        name in FORMS
+        and (laws or name == "uniform")
+        and isinstance(numbers, list)
+        and all(map(is_number, numbers))
+    )
     if known and len(numbers) == FORMS[name].count(",") + 1 and _makes_sense(name, numbers):
         return _made(name, numbers)
-    return CaseFault(setting.where, f"found {shown(given)}", ALLOWED)
+    return CaseFault(setting.where, f"found {shown(given)}", ALLOWED if laws else RANGE)
 
 
 def _makes_sense(name: str, numbers: list[float]) -> bool:

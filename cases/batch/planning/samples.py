@@ -74,11 +74,12 @@ def sampled_block(
     own = set(type(options).model_fields)
     given = block_settings({k: v for k, v in table.items() if k not in own}, where)
     settings = [with_law(setting) for setting in given]
-    laws = [distribution(setting) for setting in settings]
+    any_law = not isinstance(options, HypercubeOptions)
+    laws = [distribution(setting, laws=any_law) for setting in settings]
     faults = [law for law in laws if isinstance(law, CaseFault)]
     known = [law for law in laws if isinstance(law, Distribution)]
     if not settings:
-        faults.append(CaseFault(where, "no keys", "needed: keys with their ranges or laws"))
+        faults.append(CaseFault(where, "no keys", "needed: keys with their [first, last]"))
     keys = tuple(setting.key for setting in settings)
     matrix = np.eye(len(keys))
     if isinstance(options, SampleOptions):
