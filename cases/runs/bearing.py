@@ -33,7 +33,7 @@ from ..format.operation import SELF_HEATED
 from ..version import version
 from .equilibrium import case_equilibrium
 from .films import Progress, Solve, film_plan, heat_message, solve_contacts, wanted_contacts
-from .heating import Printed, at_its_balance, at_its_temperature, self_heated
+from .heating import Printed, at_its_balance, at_its_temperature, lost_balance, self_heated
 from .interrupt import interruptible
 from .load_cases import solve_load_cases
 from .strength import case_strength, contact_tensions
@@ -81,7 +81,8 @@ def run_case(
         results = _run(warmed, *how)
         heating = results.heating
         if heating is None or heating.balance is None or not heating.converged:
-            return results
+            cold = lost_balance(case, heating, warmed)
+            return results if cold is None else _run(cold, *how)
         found = heating.balance.temperature
         if abs(found - warmed.operation.temperature) <= WARM_TOLERANCE:
             break
@@ -289,9 +290,7 @@ def _running(
     torque: TorqueBreakdown | None,
 ) -> RunningFilms | None:
     """Films as they run, those of the torque where it has them; None where heat is not known."""
-    if case.friction is None or not state.converged:
-        return None
-    if case.heating is None and not _conducts(case):
+    if case.friction is None or not state.converged or not (case.heating or _conducts(case)):
         return None
     if torque is not None and torque.shear is not None and torque.shear.films:
         return torque.shear.films

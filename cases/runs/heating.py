@@ -80,6 +80,16 @@ def at_its_temperature(case: Case, heating: SelfHeatingSolution | None = None) -
     return replace(found, warnings=(note, *found.warnings))
 
 
+def lost_balance(case: Case, heating: SelfHeatingSolution | None, warmed: Case) -> Case | None:
+    """The case at `operation.temperature_C`, with a warning, where films without a solve had a
+    balance, `warmed`, and the torque printed, with seals say, has none; else None.
+    """
+    if heating is None:
+        return None
+    cold = at_its_temperature(case, heating)
+    return None if cold.operation.temperature == warmed.operation.temperature else cold
+
+
 def _warmed_document(document: dict[str, Any]) -> dict[str, Any]:
     """The document of a case at its balance: its temperature is computed, not given or assumed."""
     operation = {**document["operation"], "temperature": SELF_HEATED}

@@ -141,7 +141,7 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
     rows = {}
     if budget is not None:
         lengths = (budget.initial, budget.mounted, budget.operating)
-        values = [from_si("clearance_um", length) for length in lengths]
+        values = [round(from_si("clearance_um", length), 1) + 0.0 for length in lengths]  # no -0.0
         rows["clearance"] = "{:.1f} µm delivered, {:.1f} mounted, {:.1f} operating".format(*values)
     if life is None:
         return rows

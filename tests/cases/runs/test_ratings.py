@@ -285,6 +285,12 @@ def test_a_load_case_without_equilibrium_is_told():
     assert found["duty_cycle"]["basic_reference_rating_h"] is None
 
 
+def test_a_clearance_next_to_none_has_no_sign():
+    results = run_case(case(CASE + WARM))
+    none = replace(results, clearance=replace(results.clearance, operating=-4e-8))
+    assert rating_rows(none)["clearance"].endswith("mounted, 0.0 operating")
+
+
 def test_a_load_beyond_the_static_rating_is_told():
     """C_0 of a 6208 is 17.9 kN; of a duty cycle the state that has it is named, and the terminal has its S_0."""
     told = "life: S_0 = 0.746, beyond the static rating"

@@ -134,3 +134,15 @@ def test_what_is_advised_where_there_is_no_balance_gives_one(key, speed):
     heating = summary(run_case(case_from_text(text, "cooled")))["self_heating"]
     assert heating["converged"] is True
     assert 100.0 < heating["temperature_C"] < 150.0
+
+
+def test_seals_that_leave_no_balance_leave_the_temperature_that_the_case_gives():
+    """Films alone find a balance at 81 C, which contact seals do not let stand: nothing claims it."""
+    text = case_of_designation("6001-2RSH", FirstOperation(speed=20e3, radial_load=60.0))
+    found = summary(run_case(case_from_text(text.replace('film_maps = "all"', 'film_maps = "none"'), "case.toml")))
+    assert not found["converged"]
+    assert found["case"]["operation"]["temperature_C"] == 70.0
+    messages = found["messages"]
+    assert not any("and cooling agree" in message for message in messages)
+    assert any(message.startswith("operation.temperature: not self-heated, no balance") for message in messages)
+    assert any(message.startswith("self_heating: null, not converged: no balance") for message in messages)
