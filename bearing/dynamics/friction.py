@@ -59,7 +59,8 @@ class RaceFriction:
             return FrictionData(disc, *coefficient, *law.kernel_arguments())
         if isinstance(law, EllipseLaw):
             coefficient = (law.coefficient.kernel_law, law.shape.constants)
-        no_table = (np.zeros((5, 3)), np.zeros(1), np.zeros((1, 1, 1)), np.zeros((1,) * 6))
+        no_values = np.zeros((1,) * 6, dtype=np.int16)
+        no_table = (np.zeros((5, 3)), np.zeros(1), np.zeros((1, 1, 1)), no_values)
         return FrictionData(disc, *coefficient, *no_table)
 
 
