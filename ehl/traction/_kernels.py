@@ -217,23 +217,23 @@ def _spline_sum(values, first, w0, w1, w2, w3, w4):
     for c in range(4):
         for d in range(4):
             weight = w2[c] * w3[d]
-            v0, v1, v2, v3 = weight * w4[0], weight * w4[1], weight * w4[2], weight * w4[3]
+            v = (weight * w4[0], weight * w4[1], weight * w4[2], weight * w4[3])
             here = (((i2 + c) * n3 + i3 + d) * n4 + i4) * place + start
             for a in range(4):
                 for k in range(4 * COLUMNS):
                     m = np.uint64(here + a * row + k)
-                    part = v0 * flat[m] + v1 * flat[m + np.uint64(place)]
-                    part += v2 * flat[m + np.uint64(2 * place)]
-                    sums[4 * COLUMNS * a + k] += part + v3 * flat[m + np.uint64(3 * place)]
+                    part = v[0] * flat[m] + v[1] * flat[m + np.uint64(place)]
+                    part += v[2] * flat[m + np.uint64(2 * place)]
+                    sums[4 * COLUMNS * a + k] += part + v[3] * flat[m + np.uint64(3 * place)]
     t0 = t1 = t2 = t3 = 0.0
     for a in range(4):
         for b in range(4):
             weight = w0[a] * w1[b]
-            m = (4 * a + b) * COLUMNS
-            t0 += weight * sums[m]
-            t1 += weight * sums[m + 1]
-            t2 += weight * sums[m + 2]
-            t3 += weight * sums[m + 3]
+            first_sum = (4 * a + b) * COLUMNS
+            t0 += weight * sums[first_sum]
+            t1 += weight * sums[first_sum + 1]
+            t2 += weight * sums[first_sum + 2]
+            t3 += weight * sums[first_sum + 3]
     return t0, t1, t2, t3
 
 
