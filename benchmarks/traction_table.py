@@ -17,6 +17,7 @@ from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.traction._kernels import table_lookup
 from ehl.traction.film_quadrature import film_quadrature, sliding_forces
 from ehl.traction.table.build import START
+from ehl.traction.table.packing import VALUE_STEP
 from ehl.traction.table.table import load_place
 
 Array = NDArray[np.float64]
@@ -37,18 +38,23 @@ def many(axes, constants, scalars, values, motions, out):
     return total
 
 
-def random_table(random: np.random.Generator) -> tuple[Array, Array, Array, Array]:
+def random_table(random: np.random.Generator) -> tuple[Array, Array, Array, NDArray[np.int16]]:
     """Arrays of a table of the size that the 6208's starts with; its numbers are noise."""
     nodes = np.array(START, dtype=np.float64)
     first = np.array([load_place(LOAD[0]), np.log(SPEED[0]), -1.0, 0.0, -1.0])
     last = np.array([load_place(LOAD[1]), np.log(SPEED[1]), 1.0, 1.0, 1.0])
     axes = np.stack([first, (nodes - 1.0) / (last - first), nodes], axis=1)
-    constants = np.array([RADIUS, -125.0, 2.0, 1.0, 0.6, 1.5e-4, CURVATURE])
+    constants = np.array([RADIUS, -125.0, 2.0, 1.0, 0.6, 1.5e-4, CURVATURE, VALUE_STEP])
     scalars = random.random((START[0] + 2, START[1] + 2, 10)) - np.array([8.0, 8.0, 3.0, *[0.0] * 7])
-    return axes, constants, scalars, random.random((*(n + 2 for n in START), 4))
+    return (
+        axes,
+        constants,
+        scalars,
+        random.integers(-3000, 3000, (*(START[k] + 2 for k in (2, 3, 4, 0, 1)), 4)).astype(np.int16),
+    )
 
 
-def lookup_time(arrays: tuple[Array, Array, Array, Array], motions: Array) -> float:
+def lookup_time(arrays: tuple[Array, Array, Array, NDArray[np.int16]], motions: Array) -> float:
     """Processor time of one lookup [s]."""
     out, best = np.empty(8), np.inf
     many(*arrays, motions[:2], out)

@@ -123,7 +123,7 @@ class FrictionData(NamedTuple):
     axes: Array
     constants: Array
     scalars: Array
-    values: Array
+    values: NDArray[np.int16]
 
 
 class Constants(NamedTuple):

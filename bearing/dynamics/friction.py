@@ -56,11 +56,13 @@ class RaceFriction:
         disc = CENTRE if self.at_centre else ellipse_nodes(EllipseRule.TIME_STEPS)
         coefficient = (np.zeros(1), np.zeros(5))
         if isinstance(law, TractionTable):
-            return FrictionData(disc, *coefficient, *law.kernel_arguments())
+            axes, constants, scalars, values = law.kernel_arguments()
+            return FrictionData(disc, *coefficient, axes, constants, scalars, values)
         if isinstance(law, EllipseLaw):
             coefficient = (law.coefficient.kernel_law, law.shape.constants)
-        no_table = (np.zeros((5, 3)), np.zeros(1), np.zeros((1, 1, 1)), np.zeros((1,) * 6))
-        return FrictionData(disc, *coefficient, *no_table)
+        no_values = np.zeros((1,) * 6, dtype=np.int16)
+        no_table = (np.zeros((5, 3)), np.zeros(1), np.zeros((1, 1, 1)))
+        return FrictionData(disc, *coefficient, *no_table, no_values)
 
 
 def race_friction(

@@ -320,12 +320,11 @@ def heat_sweep(
             if not renewed and not recirculates[j, i]:
                 continue
             # 1. walls by the heat taken up upstream
-            past_1, past_2 = bulk
-            past_1 += response[0, j, i] * body_history(flux[0, j], i, speed_1[0, j, i], weights)
-            past_2 += response[1, j, i] * body_history(flux[1, j], i, speed_2[0, j, i], weights)
+            along = (speed_1[0, j, i], speed_2[0, j, i])
+            past = walls_before(flux[:, j], i, along, response[:, j, i], weights, bulk)
             if height <= 0.0:
                 flux[0, j, i] = flux[1, j, i] = dissipation[j, i] = 0.0
-                temperature[j, i] = past_1 + section[0] * (past_2 - past_1)
+                temperature[j, i] = past[0] + section[0] * (past[1] - past[0])
                 continue
             # 2. column, with the response of the walls to its own flux
             rise = (height * gradient[0, j, i], height * gradient[1, j, i])
@@ -340,7 +339,7 @@ def heat_sweep(
                 dissipation[j, i], converged = solve_heat_column(
                     j, i, p[j, i], height, rise, rate, speed_1[:, j, i], mesh, symmetric, renewed,
                     oil, heat, section, differences, rheology, temperature, inlet,
-                    (past_1, past_2), wall_response, middle, mass, work, flow, out,
+                    past, wall_response, middle, mass, work, flow, out,
                 )  # fmt: skip
                 if converged:
                     break
@@ -350,6 +349,14 @@ def heat_sweep(
             # 3. flux into the walls
             take_up_heat(j, i, p, height, heat, section, oil, differences, temperature, flux)
     return unsolved
+
+
+@compiled
+def walls_before(flux, i, speeds, response, weights, bulk):
+    """Temperatures of both walls at node i of a line by the heat taken up before [K]."""
+    first = bulk[0] + response[0] * body_history(flux[0], i, speeds[0], weights)
+    second = bulk[1] + response[1] * body_history(flux[1], i, speeds[1], weights)
+    return first, second
 
 
 @compiled

@@ -114,7 +114,9 @@ def _first_converged(
     # 2. continuation from the Newtonian film, the factor frozen, then following the pressure
     newtonian = solve_contact(flow.conditions, options)
     fallbacks = newtonian.record.fallbacks
-    for follows in (False, True) if newtonian.converged else (False,):
+    # a Newtonian oil has no thinning to update
+    thins = newtonian.converged and not flow.rheology.newtonian
+    for follows in (False, True) if thins else (False,):
         with_continuation = replace(flow, continuation=Continuation(follow_pressure=follows))
         contact, state = _checked(*solve_by_continuation(with_continuation, options, newtonian))
         fallbacks = (*fallbacks, *contact.record.fallbacks[len(newtonian.record.fallbacks) :])

@@ -6,8 +6,10 @@ atlas               - films and rolling moment of a contact from a table of solv
 coefficient_kernels - coefficients by the local sliding, each law whole: Coulomb, four constants
 film_quadrature     - quadrature over a solved film, and its sliding forces for many motions
 heated              - shear of films that sliding heats
+instruments         - capacitance, breakdown voltage and sound of a solved film
 kapitza             - moment of rigid bodies' pressure, up to the meniscus of the oil
 laws                - friction of a rolling contact as a law: coefficients over the ellipse
+oil_around          - gap of the oil beyond the box of a solve, up to its meniscus
 oil_extent          - gap of two circles, in which the oil of a contact ends
 quadrature          - rings and lines of nodes over the ellipse of Hertz
 response            - stiffness and damping of a lubricated contact

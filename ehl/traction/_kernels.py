@@ -21,8 +21,9 @@ COLUMNS = 4
 # response, largest force and moments of sliding
 SCALE_X, SCALE_Y, SCALE_SPIN, CENTRAL_FILM, HYDRODYNAMIC = range(5)
 STIFFNESS, DAMPING, LARGEST_FORCE, LARGEST_SPIN, LARGEST_ROLLING = range(5, 10)
-# of a table's constants: bodies, range of the motions, transverse semi-axis at 1 N, 1/(2R)
-RADIUS_X, DIFFERENCE, RANGE_X, RANGE_Y, RANGE_SPIN, UNIT_AXIS, CURVATURE = range(7)
+# of a table's constants: bodies, range of the motions, transverse semi-axis at 1 N, 1/(2R), unit
+# of its whole numbers
+RADIUS_X, DIFFERENCE, RANGE_X, RANGE_Y, RANGE_SPIN, UNIT_AXIS, CURVATURE, VALUE_UNIT = range(8)
 # of the shape of an ellipse: semi-axes at 1 N, R_x, 1/(2R), curvature difference of the bodies
 SHAPE_AXIS_X, SHAPE_AXIS_Y, SHAPE_RADIUS_X, SHAPE_CURVATURE, SHAPE_DIFFERENCE = range(5)
 LOAD_POWER = -0.2  # of the load in its coordinate
@@ -172,8 +173,8 @@ def _motion_places(film, axes, constants, motions, load):
 
 
 def _row_sums():
-    """Room for 4 nodes of spin times COLUMNS numbers."""
-    return np.empty(4 * COLUMNS)
+    """Room for 4 loads times 4 speeds times COLUMNS numbers."""
+    return np.empty(16 * COLUMNS)
 
 
 @intrinsic
@@ -184,7 +185,7 @@ def _room(typing):
     def build(context, builder, signature, arguments):
         del signature, arguments
         return cgutils.alloca_once(
-            builder, context.get_value_type(types.float64), size=4 * COLUMNS
+            builder, context.get_value_type(types.float64), size=16 * COLUMNS
         )
 
     return types.CPointer(types.float64)(), build
@@ -193,40 +194,46 @@ def _room(typing):
 @overload(_row_sums, inline="always")
 def _compiled_row_sums():
     """`_row_sums` where it is compiled."""
-    return lambda: carray(_room(), (4 * COLUMNS,))
+    return lambda: carray(_room(), (16 * COLUMNS,))
 
 
 @compiled
 def _spline_sum(values, first, w0, w1, w2, w3, w4):
     """Sums of the 4^5 coefficients around a place, weighted along each axis.
 
-    The columns at 4 nodes of spin lie side by side, a row of 16: all are summed at once over the
-    rows, the weights along spin come last. (Written so that the compiler keeps them in a few wide
-    registers.)
+    values, shape (nX + 2, nY + 2, nS + 2, nQ + 2, nU + 2, 4): those of 4 loads and 4 speeds lie
+    close together, in 4 rows of 16, which are summed at once over the motions; the weights along
+    load and speed come last. (Written so that the compiler keeps them in a few wide registers.)
     """
     i0, i1, i2, i3, i4 = first
-    _, n1, n2, n3, n4, _ = values.shape
+    _, n3, n4, n0, n1, _ = values.shape
     flat = values.reshape(-1)
     sums = _row_sums()
-    for k in range(4 * COLUMNS):
+    for k in range(16 * COLUMNS):
         sums[k] = 0.0
+    place = n0 * n1 * COLUMNS  # numbers of one motion
+    row = n1 * COLUMNS
+    start = (i0 * n1 + i1) * COLUMNS
+    for c in range(4):
+        for d in range(4):
+            weight = w2[c] * w3[d]
+            v = (weight * w4[0], weight * w4[1], weight * w4[2], weight * w4[3])
+            here = (((i2 + c) * n3 + i3 + d) * n4 + i4) * place + start
+            for a in range(4):
+                for k in range(4 * COLUMNS):
+                    m = np.uint64(here + a * row + k)
+                    part = v[0] * flat[m] + v[1] * flat[m + np.uint64(place)]
+                    part += v[2] * flat[m + np.uint64(2 * place)]
+                    sums[4 * COLUMNS * a + k] += part + v[3] * flat[m + np.uint64(3 * place)]
+    t0 = t1 = t2 = t3 = 0.0
     for a in range(4):
         for b in range(4):
             weight = w0[a] * w1[b]
-            start = (((i0 + a) * n1 + i1 + b) * n2 + i2) * n3 + i3
-            for k in range(4 * COLUMNS):
-                rows = 0.0
-                for c in range(4):
-                    for d in range(4):
-                        place = ((start + c * n3 + d) * n4 + i4) * COLUMNS + k
-                        rows += w2[c] * w3[d] * flat[np.uint64(place)]
-                sums[k] += weight * rows
-    t0 = t1 = t2 = t3 = 0.0
-    for e in range(4):
-        t0 += w4[e] * sums[4 * e]
-        t1 += w4[e] * sums[4 * e + 1]
-        t2 += w4[e] * sums[4 * e + 2]
-        t3 += w4[e] * sums[4 * e + 3]
+            first_sum = (4 * a + b) * COLUMNS
+            t0 += weight * sums[first_sum]
+            t1 += weight * sums[first_sum + 1]
+            t2 += weight * sums[first_sum + 2]
+            t3 += weight * sums[first_sum + 3]
     return t0, t1, t2, t3
 
 
@@ -236,11 +243,11 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
     table's range.
 
     axes, shape (5, 3): start, nodes per unit, nodes of -load^LOAD_POWER, ln(speed), and the three
-    scaled motions. constants, shape (7,), and scalars, shape (nQ + 2, nU + 2, 10): as named above.
-    values, shape (nQ + 2, nU + 2, nX + 2, nY + 2, nS + 2, 4). Both are B-spline coefficients. out,
-    8 numbers: F_x, F_y on body 1 [N], M_n, M_y on body 1 [N m], power lost [W], central film [m],
-    stiffness [N/m], damping [N s/m]. Outside, the nearest place in the table counts, forces per
-    load.
+    scaled motions. constants, shape (8,), and scalars, shape (nQ + 2, nU + 2, 10): as named above.
+    values, shape (nX + 2, nY + 2, nS + 2, nQ + 2, nU + 2, 4), whole numbers. Both are
+    B-spline coefficients. out, 8 numbers: F_x, F_y on body 1 [N], M_n, M_y on body 1 [N m], power
+    lost [W], central film [m], stiffness [N/m], damping [N s/m]. Outside, the nearest place in the
+    table counts, forces per load.
     """
     # 1. place on the axes of load and speed, and the film there
     q, side = _clamped(-(max(load, 1e-300) ** LOAD_POWER), axes[0])
@@ -264,12 +271,13 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
     # 3. forces and moments: sliding over its largest, and the hydrodynamic moment
     t = _spline_sum(values, (i0, i1, i2, i3, i4), w0, w1, w2, w3, w4)
     per_load = load / table_load
+    unit = constants[VALUE_UNIT]
     hydrodynamic = -_film_value(film, HYDRODYNAMIC) * per_load
     force = _film_value(film, LARGEST_FORCE) * per_load
-    out[0] = t[0] * force + 0.5 * constants[DIFFERENCE] * hydrodynamic
-    out[1] = mirror * t[1] * force
-    out[2] = mirror * t[2] * _film_value(film, LARGEST_SPIN) * per_load
-    out[3] = t[3] * _film_value(film, LARGEST_ROLLING) * per_load + hydrodynamic
+    out[0] = unit * t[0] * force + 0.5 * constants[DIFFERENCE] * hydrodynamic
+    out[1] = unit * mirror * t[1] * force
+    out[2] = unit * mirror * t[2] * _film_value(film, LARGEST_SPIN) * per_load
+    out[3] = unit * t[3] * _film_value(film, LARGEST_ROLLING) * per_load + hydrodynamic
     # 4. power and film
     rolling = speed / radius - 0.5 * constants[DIFFERENCE] * slide_x
     out[4] = -(out[0] * slide_x + out[1] * slide_y + out[2] * spin + out[3] * rolling)

@@ -7,6 +7,16 @@ from ..quantities import Quantity, by_key, quantities
 RING_LOAD = quantities(
     "", "", ("force_N", "ring load", "ring_force"), ("moment_N_mm", "ring moment", "ring_moment")
 )
+ELECTRICAL = quantities(
+    "",
+    "",
+    ("capacitance_pF", "capacitance between the rings"),
+    ("capacitance_low_pF", "low end of its range"),
+    ("capacitance_high_pF", "high end of its range"),
+    ("breakdown_voltage_V", "voltage at which the first film breaks down"),
+    ("breakdown_voltage_low_V", "low end of its range"),
+    ("breakdown_voltage_high_V", "high end of its range"),
+)
 RING = (  # the inner ring in equilibrium
     *quantities("", "", ("displacement_um", "ring displacement"), ("tilt_mrad", "ring tilt")),
     *RING_LOAD,

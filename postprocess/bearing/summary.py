@@ -3,18 +3,24 @@
 from collections.abc import Iterator
 from typing import Any
 
+from bearing.contacts.electrical import (
+    CERAMIC_PERMITTIVITY,
+    INSULATOR,
+    bearing_electrical,
+    electrical_lack,
+)
 from bearing.quasistatic.solution import QuasistaticSolution
 
+from ..contact.quantities import oil_permittivity
 from ..contact.summary import solution_messages
 from ..files import plain_document
 from ..quantities import CAGE_SPEED, FREQUENCIES, rows_of, values_of
 from ..results import STIFFNESS_ORDER, STIFFNESS_UNITS
 from .contacts import contact_messages, contact_records, contact_values
 from .duty_cycle import duty_cycle_block, duty_cycle_messages, load_case_blocks
-from .electrical import electrical_block, electrical_messages
 from .finite_bodies import finite_body_block, finite_body_messages
 from .heating import heating_block, heating_messages, network_blocks, temperature_messages
-from .quantities import BALL_QUANTITIES, RING
+from .quantities import BALL_QUANTITIES, ELECTRICAL, RING
 from .ratings import clearance_block, life_block, rating_messages
 from .results import BearingResults, distinct_contacts
 from .rings import ring_blocks, ring_messages
@@ -55,7 +61,7 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
         "self_heating": heating_block(results),
         **network_blocks(results),
         "reference_speed_rpm": results.reference_speed_rpm,
-        "electrical": electrical_block(results),
+        "electrical": _electrical(results),
         "finite_bodies": finite_body_block(results),
         "timing_s": dict(results.timing),
     }
@@ -73,6 +79,36 @@ def _balls(state: QuasistaticSolution) -> dict[str, Any]:
     """Columns of the balls."""
     numbers = {"ball": range(1, len(state.azimuth) + 1), "row": state.row_of_ball + 1}
     return numbers | values_of(state, BALL_QUANTITIES)
+
+
+def _electrical(results: BearingResults) -> dict[str, Any] | None:
+    """Capacitance between the rings and breakdown voltage; None with the reason in a message."""
+    parts = (results.quasistatic.bearing, results.contacts, results.instruments)
+    if electrical_lack(*parts):
+        return None
+    return values_of(bearing_electrical(*parts), ELECTRICAL)
+
+
+def _electrical_messages(results: BearingResults) -> Iterator[str]:
+    """Why there is no capacitance, and what is assumed."""
+    bearing = results.quasistatic.bearing
+    lack = electrical_lack(bearing, results.contacts, results.instruments)
+    if lack:
+        yield f"electrical: null, {lack}"
+        return
+    if not results.case.get("lubricant", {}).get("relative_permittivity"):
+        yield (
+            f"electrical: relative permittivity {oil_permittivity(results.case):g} of the oil is "
+            "assumed (lubricant.relative_permittivity)"
+        )
+    starved = results.torque.films if results.torque is not None else None
+    if any(film is not None and film.share < 1.0 for film in starved or ()):
+        yield "electrical: of the flooded films; starved ones have more capacitance, less voltage"
+    if bearing.ball_material.kind is INSULATOR:
+        yield (
+            "electrical: breakdown_voltage_V null, balls of silicon nitride take nearly all of "
+            f"the voltage; relative permittivity {CERAMIC_PERMITTIVITY:g} of theirs is assumed"
+        )
 
 
 def _bearing_messages(results: BearingResults) -> Iterator[str]:
@@ -93,4 +129,4 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
     yield from supply_messages(results)
     yield from decay_messages(results)
     yield from heating_messages(results)
-    yield from electrical_messages(results)
+    yield from _electrical_messages(results)

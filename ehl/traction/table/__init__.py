@@ -3,6 +3,7 @@
 build       - films over load and speed, sheared over motions until a check is passed
 film        - the film that a table shears, and what it takes from it at a load and a speed
 full_solves - full solves beside a table: what its films leave out
+packing     - values of a table as whole numbers, and those packed for a file
 splines     - uniform cubic B-splines through values on a grid
 storage     - traction tables on disk
 table       - a contact's traction over load, entrainment speed, sliding and spin

@@ -17,6 +17,7 @@ from ...arrays import Array
 from ...thread_pool import film_threads
 from .._kernels import LOAD_POWER
 from .film import FilmSample, film_sample, relative_forces
+from .packing import rounded_values
 from .splines import left_out_error, spline_coefficients
 from .table import (
     MIRROR,
@@ -178,7 +179,7 @@ def _table(study: _Study) -> tuple[TractionTable, Array]:
     raw = raw / largest[..., None, None, None, [0, 0, 1, 2]]
     # along slide_y of values with their mirror image, half of them stored, rounded as in a file
     whole = spline_coefficients(_mirrored(raw), (0, 1, 2, 3, 4))
-    stored = whole[:, :, :, raw.shape[3] - 1 :].astype(np.float32, order="C").astype(np.float64)
+    stored = rounded_values(mirrored_seam(whole[:, :, :, raw.shape[3] - 1 :]))
     unchecked = TableError(
         **dict.fromkeys(ERRORS, np.inf), films=0, motions=0, tolerance=study.options.tolerance
     )
@@ -188,7 +189,7 @@ def _table(study: _Study) -> tuple[TractionTable, Array]:
         points=study.options.points,
         axes=axes,
         scalars=spline_coefficients(scalars, (0, 1)),
-        values=mirrored_seam(stored),
+        values=stored,
         kappa_max=float((largest[..., 0] / _axis_loads(axes[0])[:, None]).max()),
         error=unchecked,
         films=len(study.films) + len(study.checks),

@@ -22,13 +22,14 @@ from ...oil.lubricant import DensityLaw, Lubricant, ThermalProperties, Viscosity
 from ...oil.pressure_laws import PressureModulus, ScaledVolume
 from ...oil.rheology import Rheology, ShearLaw
 from ...solid.heat import SolidThermal
+from .packing import packed, unpacked
 from .table import FullSolve, TableContact, TableError, TableRange, TractionTable
 
 FORMAT = "oilfilm traction table"
 # 1 had other coordinates of the motions, 2 neither heat nor full solves beside the films, 3 the
 # rolling moment of the solver's box, 4 an Eyring stress without the contact's pressure and a limit
-# that no stress came near
-FORMAT_VERSION = 5
+# that no stress came near, 5 values as they stand in memory
+FORMAT_VERSION = 6
 ARRAYS = ("axes", "scalars", "values")
 PARTS = ("contact", "range", "error", "full_solves")
 PLAIN = ("points", "kappa_max", "films", "converged", "message")
@@ -81,8 +82,9 @@ def write_table(table: TractionTable, file: IO[bytes]) -> None:
         "content": _content(table),
         **{name: getattr(table, name) for name in PLAIN},
     }
-    values = table.values.astype(np.float32)
-    arrays: dict[str, Any] = {"axes": table.axes, "scalars": table.scalars, "values": values}
+    document["shape"] = table.values.shape
+    arrays: dict[str, Any] = {name: getattr(table, name) for name in ARRAYS}
+    arrays["values"] = packed(table.values)
     np.savez(file, document=np.array(json.dumps(document)), **arrays)
 
 
@@ -99,7 +101,7 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
     try:
         with np.load(stream, allow_pickle=False) as file:
             document = json.loads(str(file["document"]))
-            arrays: dict[str, Any] = {name: file[name].astype(np.float64) for name in ARRAYS}
+            arrays: dict[str, Any] = {name: file[name] for name in ARRAYS}
     except (zipfile.BadZipFile, zlib.error, KeyError, ValueError, EOFError, OSError) as problem:
         kind = type(problem).__name__
         raise ValueError(f"{path}: no traction table, or a damaged one ({kind})") from problem
@@ -111,8 +113,9 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
         raise ValueError(f"{path}: format version {version}, {needed}")
     try:
         parts = {name: _restored(document[name]) for name in PARTS}
+        arrays["values"] = unpacked(arrays["values"], tuple(document["shape"]))
         table = TractionTable(**parts, **arrays, **{name: document[name] for name in PLAIN})
-    except (KeyError, TypeError, AttributeError, ValueError) as problem:
+    except (KeyError, TypeError, AttributeError, ValueError, zlib.error) as problem:
         fault = "damaged, or written by another version of this program"
         raise ValueError(f"{path}: {fault}") from problem
     digest = inputs_digest(table.contact, table.range, table.points)

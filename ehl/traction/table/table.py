@@ -32,6 +32,7 @@ from ...solid.heat import SolidThermal
 from .. import _kernels
 from .._kernels import LOAD_POWER, SPIN_SHARE
 from ..laws import TractionForces
+from .packing import Numbers, Values, whole_numbers
 from .splines import spline_weights
 
 MIRROR = (1.0, -1.0, -1.0, 1.0)  # signs of F_x, F_y, M_n, M_y where slide_y and spin change theirs
@@ -154,7 +155,7 @@ class TractionTable:
     # slide_y the half above zero; shape (5, 3)
     axes: Array
     scalars: Array  # shape (nQ + 2, nU + 2, 10)
-    values: Array  # shape (nQ + 2, nU + 2, nX + 2, nY + 2, nS + 2, 4)
+    values: Values  # of `rounded_values`, shape (nQ + 2, nU + 2, nX + 2, nY + 2, nS + 2, 4)
     kappa_max: float  # largest coefficient of sliding of all films, at the smallest loads [-]
     error: TableError
     films: int  # solved in all, with those of the check
@@ -164,20 +165,20 @@ class TractionTable:
 
     @cached_property
     def constants(self) -> Array:
-        """As the kernel takes them, shape (7,): see `_kernels.table_lookup`."""
+        """As the kernel takes them, shape (8,): see `_kernels.table_lookup`."""
         contact = self.contact
         bodies = (contact.radius_x, contact.curvature_difference)
         ellipse = (contact.unit_semi_axis, 0.5 / contact.curvature_radius)
-        return np.array([*bodies, *self.range.motions, *ellipse])
+        return np.array([*bodies, *self.range.motions, *ellipse, self._numbers[1]])
 
     @cached_property
-    def joined_values(self) -> Array:
-        """`values` [-] without the step at slide_y = 0 of tables of earlier versions."""
-        return mirrored_seam(self.values)
+    def _numbers(self) -> tuple[Numbers, float]:
+        """The values as the kernel takes them, and their unit."""
+        return whole_numbers(self.values)
 
-    def kernel_arguments(self) -> tuple[Array, Array, Array, Array]:
+    def kernel_arguments(self) -> tuple[Array, Array, Array, Numbers]:
         """The arrays that `_kernels.table_lookup` takes before load and motion."""
-        return self.axes, self.constants, self.scalars, self.joined_values
+        return self.axes, self.constants, self.scalars, self._numbers[0]
 
     def forces(
         self, load: float, speed: float, slide_x: float, slide_y: float, spin: float
@@ -222,16 +223,13 @@ def mirrored_seam(values: Array) -> Array:
     A film is symmetric in y but for the error of its solution, and what would vanish by symmetry
     without slide_y and spin, F_y and M_n, jumped there from a value to its opposite. The
     coefficients at slide_y = 0 become the mean with their mirror image, those before it the mirror
-    image of those behind it: the spline has two continuous derivatives. values: as in
-    `TractionTable`, rounded to what a file holds; the same again where they meet already.
+    image of those behind it: the spline has two continuous derivatives. values: shaped as those
+    of `TractionTable`.
     """
     before, at = (np.array(MIRROR) * values[:, :, :, k, ::-1] for k in (2, 1))
-    at = (0.5 * (at + values[:, :, :, 1])).astype(np.float32)
-    if np.array_equal(before, values[:, :, :, 0]) and np.array_equal(at, values[:, :, :, 1]):
-        return values
     joined = values.copy()
     joined[:, :, :, 0] = before
-    joined[:, :, :, 1] = at
+    joined[:, :, :, 1] = 0.5 * (at + values[:, :, :, 1])
     return joined
 
 

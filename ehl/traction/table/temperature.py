@@ -83,7 +83,9 @@ class TemperatureTable:
             nearest,
             contact=replace(nearest.contact, temperature=temperature, lubricant=lubricant or oil),
             scalars=_sum(weights, [table.scalars for table in tables]),
-            values=_sum(weights, [table.values for table in tables]),
+            values=_sum(weights, [table.values.astype(np.float64) for table in tables]).astype(
+                np.float32
+            ),
             kappa_max=max(table.kappa_max for table in tables),
             converged=self.converged,
             message=f"between tables at {', '.join(f'{one:.2f}' for one in known[chosen])} K",

@@ -8,6 +8,7 @@ import numpy as np
 
 from ehl.oil.rheology import limited, shear_stress
 from ehl.traction.coefficient_kernels import RampedCoulomb
+from ehl.traction.table.packing import whole_numbers
 from ehl.traction.table.splines import spline_weights
 from ehl.traction.table.table import load_place, spinning_scale, vertex_slide
 
@@ -60,7 +61,8 @@ def coefficient(law, slide, speed):
 
 def table_forces(table, load, speed, slide_x, slide_y, spin):
     """F_x, F_y, M_n, M_y, power, film, stiffness, damping as `table.forces`, within its range."""
-    scalars, values = table.scalars, table.joined_values
+    numbers, unit = whole_numbers(table.values)
+    scalars, values = table.scalars, unit * np.moveaxis(numbers, (3, 4), (0, 1))
     for axis, place in enumerate((load_place(load), log(speed))):
         scalars, values = (along_first(part, place, table.axes[axis]) for part in (scalars, values))
     radius, difference, *limits = table.constants[:5]

@@ -24,9 +24,10 @@ from ehl.traction.laws import ContactShape, EllipseLaw
 from ehl.traction.rolling_moment import rolling_moment
 from ehl.traction.shear import integrate_traction
 from ehl.traction.table.build import TableOptions, build_table
+from ehl.traction.table.packing import VALUE_STEP, packed, rounded_values, unpacked
 from ehl.traction.table.splines import spline_coefficients, spline_weights
 from ehl.traction.table.storage import inputs_digest, load_table, save_table
-from ehl.traction.table.table import FullSolve, TableContact, TableRange
+from ehl.traction.table.table import FullSolve, TableContact, TableRange, mirrored_seam
 
 from ....reference.ehl import traction as reference
 
@@ -42,7 +43,7 @@ CIRCLE = TableContact(
     curvature_difference=50.0,
 )
 LIMITS = TableRange(load=(40.0, 80.0), speed=(1.0, 2.0), slide_x=0.5, slide_y=0.3, spin=0.3)
-DIGEST = "7b40661801e5e457ca1dae48863f35ff1e2fff4a2070ffc37ef35dab34a792f1"  # of both, in files of format 5
+DIGEST = "7b40661801e5e457ca1dae48863f35ff1e2fff4a2070ffc37ef35dab34a792f1"  # of both, in files of format 6
 OPTIONS = TableOptions(points=65, tolerance=0.02, check_films=3, check_motions=40, rounds=1, nodes=(5, 4, 21, 9, 13))
 
 
@@ -132,15 +133,24 @@ def test_halves_of_the_mirror_image_meet(table):
         assert_allclose(above - at, at - below, rtol=1e-3, atol=1e-11 * largest[0])
 
 
-def test_a_step_in_tables_of_earlier_versions_is_closed(table, tmp_path):
-    """Where a film that is not quite symmetric has left a spin moment without spin; the rest of the table stays."""
-    values = table.values.copy()
-    values[:, :, :, 1, :, 2] += 2.0**-9  # the forces without slide_y alone
-    save_table(replace(table, values=values.astype(np.float32).astype(np.float64)), tmp_path / "table.npz")
-    read = load_table(tmp_path / "table.npz")
-    assert np.abs(read.values - table.values).max() > 1e-3
-    assert_allclose(read.joined_values, table.values, atol=1e-6)
-    assert table.joined_values is table.values
+def test_packed_values_are_the_same_whole_numbers(table):
+    values = np.random.default_rng(60331).standard_normal((5, 4, 6, 3, 7, 4))
+    rounded = rounded_values(values)
+    assert_allclose(rounded, values, atol=0.5001 * VALUE_STEP)
+    assert np.array_equal(unpacked(packed(rounded), rounded.shape), rounded)
+    assert packed(table.values).nbytes < 0.5 * table.values.nbytes
+    with pytest.raises(ValueError, match="whole numbers"):
+        packed(values.astype(np.float32))
+
+
+def test_values_meet_their_mirror_image():
+    """Where a film that is not quite symmetric has left a step at slide_y = 0; the rest stays."""
+    values = np.random.default_rng(41220).standard_normal((2, 3, 4, 6, 5, 4))
+    joined, signs = mirrored_seam(values), np.array([1.0, -1.0, -1.0, 1.0])
+    assert_allclose(joined[:, :, :, 1], signs * joined[:, :, :, 1, ::-1])
+    assert_allclose(joined[:, :, :, 0], signs * joined[:, :, :, 2, ::-1])
+    assert_allclose(joined[:, :, :, 2:], values[:, :, :, 2:])
+    assert_allclose(mirrored_seam(joined), joined)
 
 
 @pytest.mark.parametrize(
@@ -223,7 +233,7 @@ def test_files_of_an_older_format_are_refused(table, tmp_path):
     document = json.loads(str(parts["document"]))
     parts["document"] = np.array(json.dumps(document | {"format_version": document["format_version"] - 1}))
     np.savez(path, **parts)
-    with pytest.raises(ValueError, match="format version 4, this program reads 5; make the table again"):
+    with pytest.raises(ValueError, match="format version 5, this program reads 6; make the table again"):
         load_table(path)
 
 

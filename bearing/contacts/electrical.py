@@ -1,5 +1,4 @@
-"""Block `electrical` of a bearing: capacitance between its rings, and the voltage that breaks its
-films down.
+"""Capacitance of a bearing between its rings, and the voltage that breaks its films down.
 
 From race to race two films and a ball lie in series, the balls side by side:
 
@@ -11,22 +10,20 @@ eps a) with the mean semi-axes, and that of straight columns from cap to cap, pi
 geometric mean is the value (assumed). The cage and the air beside the oil are left out.
 """
 
-from collections.abc import Iterator
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import pi, sqrt
-from typing import Any
 
 import numpy as np
 import scipy
 
-from bearing.geometry import Race
-from bearing.material import Material, MaterialKind
-from ehl.solution import Array
+from ehl.arrays import Array
+from ehl.closed_form.hertz import HertzContact
 from ehl.traction.instruments import VACUUM_PERMITTIVITY, FilmInstruments
 
-from ..contact.quantities import oil_permittivity
-from ..quantities import quantities, values_of
-from .results import BearingResults
+from ..geometry import Bearing, Race
+from ..material import Material, MaterialKind
+from .contact import BearingContact
 
 # relative, of silicon nitride [-], from memory, unverified
 CERAMIC_PERMITTIVITY = 8.0
@@ -47,48 +44,14 @@ class Electrical:
     breakdown_voltage_high: float | None  # [V]
 
 
-ELECTRICAL_QUANTITIES = quantities(
-    "",
-    "",
-    ("capacitance_pF", "capacitance between the rings"),
-    ("capacitance_low_pF", "low end of its range"),
-    ("capacitance_high_pF", "high end of its range"),
-    ("breakdown_voltage_V", "voltage at which the first film breaks down"),
-    ("breakdown_voltage_low_V", "low end of its range"),
-    ("breakdown_voltage_high_V", "high end of its range"),
-)
+Contacts = Sequence[BearingContact]
+Films = Sequence[FilmInstruments | None]
 
 
-def electrical_block(results: BearingResults) -> dict[str, Any] | None:
-    """The block of the summary; None with the reason in `electrical_messages`."""
-    if _lack(results):
-        return None
-    return values_of(bearing_electrical(results), ELECTRICAL_QUANTITIES)
-
-
-def electrical_messages(results: BearingResults) -> Iterator[str]:
-    """Why there is no block, and what is assumed."""
-    lack = _lack(results)
-    if lack:
-        yield f"electrical: null, {lack}"
-        return
-    assumed = f"relative permittivity {oil_permittivity(results.case):g} of the oil"
-    if not results.case.get("lubricant", {}).get("relative_permittivity"):
-        yield f"electrical: {assumed} is assumed (lubricant.relative_permittivity)"
-    starved = results.torque.films if results.torque is not None else None
-    if any(film is not None and film.share < 1.0 for film in starved or ()):
-        yield "electrical: of the flooded films; starved ones have more capacitance, less voltage"
-    if results.quasistatic.bearing.ball_material.kind is INSULATOR:
-        yield (
-            "electrical: breakdown_voltage_V null, balls of silicon nitride take nearly all of "
-            f"the voltage; relative permittivity {CERAMIC_PERMITTIVITY:g} of theirs is assumed"
-        )
-
-
-def bearing_electrical(results: BearingResults) -> Electrical:
-    """Of a bearing whose loaded contacts all have solved films."""
-    paths = _paths(results)
-    insulating = results.quasistatic.bearing.ball_material.kind is INSULATOR
+def bearing_electrical(bearing: Bearing, contacts: Contacts, films: Films) -> Electrical:
+    """Of a bearing of which `electrical_lack` misses nothing; films of its contacts."""
+    paths = _paths(bearing, contacts, films)
+    insulating = bearing.ball_material.kind is INSULATOR
     totals = [
         sum(_in_series(inner, outer, ball)[end] for inner, outer, ball in paths)
         for end in range(3)
@@ -109,20 +72,19 @@ def bearing_electrical(results: BearingResults) -> Electrical:
     )
 
 
-def _lack(results: BearingResults) -> str:
-    """Why no capacitance of the bearing is known; empty if it is."""
-    bearing = results.quasistatic.bearing
+def electrical_lack(bearing: Bearing, contacts: Contacts, films: Films) -> str:
+    """Why no capacitance of a bearing is known; empty if it is."""
     rings = (bearing.inner_ring_material, bearing.outer_ring_material)
     if any(ring.kind is INSULATOR for ring in rings):
         return "a ring of silicon nitride insulates"
     unknown = [m.name for m in (*rings, bearing.ball_material) if not _is_known(m)]
     if unknown:
         return f"whether {unknown[0]!r} conducts is not known"
-    if not _paths(results):
+    if not _paths(bearing, contacts, films):
         return "no ball has solved films that converged at both races"
-    for contact, film in zip(results.contacts, results.instruments, strict=True):
+    for contact, film in zip(contacts, films, strict=True):
         unsolved = contact.conditions is not None and film is None
-        if unsolved and _carries_both(results, contact.ball):
+        if unsolved and _carries_both(contacts, contact.ball):
             return 'not every loaded ball has solved films ([ehl] film_maps = "all")'
     return ""
 
@@ -131,20 +93,21 @@ def _is_known(material: Material) -> bool:
     return material.kind in (CONDUCTOR, INSULATOR)
 
 
-def _carries_both(results: BearingResults, ball: int) -> bool:
+def _carries_both(contacts: Contacts, ball: int) -> bool:
     """Whether a ball touches both races: an unloaded inner contact breaks the path."""
-    own = [c for c in results.contacts if c.ball == ball]
+    own = [c for c in contacts if c.ball == ball]
     return all(c.conditions is not None for c in own)
 
 
-def _paths(results: BearingResults) -> list[tuple[FilmInstruments, FilmInstruments, Ends | None]]:
+def _paths(
+    bearing: Bearing, contacts: Contacts, films: Films
+) -> list[tuple[FilmInstruments, FilmInstruments, Ends | None]]:
     """Films of the inner and outer contact, and the ball, of every ball that has both."""
-    by_race: dict[Race, dict[int, tuple[Any, FilmInstruments]]] = {race: {} for race in Race}
-    for contact, film in zip(results.contacts, results.instruments, strict=True):
-        if film is not None:
-            by_race[contact.race][contact.ball] = (contact.hertz, film)
-    inner, outer = by_race[Race.INNER], by_race[Race.OUTER]
-    bearing = results.quasistatic.bearing
+    by_race: dict[Race, dict[int, tuple[HertzContact, FilmInstruments]]] = {}
+    for contact, film in zip(contacts, films, strict=True):
+        if film is not None and contact.hertz is not None:
+            by_race.setdefault(contact.race, {})[contact.ball] = (contact.hertz, film)
+    inner, outer = (by_race.get(race, {}) for race in (Race.INNER, Race.OUTER))
     insulating = bearing.ball_material.kind is INSULATOR
     found = []
     for ball in sorted(inner.keys() & outer.keys()):
