@@ -15,7 +15,9 @@ integration    - steps in time: Dormand and Prince's method, LSODA where it turn
 laws           - normal contact, drag and other numbers of the model in closed form
 layout         - the state vector: positions, velocities, angle of the inner ring
 record         - what the integrators work on: state, step control, samples
+reduction      - what symmetry leaves to be solved, and how the rest follows
 restart        - a simulation on disk, to go on from where it stood
 simulation     - the time simulation, sample by sample
+starts         - several starts of one simulation: whether it ends in one state or in several
 statistics     - statistics of a simulation: energies, speeds, states of contacts
 """

@@ -43,6 +43,7 @@ from .arrays import (
     WORK,
     Body,
 )
+from .contact._ball_kernels import ball_collisions
 from .contact._cage_kernels import cage_land, pocket_forces
 from .contact._kernels import elastic_energy
 from .contact._race_kernels import race_forces
@@ -102,7 +103,7 @@ def ball_equations(c, free, y, forces, power, dy):
         w = ball_turn(c.balls, j)
         speed = norm(vector(y, v))
         pull = c.drag * speed
-        power[WORK.churning] += pull * speed * speed
+        power[WORK.churning] += c.copies * pull * speed * speed
         for i in range(3):
             force = forces[j, FORCE + i] - pull * y[v + i]
             dy[x + i] = y[v + i]
@@ -147,8 +148,8 @@ def ring_equations(c, free, y, given, acceleration, load, body, power, dy):
 
 
 @compiled
-def cage_equations(c, free, y, load, body, dy):
-    """The cage: pockets, lands, weight."""
+def cage_equations(c, free, y, load, body, power, dy):
+    """The cage: pockets, lands, weight, unbalance, drag of the oil on its rotation."""
     first = velocities(c.balls) + RING
     for i in range(CAGE):
         dy[RING + i] = y[first + i]
@@ -156,12 +157,20 @@ def cage_equations(c, free, y, load, body, dy):
     if c.cage_mass <= 0.0:
         return
     gravity = c.gravity
-    for i in range(3):
-        dy[first + i] = free[RING + i] * (load[FORCE + i] / c.cage_mass + gravity[i])
     turning = first + CAGE_ROTATION
     tilting = first + CAGE_TILT
-    gyro = c.cage_polar * y[turning]
-    about = dot(vector(load, MOMENT), body.axis)
+    spin = y[turning]
+    steady = c.cage_unbalance * spin * spin
+    angle = y[RING + CAGE_ROTATION]
+    swing = (0.0, steady * np.cos(angle), steady * np.sin(angle))
+    for i in range(3):
+        force = load[FORCE + i] + swing[i]
+        dy[first + i] = free[RING + i] * (force / c.cage_mass + gravity[i])
+        power[WORK.loads] += swing[i] * y[first + i]
+    gyro = c.cage_polar * spin
+    pull = c.cage_drag * abs(spin) * spin
+    power[WORK.churning] += pull * spin
+    about = dot(vector(load, MOMENT), body.axis) - pull
     _, load_y, load_z = vector(load, MOMENT)
     my = load_y - gyro * y[tilting + 1]
     mz = load_z + gyro * y[tilting]
@@ -171,40 +180,25 @@ def cage_equations(c, free, y, load, body, dy):
 
 
 @compiled
-def contact_forces(p, y, inner, outer, cage):
-    """All contacts: forces on balls, rings, cage; powers; states."""
-    c = p.constants
-    kind = p.friction_kind
-    memory = p.memory
-    loads = p.loads
-    power = p.power
-    forces = p.forces
-    power[:] = 0.0
-    loads[:] = 0.0
-    forces[:] = 0.0
-    # 1. races and balls
-    race_forces(
-        c, INNER, inner, kind, p.friction_inner, p.normal[INNER], memory, y, p.friction,
-        forces, loads[INNER], power, p.race_out[INNER],
-    )  # fmt: skip
-    race_forces(
-        c, OUTER, outer, kind, p.friction_outer, p.normal[OUTER], memory, y, p.friction,
-        forces, loads[OUTER], power, p.race_out[OUTER],
-    )  # fmt: skip
-    power[WORK.drive_outer] -= outer.turn[0] * loads[OUTER, MOMENT]
-    if c.cage_mass <= 0.0:
-        return
-    # 2. pockets and lands
-    pocket_forces(
-        c, cage, p.normal[POCKET], memory, p.pocket_angle, y,
-        forces, loads[CAGE_LOAD], power, p.pocket_out,
-    )  # fmt: skip
-    if c.guide == GUIDED_BY_BALLS:
-        return
-    ring = inner if c.guide == GUIDED_BY_INNER_RING else outer
+def add_copies(c, loads, power):
+    """Loads and powers of all balls from those of one, the others standing evenly around: forces
+    and moments across the axis cancel.
+    """
+    for body in range(loads.shape[0]):
+        for part in (FORCE, MOMENT):
+            loads[body, part] *= c.copies
+            loads[body, part + 1] = 0.0
+            loads[body, part + 2] = 0.0
+    for k in range(power.size):
+        power[k] *= c.copies
+
+
+@compiled
+def cage_lands(c, ring, cage, law, memory, loads, power, land_out):
+    """Both guiding lands of the cage on the ring that guides it."""
     for side in range(2):
         impact_speed = memory[LAND * c.balls + side]
-        cage_land(c, side, ring, cage, p.normal[LAND], impact_speed, loads, power, p.land_out)
+        cage_land(c, side, ring, cage, law, impact_speed, loads, power, land_out)
 
 
 @compiled
@@ -212,15 +206,65 @@ def derivative(t, y, p, dy):
     """Rates of the state vector; contact states and powers are left in the arrays of `p`."""
     c = p.constants
     given = p.given
-    free = p.free
     acceleration = schedule_at(p.times, p.schedule, t, given)
     inner, outer, cage = place_bodies(c.balls, y, given[INNER_SPEED], given[OUTER_SPEED])
-    contact_forces(p, y, inner, outer, cage)
-    ball_equations(c, free, y, p.forces, p.power, dy)
-    ring_equations(c, free, y, given, acceleration, p.loads[INNER], inner, p.power, dy)
-    cage_equations(c, free, y, p.loads[CAGE_LOAD], cage, dy)
+    p.power[:] = 0.0
+    p.loads[:] = 0.0
+    p.forces[:] = 0.0
+    # 1. races and balls
+    race_forces(
+        c, INNER, inner, p.friction_kind, p.friction_inner, p.normal[INNER], p.memory, y,
+        p.friction, p.forces, p.loads[INNER], p.power, p.race_out[INNER],
+    )  # fmt: skip
+    race_forces(
+        c, OUTER, outer, p.friction_kind, p.friction_outer, p.normal[OUTER], p.memory, y,
+        p.friction, p.forces, p.loads[OUTER], p.power, p.race_out[OUTER],
+    )  # fmt: skip
+    # 2. pockets, or balls that meet
+    if c.cage_mass > 0.0:
+        pocket_forces(
+            c, cage, p.normal[POCKET], p.memory, p.pocket_angle, p.pocket_play, y,
+            p.forces, p.loads[CAGE_LOAD], p.power, p.pocket_out,
+        )  # fmt: skip
+    elif c.copies == 1:
+        ball_collisions(c, p.normal[POCKET], p.memory, y, p.forces, p.power, p.pocket_out)
+    # 3. balls that are not solved, and lands
+    if c.copies > 1:
+        add_copies(c, p.loads, p.power)
+    p.power[WORK.drive_outer] -= outer.turn[0] * p.loads[OUTER, MOMENT]
+    if c.cage_mass > 0.0 and c.guide != GUIDED_BY_BALLS:
+        ring = inner if c.guide == GUIDED_BY_INNER_RING else outer
+        cage_lands(c, ring, cage, p.normal[LAND], p.memory, p.loads, p.power, p.land_out)
+    # 4. equations of motion
+    ball_equations(c, p.free, y, p.forces, p.power, dy)
+    ring_equations(c, p.free, y, given, acceleration, p.loads[INNER], inner, p.power, dy)
+    cage_equations(c, p.free, y, p.loads[CAGE_LOAD], cage, p.power, dy)
     dy[ring_angle(c.balls)] = given[INNER_SPEED]
     dy[accumulators(c.balls) :] = p.power
+
+
+@compiled
+def put(values, places, out):
+    """Values at their places in an array."""
+    for m in range(values.size):
+        out[places[m]] = values[m]
+
+
+@compiled
+def take(values, places, out):
+    """Values of an array at some places."""
+    for m in range(out.size):
+        out[m] = values[places[m]]
+
+
+@compiled
+def solved_rates(t, y, p, dy):
+    """`derivative` of the coordinates that are solved; the others rest where `p.whole` has
+    them.
+    """
+    put(y, p.solved, p.whole)
+    derivative(t, p.whole, p, p.rates)
+    take(p.rates, p.solved, dy)
 
 
 @compiled
@@ -240,8 +284,10 @@ def energies(y, p, out):
             weight -= free[BODIES + i] * c.ball_mass * gravity[i] * y[ball_position(j) + i]
         for race in range(2):
             elastic += elastic_energy(p.normal[race], p.race_out[race, j, CONTACT.approach])
-        if c.cage_mass > 0.0:
-            elastic += elastic_energy(p.normal[POCKET], p.pocket_out[j, CONTACT.approach])
+        elastic += elastic_energy(p.normal[POCKET], p.pocket_out[j, CONTACT.approach])
+    kinetic *= c.copies
+    elastic *= c.copies
+    weight *= c.copies
     first = velocities(c.balls)
     for i in range(3):
         kinetic += 0.5 * (c.ring_mass * y[first + i] ** 2 + c.cage_mass * y[first + RING + i] ** 2)

@@ -75,6 +75,7 @@ class WorkColumns(NamedTuple):
     race_damping: int
     pocket_damping: int
     pocket_friction: int
+    pocket_film: int
     land_friction: int
     churning: int
     support: int
@@ -129,7 +130,9 @@ class FrictionData(NamedTuple):
 class Constants(NamedTuple):
     """Numbers of one bearing, SI; without arrays, so passed on at no cost."""
 
-    balls: int
+    balls: int  # those whose motion is solved
+    copies: int  # balls that each of them stands for
+    mirrored: int  # 1: the plane across the axis is a mirror, balls have no spin on the races
     ball_mass: float  # [kg]
     ball_inertia: float  # 2/5 m R^2 [kg m^2]
     ball_radius: float  # R [m]
@@ -146,19 +149,22 @@ class Constants(NamedTuple):
     cage_mass: float  # [kg]; 0: no cage
     cage_transverse: float  # inertia [kg m^2]
     cage_polar: float
-    pocket_play: float  # radial [m]
+    pocket_play: float  # radial, of the tightest pocket [m]
+    cage_drag: float  # torque on the cage over the square of its speed [N m s^2]
+    cage_unbalance: float  # towards the first pocket [kg m]
+    ball_friction: float  # mu of ball on ball, without a cage [-]
     # radius of the centres of spherical pockets [m]; 0: cylindrical ones, along the radius
     pocket_circle: float
     pocket_friction: float  # mu [-]
     friction_ramp: float  # of pockets and lands [m/s]
-    pocket_shear: float  # 6 pi viscosity R, Stokes' drag of a ball [N s/m]
+    pocket_height: float  # of its wall along the radius [m]; 0: without a film
+    film_viscosity: float  # of the oil in pockets and lands [Pa s]
     film_least: float  # [m]
     guide: int  # GUIDED_BY_BALLS, ...
     land_radius: float  # [m]
     land_clearance: float
     land_width: float  # of one
     land_offset: float  # of each from the middle
-    land_viscosity: float  # [Pa s]
     land_friction: float  # mu [-]
     drag: float  # of a ball over the square of its speed [N s^2/m^2]
     gravity: Vector  # [m/s^2]
@@ -175,6 +181,7 @@ class EquationData(NamedTuple):
     friction_outer: FrictionData
     free: Array  # 1 or 0 for the 5 coordinates of the ring, 6 of the cage, 6 of a ball
     pocket_angle: Array  # of each pocket in the cage, shape (Z,) [rad]
+    pocket_play: Array  # radial, of each pocket, shape (Z,) [m]
     times: Array  # of the rows of the schedule, shape (n,) [s]
     # speeds of inner and outer ring [rad/s], force [N], moment [N m]; shape (n, GIVEN_COLUMNS)
     schedule: Array
@@ -189,3 +196,9 @@ class EquationData(NamedTuple):
     films: Array  # load and film of the races' contacts after the last step, shape (2, Z, 2)
     power: Array  # into and out of the accumulators [W], shape (ACCUMULATORS,)
     loads: Array  # of the contacts on inner ring, outer ring and cage, shape (3, 6) [N], [N m]
+    # places in the state vector of what is solved: coordinates, speeds, then all that follows them
+    solved: NDArray[np.int64]
+    mechanical: int  # of them under error control, the coordinates and speeds
+    whole: Array  # scratch: state vector, the coordinates that are not solved at rest [SI]
+    rates: Array  # scratch: its rates
+    turns: Array  # scratch: angular velocities of the balls before a step, shape (Z, 3) [rad/s]

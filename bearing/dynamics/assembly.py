@@ -1,12 +1,14 @@
 """From bearing, operation and model to the arrays of the compiled equations."""
 
 from math import pi
+from typing import Any
 
 import numpy as np
 
 from ehl.closed_form.hertz import contact_stiffness
 
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
+from ..material import reduced_modulus
 from ..operation import Operation
 from ..quasistatic.kinematics import ball_mass
 from .arrays import (
@@ -26,12 +28,13 @@ from .arrays import (
     FrictionData,
 )
 from .bodies import free_coordinates
-from .choices import Guidance, NormalLaw
+from .choices import Guidance, LoadType, NormalLaw
 from .friction import check_film
 from .initial import StartingPoint
 from .inputs import CageBody, DynamicsModel
 from .laws import damping_factor
-from .layout import CAGE, CAGE_ROTATION, RING, RING_TILT
+from .layout import CAGE, CAGE_ROTATION, RING, RING_TILT, Layout
+from .reduction import solved_places
 
 HERTZ_EXPONENT = 1.5
 RAMP_SHARE = 0.01  # of the ramp of the friction that an error of speed may make up [-]
@@ -46,14 +49,13 @@ def assemble(
     """The problem in numbers; stiffnesses are taken at the contact angles of the start."""
     cage = model.cage
     n = bearing.balls
-    ring_free, cage_free, ball_free = free_coordinates(point.kind, operation)
+    free = free_array(point.kind, operation, model)
+    places = solved_places(free, n)
+    layout = Layout(n)
     numbers = constants(bearing, model)
     laws = normal_laws(bearing, model, point.angles)
     races = [model.friction.data(race) for race in Race]
-    if cage is None:
-        cage_free = (0,) * CAGE
-    elif cage.guidance is Guidance.BALLS and any(cage_free[:CAGE_ROTATION]):
-        # else nothing would centre the cage
+    if cage is not None and cage.guidance is Guidance.BALLS:  # else nothing would centre it
         numbers = numbers._replace(pocket_circle=0.5 * bearing.pitch_diameter)
     return EquationData(
         constants=numbers,
@@ -61,8 +63,9 @@ def assemble(
         friction_kind=friction_kind(model, races, laws),
         friction_inner=races[0],
         friction_outer=races[1],
-        free=np.array([*ring_free, *cage_free, *ball_free], dtype=np.float64),
+        free=free,
         pocket_angle=np.asarray(bearing.first_ball_azimuth + 2.0 * pi / n * np.arange(n)),
+        pocket_play=0.5 * np.array((cage or NO_CAGE).clearances(n)),
         times=np.array(model.times, dtype=np.float64),
         schedule=np.array(model.rows(operation), dtype=np.float64),
         memory=np.full(3 * n + 2, model.normal.impact_floor),
@@ -75,7 +78,31 @@ def assemble(
         films=np.zeros((2, n, 2)),
         power=np.zeros(ACCUMULATORS),
         loads=np.zeros((3, LOAD_COLUMNS)),
+        solved=places,
+        mechanical=places.size - (layout.size - layout.mechanical),
+        whole=np.zeros(layout.size),
+        rates=np.zeros(layout.size),
+        turns=np.zeros((n, 3)),
     )
+
+
+def free_array(kind: LoadType, operation: Operation, model: DynamicsModel) -> Array:
+    """`EquationData.free` of a load type: 1 or 0 for the coordinates of ring, cage and a ball."""
+    ring, cage, ball = free_coordinates(kind, operation)
+    if model.cage is None:
+        cage = (0,) * CAGE
+    return np.array([*ring, *cage, *ball], dtype=np.float64)
+
+
+def with_equations(
+    data: EquationData, kind: LoadType, operation: Operation, model: DynamicsModel
+) -> EquationData:
+    """The problem with the coordinates that another load type lets move."""
+    free = free_array(kind, operation, model)
+    places = solved_places(free, data.constants.balls)
+    layout = Layout(data.constants.balls)
+    rest = layout.size - layout.mechanical
+    return data._replace(free=free, solved=places, mechanical=places.size - rest)
 
 
 def friction_kind(model: DynamicsModel, races: list[FrictionData], laws: Array) -> int:
@@ -101,6 +128,8 @@ def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
     mass = ball_mass(bearing.ball_diameter, bearing.ball_material.density)
     return Constants(
         balls=bearing.balls,
+        copies=1,
+        mirrored=0,
         ball_mass=mass,
         ball_inertia=0.4 * mass * radius**2,
         ball_radius=radius,
@@ -114,26 +143,36 @@ def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
         ring_damping=ring.damping,
         unbalance=ring.unbalance,
         unbalance_phase=ring.unbalance_phase,
+        **_cage_numbers(cage, bearing.balls),
         cage_mass=0.0 if model.cage is None else cage.mass,
-        cage_transverse=cage.transverse_inertia,
-        cage_polar=cage.polar_inertia,
-        pocket_play=0.5 * cage.pocket_clearance,
-        pocket_circle=0.0,
-        pocket_friction=cage.pocket_friction,
+        ball_friction=model.ball_friction,
         friction_ramp=model.friction_ramp,
-        pocket_shear=6.0 * pi * model.film_viscosity * radius,
-        film_least=cage.film_least,
-        guide=tuple(Guidance).index(cage.guidance),
-        land_radius=cage.land_radius,
-        land_clearance=cage.land_clearance,
-        land_width=cage.land_width,
-        land_offset=cage.land_offset,
-        land_viscosity=model.film_viscosity,
-        land_friction=cage.land_friction,
+        film_viscosity=model.film_viscosity,
         drag=model.options.drag,
         gravity=model.options.gravity,
         floor=model.normal.impact_floor,
     )
+
+
+def _cage_numbers(cage: CageBody, balls: int) -> dict[str, Any]:
+    """Those of the cage, its pockets and lands [SI]."""
+    return {
+        "cage_transverse": cage.transverse_inertia,
+        "cage_polar": cage.polar_inertia,
+        "cage_drag": cage.drag,
+        "cage_unbalance": cage.unbalance,
+        "pocket_play": 0.5 * min(cage.clearances(balls)),
+        "pocket_circle": 0.0,
+        "pocket_friction": cage.pocket_friction,
+        "pocket_height": cage.pocket_height,
+        "film_least": cage.film_least,
+        "guide": tuple(Guidance).index(cage.guidance),
+        "land_radius": cage.land_radius,
+        "land_clearance": cage.land_clearance,
+        "land_width": cage.land_width,
+        "land_offset": cage.land_offset,
+        "land_friction": cage.land_friction,
+    }
 
 
 def normal_laws(bearing: Bearing, model: DynamicsModel, angles: tuple[float, float]) -> Array:
@@ -151,6 +190,11 @@ def normal_laws(bearing: Bearing, model: DynamicsModel, angles: tuple[float, flo
     other_law = NormalLaw.LANKARANI_NIKRAVESH if normal.law is NormalLaw.LUBRICATED else normal.law
     other = damping_factor(other_law, normal.restitution)
     pocket = (cage.pocket_stiffness, HERTZ_EXPONENT, other)
+    if model.cage is None:  # balls meet each other
+        material = bearing.ball_material
+        radius = 0.25 * bearing.ball_diameter
+        pair = contact_stiffness(radius, radius, reduced_modulus(material, material))
+        pocket = (pair, HERTZ_EXPONENT, other)
     return np.array([*rows, pocket, (cage.land_stiffness, 1.0, other)])
 
 

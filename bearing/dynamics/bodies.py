@@ -1,15 +1,16 @@
 """Masses and inertias of ring and cage, and the equations of motion that the loads need."""
 
-from math import pi
+from math import inf, pi, sin
 
 import numpy as np
 
 from ehl.closed_form.hertz import contact_stiffness
+from ehl.units import from_si
 
 from ..geometry import Bearing
 from ..material import Material, reduced_modulus
 from ..operation import Operation
-from .arrays import GIVEN_FORCE
+from .arrays import GIVEN_FORCE, GIVEN_MOMENT
 from .choices import Guidance, LoadType
 from .inputs import CageBody, DynamicsModel, RingBody
 
@@ -22,6 +23,7 @@ WEB = 0.35
 CLEARANCE = 0.03
 # F = (pi/4) E* L d of parallel cylinders, Popov (2010), Contact Mechanics and Friction
 LAND_FORCE = 0.25 * pi
+ESTIMATES = ("mass", "thickness", "width", "pocket_clearance")  # where they are left out
 SMALLEST_FILM = 1.0e-6  # between ball and pocket [m]
 
 
@@ -65,42 +67,73 @@ def hollow_cylinder(
     return 0.5 * mass * square, mass * (3.0 * square + width**2) / 12.0
 
 
-def cage_body(bearing: Bearing, material: Material, **given: float | Guidance | None) -> CageBody:
+def require_web(bearing: Bearing, clearance: float) -> None:
+    """ValueError unless pockets of a diametral clearance [m] leave a web between them on the pitch
+    circle.
+    """
+    apart = bearing.pitch_diameter * sin(pi / bearing.balls)
+    if bearing.ball_diameter + clearance >= apart:
+        most = from_si("clearance_mm", apart - bearing.ball_diameter)
+        if most <= 0.0:
+            raise ValueError(f"{bearing.balls} balls leave no room for a cage between them")
+        found = from_si("clearance_mm", clearance)
+        raise ValueError(
+            f"pocket_clearance: pockets overlap at {found:.4g} mm; {bearing.balls} balls leave "
+            f"less than {most:.4g} mm"
+        )
+
+
+def pocket_stiffness(ball: float, clearance: float, modulus: float) -> float:
+    """K of a ball against its pocket, a cylinder [N/m^1.5], from diameter, diametral clearance [m]
+    and E' [Pa].
+    """
+    pocket = 0.5 * (ball + clearance)
+    across = 0.5 * ball * pocket / (pocket - 0.5 * ball)  # reduced radius around the pocket
+    return contact_stiffness(across, 0.5 * ball, modulus)
+
+
+def cage_body(
+    bearing: Bearing, material: Material, **given: float | tuple[float, ...] | Guidance | None
+) -> CageBody:
     """The cage: a hollow cylinder around the pitch circle, less its pockets.
 
     `given`: any of `mass`, `polar_inertia`, `transverse_inertia` [kg, kg m^2], `thickness`,
     `width`, `pocket_clearance` (diametral) [m], `pocket_friction` [-], `film_least` [m],
     `guidance`, `land_diameter`, `land_width` (both lands together), `land_clearance` (radial) [m],
-    `land_friction` [-]. What is left out is estimated, and named so.
+    `land_friction` [-], `unbalance` [kg m], `drag` [N m s^2], `pocket_clearances`, one a ball [m].
+    What is left out is estimated, and named so. ValueError where pockets overlap.
     """
     guidance = given.get("guidance")
+    plays = next((value for value in given.values() if isinstance(value, tuple)), ())
     values = {name: value for name, value in given.items() if isinstance(value, int | float)}
-    estimates = ("mass", "thickness", "width", "pocket_clearance")
+    values |= {"pocket_clearance": max(plays)} if plays else {}
     number = values.get
     ball = bearing.ball_diameter
     # 1. hollow cylinder around the pitch circle, less its pockets
     clearance = number("pocket_clearance", CLEARANCE * ball)
+    require_web(bearing, clearance)
     thickness = number("thickness", THICKNESS * ball)
     width = number("width", (1.0 + 2.0 * 0.5 * WEB) * ball)
-    inside = 0.5 * bearing.pitch_diameter - 0.5 * thickness
-    outside = 0.5 * bearing.pitch_diameter + 0.5 * thickness
+    inside, outside = (0.5 * (bearing.pitch_diameter + side * thickness) for side in (-1, 1))
     pockets = bearing.balls * 0.25 * pi * (ball + clearance) ** 2 * thickness
     volume = pi * (outside**2 - inside**2) * width - pockets
     mass = number("mass", material.density * volume)
     polar, transverse = hollow_cylinder(mass, inside, outside, width)
     # 2. contact of a ball with its pocket, of the cage with its lands
     modulus = reduced_modulus(bearing.ball_material, material)
-    pocket = 0.5 * (ball + clearance)
-    across = 0.5 * ball * pocket / (pocket - 0.5 * ball)  # reduced radius around the pocket
     land = 0.5 * number("land_width", 0.0)
     return CageBody(
         mass=mass,
         polar_inertia=number("polar_inertia", polar),
         transverse_inertia=number("transverse_inertia", transverse),
         pocket_clearance=clearance,
-        pocket_stiffness=contact_stiffness(across, 0.5 * ball, modulus),
+        pocket_stiffness=pocket_stiffness(ball, clearance, modulus),
         pocket_friction=number("pocket_friction", 0.0),
+        pocket_height=thickness,
         film_least=number("film_least", SMALLEST_FILM),
+        pocket_clearances=plays,
+        unbalance=number("unbalance", 0.0),
+        drag=number("drag", 0.0),
         guidance=guidance if isinstance(guidance, Guidance) else Guidance.BALLS,
         land_radius=0.5 * number("land_diameter", 0.0),
         land_clearance=number("land_clearance", 0.0),
@@ -108,62 +141,95 @@ def cage_body(bearing: Bearing, material: Material, **given: float | Guidance | 
         land_offset=0.5 * (width - land),
         land_stiffness=LAND_FORCE * 0.5 * modulus * land,
         land_friction=number("land_friction", 0.0),
-        assumed=tuple(f"cage.{name}" for name in estimates if name not in values),
+        assumed=tuple(f"cage.{name}" for name in ESTIMATES if name not in values),
     )
 
 
+# what a load type needs to rest at zero besides gravity: columns of `given_values`, coordinates of
+# the ring
+ACROSS = slice(GIVEN_FORCE + 1, None)
+ALONG = (GIVEN_FORCE, GIVEN_MOMENT, GIVEN_MOMENT + 1)
+
+
 def load_type(operation: Operation, model: DynamicsModel) -> LoadType:
-    """Fewest equations the loads allow, Ma et al. (2023): radial, axial, combined, general."""
-    loads = np.array(model.rows(operation))[:, GIVEN_FORCE:]
-    axial, radial, *others = np.any(loads, axis=0)
-    if (
-        any(others)
+    """Fewest equations that the loads allow at the start: those of the symmetry that lasts longer,
+    radial or axial; without one, combined if there are loads along x and y alone, else general.
+    """
+    lasts = {
+        kind: symmetric_until(kind, operation, model) for kind in (LoadType.RADIAL, LoadType.AXIAL)
+    }
+    kind = max(lasts, key=lambda each: lasts[each])
+    if lasts[kind] > 0.0:
+        return kind
+    others = np.array(model.rows(operation))[:, GIVEN_FORCE + 2 :]
+    plain = not (
+        np.any(others)
         or any(model.options.gravity)
         or model.ring.unbalance > 0.0
+        or (model.cage is not None and model.cage.unbalance > 0.0)
         or None in operation.force
         or any(value != 0.0 for value in operation.tilt)
-    ):
-        return LoadType.GENERAL
-    if axial:
-        return LoadType.COMBINED if radial else LoadType.AXIAL
-    return LoadType.RADIAL
+    )
+    return LoadType.COMBINED if plain else LoadType.GENERAL
 
 
-# ring x, y, z, tilt y, tilt z; cage x, y, z, rotation, tilt y, tilt z; ball x, y, z and turns
+def symmetric_until(kind: LoadType, operation: Operation, model: DynamicsModel) -> float:
+    """Time up to which loads, weight, unbalance and displacements leave bodies the symmetry of a
+    load type [s]; zero where they never do, infinite where they do throughout.
+    """
+    gravity = np.array(model.options.gravity)
+    places = np.array([value or 0.0 for value in operation.displacements])
+    rows = np.array(model.rows(operation))
+    if kind is LoadType.AXIAL:
+        even = model.ring.unbalance == 0.0 and (model.cage is None or model.cage.even)
+        broken = np.any(gravity[1:]) or np.any(places[1:]) or not even
+        loaded = np.any(rows[:, ACROSS], axis=1)
+    elif kind in (LoadType.RADIAL, LoadType.PLANAR):
+        broken = gravity[0] or places[0] or np.any(places[3:])
+        loaded = np.any(rows[:, ALONG], axis=1)
+    else:
+        return inf
+    if broken:
+        return 0.0
+    if not loaded.any():
+        return inf
+    first = int(np.argmax(loaded))
+    return model.times[first - 1] if first else 0.0
+
+
+# coordinates that move, by the symmetry of the loads: ring x, y, z, tilt y, tilt z; cage x, y, z,
+# rotation, tilt y, tilt z; ball x, y, z and turns
 FREE_COORDINATES: dict[LoadType, tuple[tuple[int, ...], ...]] = {
-    LoadType.RADIAL: ((0, 1, 0, 0, 0), (0, 0, 0, 1, 0, 0), (0, 1, 1, 1, 0, 0)),
-    LoadType.AXIAL: ((1, 0, 0, 0, 0), (0, 0, 0, 1, 0, 0), (1, 1, 1, 1, 1, 1)),
-    LoadType.COMBINED: ((1, 1, 0, 0, 0), (0, 0, 0, 1, 0, 0), (1, 1, 1, 1, 1, 1)),
+    LoadType.RADIAL: ((0, 1, 1, 0, 0), (0, 1, 1, 1, 0, 0), (0, 1, 1, 1, 0, 0)),
+    LoadType.AXIAL: ((1, 0, 0, 0, 0), (1, 0, 0, 1, 0, 0), (1, 1, 1, 1, 1, 1)),
+    LoadType.COMBINED: ((1, 1, 1, 1, 1), (1, 1, 1, 1, 1, 1), (1, 1, 1, 1, 1, 1)),
     LoadType.PLANAR: ((0, 1, 1, 0, 0), (0, 1, 1, 1, 0, 0), (0, 1, 1, 1, 0, 0)),
     LoadType.GENERAL: ((1, 1, 1, 1, 1), (1, 1, 1, 1, 1, 1), (1, 1, 1, 1, 1, 1)),
 }
 
 
 def free_coordinates(kind: LoadType, operation: Operation) -> tuple[tuple[int, ...], ...]:
-    """1 or 0 for each coordinate of ring, cage and a ball [-]; the general ring is fixed where
-    the case prescribes a displacement.
+    """1 or 0 for each coordinate of ring, cage and a ball [-]; the ring is fixed where the case
+    prescribes a displacement.
     """
     ring, cage, ball = FREE_COORDINATES[kind]
-    if kind is LoadType.GENERAL:
-        ring = tuple(0 if load is None else 1 for load in operation.loads)
+    loads = operation.loads
+    ring = tuple(free if load is not None else 0 for free, load in zip(ring, loads, strict=True))
     return ring, cage, ball
 
 
 def equation_counts(kind: LoadType, balls: int, operation: Operation) -> dict[str, int]:
-    """Unknowns of static, quasi-static, dynamic model [-], Ma et al. (2023), Table 1."""
+    """Equations of motion that are solved, of second order: of ring, cage, balls, and in all [-].
+
+    Ma et al. (2023), Table 1, integrate all balls under an axial load, too; under a load across
+    the axis and under both they hold the ring and the cage on the load line, where friction pushes
+    them aside.
+    """
     ring, cage, ball = (sum(part) for part in free_coordinates(kind, operation))
-    quasi_static = {
-        LoadType.RADIAL: 1 + balls,
-        LoadType.AXIAL: 1 + 2,
-        LoadType.COMBINED: 2 + 2 * balls,
-        LoadType.PLANAR: 2 + balls,
-        LoadType.GENERAL: ring + 2 * balls,
-    }[kind]
+    solved = 1 if kind is LoadType.AXIAL else balls
     return {
-        "static": ring,
-        "quasi_static": quasi_static,
         "ring": ring,
         "cage": cage,
-        "balls": ball * balls,
-        "dynamic": ring + cage + ball * balls,
+        "balls": ball * solved,
+        "dynamic": ring + cage + ball * solved,
     }

@@ -10,6 +10,7 @@ from ..operation import Operation
 from ..quasistatic.kinematics import centrifugal_force
 from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic
+from ..quasistatic.symmetric import solve_symmetric, unknowns
 from ..rating.frequencies import kinematic_cage_speed
 from .arrays import (
     EXPONENT,
@@ -38,6 +39,8 @@ class StartingPoint:
     angles: tuple[float, float]  # mean contact angles, inner and outer, by load [rad]
     equilibrium: QuasistaticSolution | None  # where the simulation starts from it
     messages: tuple[str, ...]
+    # that were solved for it in the static and the quasi-static stage; none for another start [-]
+    unknowns: tuple[int, int] = (0, 0)
 
 
 def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel) -> StartingPoint:
@@ -54,7 +57,13 @@ def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel)
     point = StartingPoint(kind=kind, angles=(angle, angle), equilibrium=None, messages=())
     if model.options.start is Start.ROLLING:
         return point
-    solution = solve_quasistatic(bearing, first)
+    solution = solve_symmetric(bearing, first)
+    if solution is not None:
+        point = replace(point, unknowns=unknowns(bearing, first))
+    else:
+        solution = solve_quasistatic(bearing, first)
+        ring = sum(load is not None for load in first.loads)
+        point = replace(point, unknowns=(0, ring + 2 * bearing.balls))
     if not solution.converged:
         text = f"dynamics: no quasi-static start ({solution.message})"
         text += "; started with the balls rolling on the outer race"

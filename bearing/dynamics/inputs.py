@@ -8,7 +8,7 @@ import numpy as np
 from ehl.ranges import require_positive
 
 from ..operation import Operation
-from .arrays import GIVEN_COLUMNS, GIVEN_FORCE, INNER_SPEED
+from .arrays import GIVEN_COLUMNS
 from .choices import Guidance, LoadType, NormalLaw, Start
 from .friction import RaceFriction
 
@@ -54,7 +54,12 @@ class CageBody:
     pocket_clearance: float  # diametral, pocket less ball [m]
     pocket_stiffness: float  # K of ball against pocket [N/m^1.5]
     pocket_friction: float = 0.0  # Coulomb's mu [-]
+    pocket_height: float = 0.0  # of its wall along the radius; 0: no film in it [m]
     film_least: float = 1.0e-6  # least film between ball and pocket [m]
+    # diametral, pocket by pocket; none: all have `pocket_clearance`
+    pocket_clearances: tuple[float, ...] = ()  # [m]
+    unbalance: float = 0.0  # mass times eccentricity, towards the first pocket [kg m]
+    drag: float = 0.0  # torque over the square of its speed [N m s^2]
     guidance: Guidance = Guidance.BALLS
     # of each of the two guiding lands: radius, radial clearance, width, distance from the middle
     land_radius: float = 0.0  # [m]
@@ -68,8 +73,22 @@ class CageBody:
     def __post_init__(self) -> None:
         require_positive(self, "mass", "polar_inertia", "transverse_inertia")
         require_positive(self, "pocket_clearance", "pocket_stiffness")
+        if any(not clearance > 0.0 for clearance in self.pocket_clearances):
+            raise ValueError(f"pocket_clearances must be positive, got {self.pocket_clearances}")
         if self.guidance is not Guidance.BALLS:
             require_positive(self, "land_radius", "land_clearance", "land_width", "land_stiffness")
+
+    def clearances(self, balls: int) -> tuple[float, ...]:
+        """Diametral clearance of each pocket [m]; ValueError unless there is one a ball."""
+        if self.pocket_clearances and len(self.pocket_clearances) != balls:
+            count = len(self.pocket_clearances)
+            raise ValueError(f"pocket_clearances: needs one a ball, {balls}, got {count}")
+        return self.pocket_clearances or (self.pocket_clearance,) * balls
+
+    @property
+    def even(self) -> bool:
+        """Whether all pockets are alike and the cage is balanced."""
+        return len(set(self.pocket_clearances)) < 2 and self.unbalance == 0.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -107,28 +126,21 @@ class Schedule:
 
     @classmethod
     def from_tables(
-        cls,
-        operation: Operation,
-        speeds: Sequence[Sequence[float]] | None,
-        loads: Sequence[Sequence[float]] | None,
+        cls, operation: Operation, tables: Mapping[int, Sequence[Sequence[float]] | None]
     ) -> "Schedule | None":
-        """Two tables over time on one set of times, None without any; the rest as in operation.
+        """Tables over time on one set of times, None without any; the rest as in operation.
 
-        `speeds`: rows of time [s] and speed of the inner ring [rad/s]; `loads`: rows of time [s]
-        and force along x, y, z [N].
+        `tables`: by the first of the columns of `given_values` that they fill, rows of time [s]
+        and their values in SI.
         """
-        tables = [
-            (np.array(table), first_column)
-            for table, first_column in ((speeds, INNER_SPEED), (loads, GIVEN_FORCE))
-            if table is not None
-        ]
-        if not tables:
+        given = {first: np.array(rows) for first, rows in tables.items() if rows is not None}
+        if not given:
             return None
-        times = np.unique(np.concatenate([table[:, 0] for table, _ in tables]))
+        times = np.unique(np.concatenate([table[:, 0] for table in given.values()]))
         values = np.tile(given_values(operation), (times.size, 1))
-        for table, first_column in tables:
+        for first, table in given.items():
             for k, column in enumerate(table[:, 1:].T):
-                values[:, first_column + k] = np.interp(times, table[:, 0], column)
+                values[:, first + k] = np.interp(times, table[:, 0], column)
         rows = tuple(tuple(row) for row in values.tolist())
         return cls(time=tuple(times.tolist()), values=rows)
 
@@ -171,6 +183,7 @@ class DynamicsModel:
     film_viscosity: float = 0.0  # of the oil in pockets and lands [Pa s]
     # sliding speed up to which friction of pockets and lands rises [m/s]
     friction_ramp: float = 0.01
+    ball_friction: float = 0.0  # Coulomb's mu of ball on ball, without a cage [-]
     notes: Mapping[str, str] = field(default_factory=dict)
 
     @property

@@ -62,12 +62,19 @@ def drag_of_mixture(density: float, ball_diameter: float, coefficient: float) ->
 
 
 def drag_of_force(bearing: Bearing, operation: Operation, force: float) -> float:
-    """Drag over speed squared [N s^2/m^2] from a drag [N] at the kinematic orbit speed."""
+    """Drag over speed squared [N s^2/m^2] from a drag [N] at the kinematic orbit speed; none where
+    that is zero.
+    """
     angle = bearing.free_contact_angle if operation.force[0] else 0.0
     speed = kinematic_cage_speed(bearing, operation.inner_speed, operation.outer_speed, angle)
     speed *= 0.5 * bearing.pitch_diameter
-    if speed == 0.0:
-        raise ValueError(
-            "[dynamics] ball_drag_N: counts at the speed of the operation, which is zero"
-        )
-    return force / speed**2
+    return force / speed**2 if speed != 0.0 else 0.0
+
+
+def cage_drag_of_torque(bearing: Bearing, operation: Operation, torque: float) -> float:
+    """Torque over speed squared [N m s^2] from a torque [N m] at the cage's kinematic speed; none
+    where that is zero.
+    """
+    angle = bearing.free_contact_angle if operation.force[0] else 0.0
+    speed = kinematic_cage_speed(bearing, operation.inner_speed, operation.outer_speed, angle)
+    return torque / speed**2 if speed != 0.0 else 0.0

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .arrays import LOAD_COLUMNS, POCKET_COLUMNS, RACE_COLUMNS, Array
+from .choices import LoadType
 from .layout import Layout
 
 
@@ -44,6 +45,7 @@ class ContactHistory(NamedTuple):
 class SimulationState:
     """Where a simulation stands; all that a restart needs."""
 
+    kind: LoadType  # whose equations move it on
     time: float  # [s]
     step: float  # [s]
     y: Array  # state vector [SI]
@@ -54,11 +56,6 @@ class SimulationState:
     attitude: Array  # quaternions of the balls [-], shape (Z, 4)
     counters: NDArray[np.int64]  # steps, rejected, test for stiffness, evaluations [-]
     stiff: bool = False  # whether LSODA took over at some time
-
-    @property
-    def history(self) -> ContactHistory:
-        """The arrays that the kernels bring up to date after each step."""
-        return ContactHistory(self.onset, self.contact_state, self.shares, self.attitude)
 
     def restore(self, snapshot: "SimulationState") -> None:
         """Take over the values of another state, in the arrays that the equations use."""

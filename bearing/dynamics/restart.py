@@ -7,9 +7,10 @@ from pathlib import Path
 import numpy as np
 
 from ..files import write_bytes
+from .choices import LoadType
 from .simulation import Simulation
 
-FORMAT = 2
+FORMAT = 3
 ARRAYS = ("y", "memory", "onset", "contact_state", "shares", "attitude", "counters")
 
 
@@ -21,6 +22,7 @@ def save_restart(simulation: Simulation, path: Path, case: str = "") -> None:
     head = {
         "format": FORMAT,
         "case": case,
+        "kind": state.kind.value,
         "time": state.time,
         "step": state.step,
         "stiff": state.stiff,
@@ -51,6 +53,7 @@ def load_restart(simulation: Simulation, path: Path, case: str = "") -> None:
         raise ValueError(f"{path}: is of another case")
     for name, value in arrays.items():
         getattr(simulation.state, name)[...] = value
+    simulation.set_equations(LoadType(head["kind"]))
     simulation.state.time = head["time"]
     simulation.state.step = head["step"]
     simulation.state.stiff = head["stiff"]

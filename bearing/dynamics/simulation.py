@@ -11,8 +11,9 @@ from ..geometry import Bearing
 from ..operation import Operation
 from ._kernels import derivative, energies
 from .arrays import GIVEN_FORCE, GIVEN_MOMENT, OUTER, STIFFNESS, Array, EquationData
-from .assembly import assemble, scales
-from .bodies import equation_counts
+from .assembly import assemble, scales, with_equations
+from .bodies import equation_counts, symmetric_until
+from .choices import LoadType
 from .initial import StartingPoint, initial_state, starting_point
 from .inputs import DynamicsModel
 from .integration._kernels import COUNTERS, DONE, NOT_FINITE, STIFF, TOO_SMALL
@@ -20,6 +21,7 @@ from .integration.methods import advance_explicit, advance_implicit
 from .laws import vibration_frequency
 from .layout import Layout
 from .record import Record, SimulationState, StepControl, empty_record, join
+from .reduction import SYMMETRIC, symmetric_part
 
 PIECE = 128  # samples of a record
 REFERENCE_LOAD = 10.0  # least load that sets the scale of errors [N]
@@ -59,8 +61,12 @@ class Simulation:
 
     @property
     def equations(self) -> dict[str, int]:
-        """Counts of equations [-]."""
-        return equation_counts(self.point.kind, self.bearing.balls, self.operation)
+        """Unknowns of the static and the quasi-static stage, equations of motion [-]: those that
+        were solved.
+        """
+        static, quasi_static = self.point.unknowns
+        motion = equation_counts(self.state.kind, self.bearing.balls, self.operation)
+        return {"static": static, "quasi_static": quasi_static, **motion}
 
     @property
     def scale(self) -> Array:
@@ -103,9 +109,9 @@ class Simulation:
             began = perf_counter()
             before = deepcopy(self.state)
             try:
-                record = self._advance(times[first : first + PIECE], before)
+                record = self._advance(times[first : first + PIECE])
             except KeyboardInterrupt:
-                self.state.restore(before)
+                self._restore(before)
                 raise
             self.wall += perf_counter() - began
             if record.time.size:
@@ -113,8 +119,53 @@ class Simulation:
             if not self.converged:
                 return
 
-    def _advance(self, times: Array, before: SimulationState) -> Record:
-        """A piece by explicit steps; where they are given up, its rest by LSODA."""
+    def set_equations(self, kind: LoadType) -> None:
+        """Go on with the equations of another load type from the state as it is."""
+        if kind is not self.state.kind:
+            self.data = with_equations(self.data, kind, self.operation, self.model)
+            self.state.kind = kind
+
+    def _restore(self, before: SimulationState) -> None:
+        self.set_equations(before.kind)
+        self.state.restore(before)
+
+    def _symmetric(self) -> bool:
+        """Whether the general equations keep the motion as symmetric as the ones in use: no
+        acceleration against the symmetry changes a speed in a step by an error that counts as one.
+        """
+        layout = self.layout
+        general = with_equations(self.data, LoadType.GENERAL, self.operation, self.model)
+        rates = np.zeros(layout.size)
+        derivative(self.state.time, self.state.y, general, rates)
+        against = rates - symmetric_part(self.state.kind, self.data, rates)
+        speeds = slice(layout.positions, layout.mechanical)
+        change = np.abs(against[speeds]) * self.control.longest
+        return bool(np.all(change <= self.scale[speeds]))
+
+    def _advance(self, times: Array) -> Record:
+        """A piece with the equations that hold, and general ones where their symmetry ends."""
+        until = symmetric_until(self.state.kind, self.operation, self.model)
+        if self.state.kind in SYMMETRIC and not self._symmetric():
+            until = self.state.time
+        held = times[times <= until]
+        parts = [held] if held.size == times.size else [held, times[held.size :]]
+        record = empty_record(times[:0], self.bearing.balls)
+        for part in parts:
+            if part.size and part[0] > until:
+                self._break_symmetry()
+            if part.size and self.converged:
+                record = join(record, self._steps(part))
+        return record
+
+    def _break_symmetry(self) -> None:
+        """Go on with the general equations, and say so."""
+        lost = f"dynamics: the motion lost the symmetry of the {self.state.kind.value} equations"
+        self.set_equations(LoadType.GENERAL)
+        self._note(f"{lost} at t = {self.state.time:.6g} s; the general ones went on from there")
+
+    def _steps(self, times: Array) -> Record:
+        """Explicit steps; where they are given up, the rest by LSODA."""
+        before = deepcopy(self.state)
         method = (self.control, self.scale)
         # 1. explicit steps, after LSODA too: a stiff start may be over
         status, record = advance_explicit(self.state, self.data, times, *method)
@@ -163,6 +214,7 @@ def from_state(
     point, data, y = start
     n = bearing.balls
     state = SimulationState(
+        kind=point.kind,
         time=0.0,
         step=FIRST_STEP,
         y=y,

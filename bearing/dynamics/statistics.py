@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..rating.frequencies import kinematic_cage_speed
-from .arrays import CONTACT, GIVEN_FORCE, INNER_SPEED, OUTER_SPEED, WORK, Array
+from .arrays import CONTACT, GUIDED_BY_BALLS, INNER_SPEED, OUTER_SPEED, WORK, Array
 from .layout import CAGE_ROTATION, Layout
 from .record import Record
 from .simulation import Simulation
@@ -14,6 +14,13 @@ BATCHES = 10  # fewest of the ten to thirty of Schmeiser (1982), Operations Rese
 STUDENT = 2.2622  # 97.5 % of Student's distribution with BATCHES - 1 degrees of freedom
 SMALLEST_SAMPLE = 2 * BATCHES  # values, below which no interval is given
 SMALLEST_ORBIT = 1.0e-12  # of a centre, below which it has no whirl [m]
+# a cage whirls where its centre goes round on this share of its play, and one way: net turning
+# over all turning [-]
+WHIRL_SHARE = 0.5
+ONE_WAY = 0.8
+# of the energy at the start, stored in contacts at standstill, below which work is that of nothing
+# moving, and no measure of an error [-]
+STILL = 1.0e-3
 AVERAGED_SHARE = 1.0 / 3.0  # of the time, over which speeds are averaged [-]
 MECHANISMS = WORK._fields
 INPUTS = 3  # of them put energy in
@@ -29,6 +36,7 @@ class RunningStatistics:
     cage_rotation: list[Array] = field(default_factory=list)  # [rad]
     orbit_speed: list[Array] = field(default_factory=list)  # mean of the balls [rad/s]
     centres: list[Array] = field(default_factory=list)  # y, z of ring and of cage, (m, 4) [m]
+    angle: list[Array] = field(default_factory=list)  # of contact, mean by load [rad]
     load_sum: Array = field(init=False)  # (2, Z) [N]
     load_largest: Array = field(init=False)  # (2, Z) [N]
     pocket_largest: Array = field(init=False)  # (Z,) [N]
@@ -51,6 +59,8 @@ class RunningStatistics:
         )
         loads = record.races[..., CONTACT.load]
         pockets = record.pockets[..., CONTACT.load]
+        turned = (loads * np.abs(record.races[..., CONTACT.contact_angle])).sum(axis=(1, 2))
+        self.angle.append(turned / np.maximum(loads.sum(axis=(1, 2)), 1e-300))
         self.load_sum += loads.sum(axis=0)
         self.load_largest = np.maximum(self.load_largest, loads.max(axis=0))
         self.pocket_largest = np.maximum(self.pocket_largest, pockets.max(axis=0))
@@ -69,14 +79,19 @@ class SimulationStatistics:
     wall: float  # [s]
     cage_speed: float  # mean over the last third [rad/s]
     orbit_speed: float  # of the balls, likewise [rad/s]
-    kinematic_speed: float  # without sliding, likewise [rad/s]
+    contact_angle: float  # mean by load, likewise [rad]
+    kinematic_speed: float  # without sliding at this angle, likewise [rad/s]
     cage_interval: float | None  # half width of the 95 % confidence interval [rad/s]
     orbit_interval: float | None  # [rad/s]
     ring_whirl: float | None  # of the centre over the last third; None where it stays [rad/s]
     cage_whirl: float | None  # [rad/s]
+    cage_orbit: float | None  # root mean square radius about its mean [m]
+    cage_play: float | None  # in its pockets or lands, which the radius may reach [m]
+    one_way: float | None  # net turning of the cage's centre over all of it [-]
     work: dict[str, float]  # put in, lost and taken up by films, by mechanism [J]
     stored: float  # change of kinetic, elastic and potential energy [J]
-    # largest residual over the total input or, where that is less, over what was lost
+    # largest residual over the total input or, where that is less, over what was lost, or over
+    # `STILL` of the energy at the start
     energy_error: float  # [-]
     shares: Array  # of the time separated, in contact, in an impact, shape (2, Z, 3) [-]
     mean_load: Array  # [N], shape (2, Z)
@@ -87,6 +102,15 @@ class SimulationStatistics:
     def cage_speed_ratio(self) -> float | None:
         """Speed of the cage over the kinematic one [-]; None where that is zero."""
         return self.cage_speed / self.kinematic_speed if self.kinematic_speed else None
+
+    @property
+    def cage_whirls(self) -> bool | None:
+        """Whether the cage's centre goes round in a good part of its play; None without a cage."""
+        if self.cage_play is None:
+            return None
+        if self.cage_orbit is None or self.one_way is None:
+            return False
+        return self.cage_orbit >= WHIRL_SHARE * self.cage_play and self.one_way >= ONE_WAY
 
     @property
     def cage_slip_ratio(self) -> float | None:
@@ -116,24 +140,28 @@ def simulation_statistics(
     cage = np.concatenate(running.cage_rotation)[late]
     orbit = np.concatenate(running.orbit_speed)[late]
     centres = np.concatenate(running.centres)[late]
+    angle = float(np.concatenate(running.angle)[late].mean())
     span = float(time[late][-1] - time[late][0])
     has_cage = simulation.data.constants.cage_mass > 0.0 and span > 0.0
     work = state.y[simulation.layout.energy]
     put_in = float(np.sum(work[:INPUTS]))
     lost = float(np.sum(work[LOSSES]))
+    still = STILL * abs(simulation.start_energy)
     return SimulationStatistics(
         simulated=state.time,
         wall=simulation.wall,
         cage_speed=float(cage[-1] - cage[0]) / span if has_cage else float(orbit.mean()),
         orbit_speed=float(orbit.mean()),
-        kinematic_speed=_kinematic(simulation, time[late]),
+        contact_angle=angle,
+        kinematic_speed=speed_without_slip(simulation, time[late], angle),
         cage_interval=batch_interval(np.diff(cage) / np.diff(time[late]) if has_cage else orbit),
         orbit_interval=batch_interval(orbit),
         ring_whirl=whirl_speed(time[late], centres[:, :2]),
         cage_whirl=whirl_speed(time[late], centres[:, 2:]),
+        **_cage_orbit(simulation, centres[:, 2:]),
         work=dict(zip(MECHANISMS, work.tolist(), strict=True)),
         stored=put_in - lost - float(work[-1]),
-        energy_error=running.residual / max(abs(put_in), abs(lost), 1e-300),
+        energy_error=running.residual / max(abs(put_in), abs(lost), still, 1e-300),
         shares=state.shares / max(state.time, 1e-300),
         mean_load=running.load_sum / running.rows,
         largest_load=running.load_largest,
@@ -141,19 +169,32 @@ def simulation_statistics(
     )
 
 
-def nominal_angle(simulation: Simulation) -> float:
-    """Contact angle of the kinematic speed [rad]: the free one under an axial load, else zero."""
-    axial = np.any(simulation.data.schedule[:, GIVEN_FORCE])
-    return simulation.bearing.free_contact_angle if axial else 0.0
+def _cage_orbit(simulation: Simulation, place: Array) -> dict[str, float | None]:
+    """Radius [m], play [m] and share of one-way turning [-] of the cage's centre."""
+    c = simulation.data.constants
+    if c.cage_mass <= 0.0:
+        return {"cage_orbit": None, "cage_play": None, "one_way": None}
+    off = place - place.mean(axis=0)
+    play = c.pocket_play if c.guide == GUIDED_BY_BALLS else c.land_clearance
+    radius = float(np.sqrt((off**2).sum(axis=1).mean()))
+    if radius < SMALLEST_ORBIT:
+        return {"cage_orbit": None, "cage_play": play, "one_way": None}
+    steps = np.diff(np.unwrap(np.arctan2(off[:, 1], off[:, 0])))
+    total = float(np.abs(steps).sum())
+    one_way = abs(float(steps.sum())) / total if total > 0.0 else None
+    return {"cage_orbit": radius, "cage_play": play, "one_way": one_way}
 
 
-def _kinematic(simulation: Simulation, times: Array) -> float:
+def speed_without_slip(simulation: Simulation, times: Array, angle: float) -> float:
+    """Speed of the cage without sliding at a contact angle [rad] and the rings' mean speeds at
+    times [s], in [rad/s].
+    """
     data = simulation.data
     inner, outer = (
         float(np.interp(times, data.times, data.schedule[:, ring]).mean())
         for ring in (INNER_SPEED, OUTER_SPEED)
     )
-    return kinematic_cage_speed(simulation.bearing, inner, outer, nominal_angle(simulation))
+    return kinematic_cage_speed(simulation.bearing, inner, outer, angle)
 
 
 def batch_interval(values: Array) -> float | None:

@@ -9,4 +9,5 @@ ring              - balance of the inner ring on its balls: Newton's method
 ring_displacement - displacement of whole elastic rings under all balls
 solution          - result of the quasi-static equilibrium of a bearing
 solver            - quasi-static equilibrium of a ball bearing in five degrees of freedom
+symmetric         - the same by the balls that differ under the loads
 """

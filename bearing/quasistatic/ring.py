@@ -98,12 +98,12 @@ class RingPoint(NamedTuple):
 
 
 class RingStart(NamedTuple):
-    """Where to begin: ring position q (5,), ball positions u (2, Z), and distances of the grooves'
-    centres V (2, Z), None for those of rigid rings [m].
+    """Where to begin: ring position q (5,), ball positions u (2, Z), None for a guess, and
+    distances of the grooves' centres V (2, Z), None for those of rigid rings [m].
     """
 
     q: Array
-    u: Array
+    u: Array | None
     V: Array | None = None
 
 

@@ -28,6 +28,11 @@ from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic
 
 HIRANO_LIMIT = 10.0  # slip factor below which a ball slips, Hirano (1965) [-]
+# wherever it is printed; measured at 3000 to 12 000 r/min, docs/validation/validation_000.md
+HIRANO_CAVEAT = (
+    "Hirano's criterion is cautious: simulations of a 7008 skid at a fourth to a fifth of the "
+    "load that it asks for"
+)
 LOAD_RTOL = 1.0e-7  # of critical loads [-]
 # search for a preload: first trial over the least possible one, growth, trials [-]. The first
 # must lie below 1; the balls share the load unevenly, so the last lies 700 times above. Loads of

@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from ehl import SolverOptions
 
     from ..format.case import Case, ContactCase
+    from ..format.dynamics import DynamicsTable
 
 LONG = 5.0  # work that takes less is not announced [s]
 # of processor time for a film on 257 nodes, which grows with their square; measured on one core of
@@ -21,6 +22,7 @@ EQUILIBRIUM_SECONDS = 0.01  # of a bearing in a slip map, measured likewise on 7
 # and 7008_combined (3.2 to 4.9), and on 6304_planar
 DYNAMICS_SECONDS = 4.0
 PLANAR_SECONDS = 1.0  # with the equations of a plane
+AXIAL_SECONDS = 9.0  # of one ball for all, with ring and cage; not for each ball
 TORQUE_SECONDS = 1.0  # of equilibrium, torque by every model and self-heating without films
 TABLE_FILMS = 120  # of the tables of both races, without refinement
 
@@ -64,11 +66,20 @@ def slip_cost(case: Case, workers: int) -> tuple[str, float]:
 def dynamics_cost(case: Case) -> tuple[str, float]:
     """What a simulation takes [s], beside its traction tables; nothing without [dynamics]."""
     table = case.file.dynamics
-    simulated = 0.0 if table is None else table.end_time_s
+    simulated = 0.0 if table is None else table.end_time_s * table.starts
     planar = table is not None and table.equations == "planar"
     each = PLANAR_SECONDS if planar else DYNAMICS_SECONDS
     seconds = simulated * case.bearing.balls * each
+    if table is not None and _one_ball(case, table):
+        seconds = simulated * AXIAL_SECONDS
     return f"{simulated:g} s of {case.bearing.balls} balls simulated", seconds
+
+
+def _one_ball(case: Case, table: DynamicsTable) -> bool:
+    """Whether a simulation most likely solves one ball: thrust alone throughout."""
+    across = any(case.operation.force[1:]) or any(table.gravity_m_s2[1:])
+    plain = table.load_table_N is None and table.moment_table_N_mm is None
+    return table.equations == "by load" and plain and not across and not table.unbalance_g_mm
 
 
 def batch_cost(first: Case | ContactCase, points: int, compute: str) -> tuple[str, float]:

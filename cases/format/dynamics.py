@@ -11,8 +11,10 @@ from ehl.units import from_si
 
 from .fields import (
     LENGTH_MAXIMUM,
+    Clearances,
     Gravity,
     LoadTable,
+    MomentTable,
     OneOf,
     SpeedTable,
     Table,
@@ -36,14 +38,23 @@ class DynamicsTable(Table):
     start: Annotated[str, OneOf(Start)] = described(
         "equilibrium; balls rolling on the outer race; or at rest there", "quasi-static"
     )
+    starts: int = between(
+        1, 100, "runs in all: others with balls turned by a part of a pitch, and slower", 1
+    )
     equations: Annotated[str, OneOf("by load", LoadType)] = described(
         "the fewest that the loads allow, or those named", "by load"
     )
     speed_table_rpm: SpeedTable | None = described(
         "[[time in s, speed of the inner ring], ...], linear between, instead of a constant speed"
     )
+    outer_speed_table_rpm: SpeedTable | None = described(
+        "[[time in s, speed of the outer ring], ...], likewise"
+    )
     load_table_N: LoadTable | None = described(
         "[[time in s, fx, fy, fz], ...], linear between, instead of a constant load"
+    )
+    moment_table_N_mm: MomentTable | None = described(
+        "[[time in s, my, mz], ...], linear between, where the tilt is free"
     )
     contact_law: Annotated[str, OneOf(NormalLaw)] = described(
         "normal force; lubricated: the film of the traction table", "lankarani-nikravesh"
@@ -71,6 +82,8 @@ class DynamicsTable(Table):
     ring_damping_N_s_m: float = between(0, 1e9, "of the inner ring's support along x, y, z", 0.0)
     unbalance_g_mm: float = between(0, 1e9, "of the inner ring", 0.0)
     unbalance_phase_deg: float = within(360, "from +y at time zero", 0.0)
+    cage: bool = described("false: a full complement of balls, which meet each other", True)
+    ball_on_ball_friction: float = between(0, 1, "Coulomb's mu, without a cage", 0.0)
     cage_film: bool = described("oil film in the pockets and lands of the cage", True)
     cage_friction_ramp_m_s: float = above(0, 100, "sliding speed up to which friction rises", 0.01)
     tolerance: float = between(1e-8, 1e-2, "of a step, in units of contact approach", 1.0e-4)
@@ -92,6 +105,13 @@ class CageTable(Table):
     )
     pocket_clearance_mm: float | None = above(
         0, 100, "diametral, pocket less ball; left out, estimated"
+    )
+    pocket_clearances_mm: Clearances | None = described(
+        "dynamics: diametral, pocket by pocket, instead of pocket_clearance_mm"
+    )
+    unbalance_g_mm: float = between(0, 1e9, "dynamics: towards the first pocket", 0.0)
+    drag_N_mm: float = between(
+        0, 1e9, "dynamics: torque of the oil at the kinematic speed; grows as its square", 0.0
     )
     thickness_mm: float | None = above(0, LENGTH_MAXIMUM, "radial; left out, estimated")
     width_mm: float | None = above(0, LENGTH_MAXIMUM, "axial; left out, estimated")
@@ -120,6 +140,7 @@ RENAMED = {  # earlier keys, accepted for one version, and those of [friction] i
 RELATIONS: tuple[Relation, ...] = (
     OnlyWith("cage.land_oil_share", (Where("cage.pocket_friction"),), default=1.0),
     Excludes("dynamics.ball_drag_N", "dynamics.mixture_density_kg_m3"),
+    Excludes("cage.pocket_clearances_mm", "cage.pocket_clearance_mm"),
     Below("dynamics.friction_dead_band_m_s", "dynamics.friction_full_m_s", low_default=0.0),
     *(
         Needs(f"cage.{name}", where, "needed where a ring guides the cage")

@@ -167,6 +167,11 @@ def _range(limit: float, sign: str) -> BeforeValidator:
     return checked(parse, f"two numbers, [first, last], 0 {sign} first < last <= {limit:g}")
 
 
+def _clearances(value: object) -> tuple[float, ...] | None:
+    sizes = numbers(value, len(_entries(value)), 100.0)
+    return sizes if sizes and min(sizes) > 0.0 else None
+
+
 def _over_time(columns: int, limit: float) -> BeforeValidator:
     def parse(value: object) -> tuple[tuple[float, ...], ...] | None:
         rows = [numbers(row, columns, inf) for row in _entries(value)[: ROWS_MAXIMUM + 1]]
@@ -241,5 +246,11 @@ Gravity = Annotated[
 ]
 Displacement = Annotated[Any, _vector(3, 1.0e5, free=True), _list_schema(3, free=True)]
 Tilt = Annotated[Any, _vector(2, 100.0, free=True), _list_schema(2, free=True)]
+Clearances = Annotated[
+    Any,
+    checked(_clearances, "a list of positive numbers, one a ball, at most 100"),
+    WithJsonSchema({"type": "array", "items": {"type": "number", "exclusiveMinimum": 0}}),
+]
 SpeedTable = Annotated[Any, _over_time(2, SPEED_MAXIMUM), _over_time_schema(2)]
+MomentTable = Annotated[Any, _over_time(3, 1.0e10), _over_time_schema(3)]
 LoadTable = Annotated[Any, _over_time(4, FORCE_MAXIMUM), _over_time_schema(4)]

@@ -8,7 +8,9 @@ from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from time import perf_counter
+from typing import Any
 
+from bearing.dynamics.arrays import GIVEN_FORCE, GIVEN_MOMENT, INNER_SPEED, OUTER_SPEED
 from bearing.dynamics.bodies import cage_body, ring_body
 from bearing.dynamics.choices import Guidance, LoadType, NormalLaw, RaceStiffness, Start
 from bearing.dynamics.friction import RaceFriction, race_friction
@@ -20,13 +22,19 @@ from bearing.dynamics.inputs import (
     NormalContact,
     Schedule,
 )
-from bearing.dynamics.laws import drag_of_force, drag_of_mixture, race_stiffnesses
+from bearing.dynamics.laws import (
+    cage_drag_of_torque,
+    drag_of_force,
+    drag_of_mixture,
+    race_stiffnesses,
+)
 from bearing.dynamics.restart import load_restart
 from bearing.dynamics.simulation import Simulation, simulation
-from bearing.dynamics.statistics import RunningStatistics
+from bearing.dynamics.starts import other_start, settled
+from bearing.dynamics.statistics import RunningStatistics, SimulationStatistics
 from bearing.friction.sources import CoefficientTraction
 from bearing.geometry import Race
-from ehl.traction.coefficient_kernels import RampedCoulomb
+from ehl.traction.coefficient_kernels import COEFFICIENTS, RampedCoulomb
 from postprocess.dynamics.history import HistoryWriter
 from postprocess.dynamics.results import DynamicsResults
 
@@ -101,7 +109,7 @@ def run_dynamics(
             )
     except ValueError as problem:
         raise CaseError(f"{name}: {problem}") from problem
-    return _stream(case, run, history, notify)
+    return _with_other_starts(case, _stream(case, run, history, notify))
 
 
 def _table(case: Case, name: str) -> DynamicsTable:
@@ -163,6 +171,20 @@ def _stream(case: Case, run: Simulation, history: Path, notify: Progress) -> Dyn
     return results()
 
 
+def _with_other_starts(case: Case, results: DynamicsResults) -> DynamicsResults:
+    """The results with the ends of the other starts that the case asks for."""
+    assert case.file.dynamics is not None  # checked before
+    run = results.simulation
+    count = case.file.dynamics.starts if run.converged else 1
+    others: list[SimulationStatistics | None] = []
+    try:
+        for k in range(1, count):
+            others.append(interruptible(partial(settled, other_start(run, k / count))))
+    except KeyboardInterrupt:
+        raise Interrupted(replace(results, others=tuple(others)), run) from None
+    return replace(results, others=tuple(others))
+
+
 def _attributes(case: Case) -> dict[str, str | float]:
     """Of the history: what it is of, and the dimensions a picture of it needs [m], [rad]."""
     given = {"oilfilm": version(), "case": case_key(case), "title": case.title}
@@ -198,12 +220,38 @@ def build_model(case: Case, tables: Path | None, notify: Progress) -> DynamicsMo
             impact_floor=si["impact_speed_floor"],
             **race_stiffnesses(case.bearing, RaceStiffness(table.race_stiffness)),
         ),
-        schedule=Schedule.from_tables(case.operation, si["speed_table"], si["load_table"]),
+        schedule=_schedule(case, si),
         film_viscosity=case.lubricant.viscosity if table.cage_film else 0.0,
         friction_ramp=si["cage_friction_ramp"],
+        ball_friction=table.ball_on_ball_friction,
         notes=notes,
     )
+    if table.friction in COEFFICIENTS:
+        notes["friction"] = (
+            f"friction by {table.friction} of [friction], whatever oil and temperature; "
+            'friction = "table" takes it from solved films of the oil'
+        )
+    if table.ball_drag_N and not model.options.drag:
+        notes["drag"] = "nothing turns, and ball_drag_N has no speed to count at: no drag"
     return replace(model, friction=_friction(case, table, model, (tables, notify)))
+
+
+def _schedule(case: Case, si: dict[str, Any]) -> Schedule | None:
+    """Speeds, force and moment over time; CaseError for a moment about a tilt that is held."""
+    if si["moment_table"] is not None and None in case.operation.moment:
+        raise CaseError(
+            "dynamics.moment_table_N_mm: the tilt is held; free it by operation.moment_N_mm or "
+            'operation.tilt = "free"'
+        )
+    return Schedule.from_tables(
+        case.operation,
+        {
+            INNER_SPEED: si["speed_table"],
+            OUTER_SPEED: si["outer_speed_table"],
+            GIVEN_FORCE: si["load_table"],
+            GIVEN_MOMENT: si["moment_table"],
+        },
+    )
 
 
 def _options(case: Case, table: DynamicsTable) -> DynamicsOptions:
@@ -226,7 +274,9 @@ def _options(case: Case, table: DynamicsTable) -> DynamicsOptions:
     )
 
 
-def _cage(case: Case, notes: dict[str, str]) -> CageBody:
+def _cage(case: Case, notes: dict[str, str]) -> CageBody | None:
+    if case.file.dynamics is not None and not case.file.dynamics.cage:
+        return None
     name = case.file.bearing.cage_material
     if name is None:
         notes["cage"] = f"cage material not given: {CAGE_MATERIAL}"
@@ -236,6 +286,8 @@ def _cage(case: Case, notes: dict[str, str]) -> CageBody:
         return cage_body(case.bearing, material)
     given = {name: value for name, value in table.si().items() if value is not None}
     guidance = Guidance(given.pop("guided_by"))
+    if given["drag"]:
+        given["drag"] = cage_drag_of_torque(case.bearing, case.operation, given["drag"])
     return cage_body(
         case.bearing, material, **{"pocket_friction": 0.0, **given}, guidance=guidance
     )

@@ -322,3 +322,51 @@ def hertz_friction(disc, law, constants, load, speed, slide_x, slide_y, spin, ou
     out[4] = -(f_x * slide_x + f_y * slide_y + m_n * spin + m_y * rolling)
     out[5] = out[6] = out[7] = 0.0
     return 0
+
+
+@compiled
+def _strip_sums(nodes, law, motion, constants, ends):
+    """Force along x over the load and its mean of y^2/(2R) [m], of both halves of an ellipse, by
+    the lines along x between two places y/b.
+
+    Hertz' pressure along a line at y/b adds up to 3/4 (1 - (y/b)^2) of the load; half of the lines
+    count twice.
+    """
+    slide_x, rolling, speed, height = motion
+    first, last = ends
+    pull = moment = 0.0
+    for k in range(nodes.shape[1]):
+        place = first + (last - first) * nodes[0, k]
+        square = place * place
+        share = 1.5 * (last - first) * nodes[1, k] * (1.0 - square)
+        s_x = slide_x - rolling * height * square
+        part = np.copysign(share * coefficient(law, abs(s_x), speed), s_x)
+        pull += part
+        moment += part * height * square
+    return pull, moment
+
+
+@compiled
+def straight_friction(nodes, law, constants, load, speed, slide_x, out):
+    """`hertz_friction` without sliding across and spin: sliding depends on y^2 alone.
+
+    nodes, shape (2, n): of Gauss' rule on [0, 1] and their weights, taken on either side of the
+    line of pure rolling.
+    """
+    b = constants[SHAPE_AXIS_Y] * np.cbrt(max(load, 0.0))
+    height = constants[SHAPE_CURVATURE] * b * b
+    rolling = speed / constants[SHAPE_RADIUS_X] - 0.5 * constants[SHAPE_DIFFERENCE] * slide_x
+    motion = (slide_x, rolling, speed, height)
+    most = rolling * height
+    turns = 0.0
+    if most != 0.0 and 0.0 < slide_x / most < 1.0:
+        turns = np.sqrt(slide_x / most)
+    pull, moment = _strip_sums(nodes, law, motion, constants, (turns, 1.0))
+    if turns > 0.0:
+        more, more_moment = _strip_sums(nodes, law, motion, constants, (0.0, turns))
+        pull += more
+        moment += more_moment
+    out[:] = 0.0
+    out[0] = -load * pull
+    out[3] = load * moment
+    out[4] = -(out[0] * slide_x + out[3] * rolling)

@@ -27,6 +27,9 @@ import numpy as np
 
 from ..arrays import Array
 
+# on either side of a line of pure rolling, where balls do not spin (`straight_friction`)
+STRAIGHT_NODES = 6
+
 
 class EllipseRule(Enum):
     """Quadratures by what they serve; why each has its nodes stands above."""
@@ -72,3 +75,9 @@ def ellipse_lines(lines: int, nodes: int) -> Array:
     x = np.sqrt(1.0 - y**2)[:, None] * np.cos(angle)
     share = 0.75 * ((1.0 - y**2) * across)[:, None] * along
     return np.stack([x.ravel(), np.repeat(y, nodes), share.ravel()])
+
+
+def unit_gauss(nodes: int) -> Array:
+    """Nodes and weights of Gauss and Legendre on [0, 1], shape (2, nodes) [-]."""
+    places, weights = np.polynomial.legendre.leggauss(nodes)
+    return np.stack([0.5 * (places + 1.0), 0.5 * weights])

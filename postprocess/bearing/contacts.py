@@ -11,6 +11,7 @@ from bearing.contacts.surface_tension import SurfaceTension, edge_tension
 from bearing.friction.formula_films import FormulaFilm
 from bearing.friction.resolvable import too_thick
 from bearing.heating.conductances import Conductance
+from bearing.studies.slip import HIRANO_CAVEAT, HIRANO_LIMIT
 from bearing.supply.starved_films import StarvedFilm
 from ehl.units import from_si, to_si
 
@@ -340,11 +341,26 @@ def _absent_films(results: BearingResults) -> Iterator[str]:
         )
 
 
+def _gross_slip(results: BearingResults) -> Iterator[str]:
+    """That under an axial load no ball reaches the ratio below which Hirano's balls slipped."""
+    ratios = [c.hirano_ratio for c in results.contacts if c.hirano_ratio is not None]
+    if not ratios or abs(float(results.quasistatic.ring_force[0])) == 0.0:
+        return
+    largest = max(ratios)
+    if largest < HIRANO_LIMIT:
+        yield (
+            f"contacts: hirano_ratio is at most {largest:.2g}, below {HIRANO_LIMIT:g}: by "
+            "Hirano's criterion all balls slip grossly, and speeds, films and torque of rolling "
+            f"balls do not hold. {HIRANO_CAVEAT} (oilfilm slip, oilfilm dynamics)"
+        )
+
+
 def _ratio_messages(results: BearingResults) -> Iterator[str]:
     """Why Hirano's ratio or the lambda ratio are null."""
     yield "contacts: hirano_ratio null at the outer race, it is defined at the inner one"
     if not any(force > 0.0 for force in results.quasistatic.centrifugal_force):
         yield "contacts: hirano_ratio null, there is no centrifugal force"
+    yield from _gross_slip(results)
     surface = results.case.get("surface")
     if surface is None:
         yield (

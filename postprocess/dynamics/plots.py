@@ -32,7 +32,7 @@ from .quantities import PLOTTED, STATES
 RACES = (("inner", INNER_COLOUR), ("outer", OUTER_COLOUR))
 STATE_COLOURS = ("#ffffff", "#7fa8d1", "#c1440e")  # free, contact, impact
 MECHANISM_COLOURS = (
-    "#0b5394 #c1440e #3a7d44 #7a4fa3 #8a6d1d #1f9e9e #b8336a #666666 #d98c00".split()
+    "#0b5394 #c1440e #3a7d44 #7a4fa3 #8a6d1d #5b8c00 #1f9e9e #b8336a #666666 #d98c00".split()
 )
 TIME = PLOTTED["time_ms"]
 SPEED = PLOTTED["speed_rpm"]

@@ -11,11 +11,12 @@ RUN = quantities(
     ("simulated_s", "simulated time", "state.time"),
     ("wall_s", "wall time", "wall"),
     ("stiff", "", "state.stiff"),
-    ("load_type", "", "point.kind.value"),
+    ("load_type", "", "state.kind.value"),
 )
 SPEEDS = (  # means over the last third, half widths of their 95 % intervals, ratios
     CAGE_SPEED,
     *quantities("", "", ("ball_orbit_speed_rpm", "", "orbit_speed")),
+    *quantities("", "", ("contact_angle_deg", "mean contact angle", "contact_angle")),
     *quantities("", "", ("kinematic_cage_speed_rpm", "", "kinematic_speed")),
     *quantities("", "nothing turns", "cage_speed_ratio", "cage_slip_ratio"),
     *quantities(
@@ -30,7 +31,14 @@ SPEEDS = (  # means over the last third, half widths of their 95 % intervals, ra
         ("ring_whirl_speed_rpm", "", "ring_whirl"),
         ("cage_whirl_speed_rpm", "", "cage_whirl"),
     ),
+    *quantities("", "there is no cage", ("cage_whirl", "", "cage_whirls"), words=True),
+    *quantities("", NO_WHIRL, ("cage_orbit_radius_um", "", "cage_orbit")),
     *quantities("", "", ("energy_balance_error", "", "energy_error")),
+)
+STARTS = (  # of the end of each
+    CAGE_SPEED,
+    *quantities("", NO_INTERVAL, ("cage_speed_interval_rpm", "", "cage_interval")),
+    *quantities("", "", ("ball_orbit_speed_rpm", "", "orbit_speed")),
 )
 BALLS = quantities("", "", "largest_pocket_load_N")
 RACES = quantities("", "", "mean_load_N", "largest_load_N")  # of each ball at each race

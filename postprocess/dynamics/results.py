@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from bearing.dynamics.simulation import Simulation
-from bearing.dynamics.statistics import RunningStatistics
+from bearing.dynamics.statistics import RunningStatistics, SimulationStatistics
 
 from ..results import Results
 
@@ -16,3 +16,5 @@ class DynamicsResults(Results):
     simulation: Simulation
     running: RunningStatistics  # of its records
     history: Path  # file with the records themselves
+    # ends of further starts, without a history; None: one did not get there
+    others: tuple[SimulationStatistics | None, ...] = ()

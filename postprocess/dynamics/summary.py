@@ -8,19 +8,20 @@ import numpy as np
 from bearing.dynamics.arrays import INNER_SPEED, OUTER_SPEED
 from bearing.dynamics.integration._kernels import EVALUATIONS, REJECTED, STEPS
 from bearing.dynamics.simulation import Simulation
+from bearing.dynamics.starts import states
 from bearing.dynamics.statistics import (
     INPUTS,
     LOSSES,
     MECHANISMS,
     SimulationStatistics,
-    nominal_angle,
     simulation_statistics,
 )
 from bearing.rating.frequencies import kinematic_cage_speed
+from ehl.units import from_si
 
 from ..files import plain
 from ..quantities import rows_of, values_of
-from .quantities import BALLS, RACES, RUN, SPEEDS, STATES
+from .quantities import BALLS, RACES, RUN, SPEEDS, STARTS, STATES
 from .results import DynamicsResults
 
 ENERGY_LIMIT = 1.0e-3  # of the work put in: a larger residual is flagged [-]
@@ -46,10 +47,31 @@ def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:
         "energy": None if numbers is None else _energy(numbers),
         "frequencies_Hz": None if numbers is None else _frequencies(simulation, numbers),
         "balls": [] if numbers is None else _balls(simulation, numbers),
+        **_starts(results, numbers),
         "timing_s": results.timing,
     }
-    head = results.head(simulation.converged and balanced, _messages(numbers))
+    messages = (*_messages(numbers), *_start_messages(results, document))
+    head = results.head(simulation.converged and balanced, messages)
     return head | dict(plain(document))
+
+
+def _starts(results: DynamicsResults, numbers: SimulationStatistics | None) -> dict[str, Any]:
+    """Ends of all starts and the number of states among them; one start shows one."""
+    ends = [end for end in (numbers, *results.others) if end is not None]
+    return {"states_found": len(states(ends)), "starts": [values_of(end, STARTS) for end in ends]}
+
+
+def _start_messages(results: DynamicsResults, document: dict[str, Any]) -> Iterator[str]:
+    lost = sum(end is None for end in results.others)
+    if lost:
+        yield f"dynamics: {lost} of the further starts did not reach the end"
+    if document["states_found"] > 1:
+        speeds = ", ".join(f"{end['cage_speed_rpm']:.1f}" for end in document["starts"])
+        yield (
+            f"dynamics: {document['states_found']} states found from {len(document['starts'])} "
+            f"starts, by the cage speed: {speeds} r/min; which one a bearing takes depends on its "
+            "history, and the intervals hold within a state"
+        )
 
 
 def _messages(numbers: SimulationStatistics | None) -> Iterator[str]:
@@ -61,10 +83,27 @@ def _messages(numbers: SimulationStatistics | None) -> Iterator[str]:
         yield f"dynamics: not converged: the energies are off by {error}; lower tolerance"
     if numbers.cage_interval is None:
         yield "dynamics: fewer than 60 samples: no confidence interval of the speeds"
+    if numbers.cage_whirls:
+        yield _whirl(numbers)
     still = [name for name in ("ring", "cage") if getattr(numbers, f"{name}_whirl") is None]
     if still:
         bodies = " and ".join(still)
         yield f"dynamics: no whirl: the centre of {bodies} stays on the axis or is fixed"
+
+
+def _whirl(numbers: SimulationStatistics) -> str:
+    """Speed, size and forces of a cage that whirls."""
+    assert numbers.cage_whirl is not None  # of a cage that whirls
+    assert numbers.cage_orbit is not None
+    assert numbers.cage_play is not None
+    speed = f"{from_si('speed_rpm', numbers.cage_whirl):.0f} r/min"
+    ratio = numbers.cage_whirl / numbers.cage_speed if numbers.cage_speed else 0.0
+    radius, play = (from_si("orbit_um", size) for size in (numbers.cage_orbit, numbers.cage_play))
+    return (
+        f"dynamics: the cage whirls: its centre goes round at {speed}, {ratio:.2f} of the cage's "
+        f"speed, on a radius of {radius:.0f} of {play:.0f} um of play, with up to "
+        f"{numbers.largest_pocket_load.max():.2g} N in a pocket"
+    )
 
 
 def _energy(numbers: SimulationStatistics) -> dict[str, Any]:
@@ -83,7 +122,7 @@ def _frequencies(simulation: Simulation, numbers: SimulationStatistics) -> dict[
     balls = simulation.bearing.balls
     inner = schedule[-1, INNER_SPEED] / (2.0 * np.pi)
     outer = schedule[-1, OUTER_SPEED] / (2.0 * np.pi)
-    angle = nominal_angle(simulation)
+    angle = numbers.contact_angle
     speeds = {
         "kinematic": kinematic_cage_speed(simulation.bearing, inner, outer, angle),
         "with_slip": numbers.orbit_speed / (2.0 * np.pi),

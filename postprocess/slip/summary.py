@@ -2,6 +2,8 @@
 
 from typing import Any
 
+from bearing.studies.slip import HIRANO_CAVEAT
+
 from ..files import plain
 from ..quantities import rows_of, values_of
 from .quantities import BALLS, CURVE, MINIMUM_LOADS, OPERATION, SPEEDS, SURFACE
@@ -32,7 +34,8 @@ def slip_summary(results: SlipResults) -> dict[str, Any]:
         for load in MINIMUM_LOADS
         if minimum_preload[load.key] is None
     ]
-    head = results.head(not results.problems, (*results.problems, *absent))
+    messages = (*results.problems, *absent, f"minimum preload: {HIRANO_CAVEAT}")
+    head = results.head(not results.problems, messages)
     return head | dict(plain(document)) | {"timing_s": results.timing}
 
 

@@ -250,8 +250,8 @@ def coefficient(law: Array, slide: Array, speed: Array) -> Array:
     return value
 
 
-def pocket_pair(problem: EquationData, body: Body, rotation: float, balls: Balls) -> Pair:
-    """What the pockets of a cage, turned by `rotation` [rad], do to the balls."""
+def pocket_pairs(problem: EquationData, body: Body, rotation: float, balls: Balls) -> list[Pair]:
+    """What the pockets of a cage, turned by `rotation` [rad], do to the balls: contact, and film."""
     c = problem.constants
     angle = problem.pocket_angle + rotation
     e = np.stack([0.0 * angle, np.cos(angle), np.sin(angle)], axis=1)
@@ -259,25 +259,59 @@ def pocket_pair(problem: EquationData, body: Body, rotation: float, balls: Balls
     e = e / np.linalg.norm(e, axis=1, keepdims=True)
     around = np.cross(body.axis, e)
     s = balls.position - body.centre
-    offset = dots(s, around) * around + dots(s, body.axis) * body.axis
-    if c.pocket_circle > 0.0:
-        offset = s - c.pocket_circle * e
+    across = dots(s, around) * around + dots(s, body.axis) * body.axis
+    offset = s - c.pocket_circle * e if c.pocket_circle > 0.0 else across
     size = np.linalg.norm(offset, axis=1, keepdims=True)
     n = offset / size
     arm = c.ball_radius * n
     slide = balls.velocity + np.cross(balls.turn, arm) - body.velocity
     slide = slide - np.cross(body.turn, balls.position + arm - body.centre)
     rate = dots(slide, n)
-    approach = size - c.pocket_play
+    approach = size - problem.pocket_play[:, None]
     slide = slide - rate * n
     speed = np.linalg.norm(slide, axis=1, keepdims=True)
     memory = problem.memory[2 * c.balls : 3 * c.balls, None]
     push = normal_force(problem.normal[POCKET], approach, rate, memory)
-    mu = c.pocket_friction * np.minimum(speed / c.friction_ramp, 1.0)
-    ratio = np.maximum(c.ball_radius / np.maximum(c.film_least, -approach), 1.0)
-    pull = c.pocket_shear * (8.0 / 15.0 * np.log(ratio) + 0.9588) + push * mu / speed
-    force = -pull * slide
-    return Pair(force - push * n, 0.0 * n, np.cross(arm, force), balls.position + arm)
+    force = -push * c.pocket_friction * np.minimum(speed / c.friction_ramp, 1.0) / speed * slide
+    contact = Pair(force - push * n, 0.0 * n, np.cross(arm, force), balls.position + arm)
+    relative = balls.velocity - body.velocity - np.cross(body.turn, s)
+    film = pocket_film(problem, across, np.cross(e, across), relative, balls.turn - body.turn)
+    return [contact, Pair(film[0], film[1], film[1], balls.position)]
+
+
+def pocket_film(
+    problem: EquationData, offset: Array, beside: Array, velocity: Array, turn: Array
+) -> tuple[Array, Array]:
+    """Force and moment of the film around each ball at eight places, shape (Z, 3) [N], [N m].
+
+    `offset`: of the ball from the pocket's axis, `beside` at a right angle to it [m]; motion
+    relative to the pocket [m/s], [rad/s].
+    """
+    c = problem.constants
+    play = problem.pocket_play[:, None]
+    size = np.linalg.norm(offset, axis=1, keepdims=True)
+    eps = np.minimum(size, play - c.film_least) / play
+    end = 0.5 * c.pocket_height
+    force = np.zeros_like(offset)
+    moment = np.zeros_like(offset)
+    for angle in 0.25 * np.pi * (np.arange(8) + 0.5):
+        a = eps / (1.0 + np.sqrt(1.0 - eps**2))
+        d = 1.0 + a * np.cos(angle)
+        cosine, sine = (a + np.cos(angle)) / d, np.sqrt(1.0 - a**2) * np.sin(angle) / d
+        n = (cosine * offset + sine * beside) / size
+        arc = c.ball_radius * 0.25 * np.pi * np.sqrt(1.0 - a**2) / d
+        gap = play * (1.0 - eps * cosine)
+        s = np.sqrt(2.0 * c.ball_radius * gap)
+        over_h = 4.0 * c.ball_radius / s * np.arctan(end / s)  # integral of 1/h over the wall
+        inside = 4.0 * c.ball_radius**2 * (end / (s**2 * (s**2 + end**2)) + np.arctan(end / s) / s**3)
+        at_end = 2.0 * end * (2.0 * c.ball_radius / (s**2 + end**2)) ** 2
+        rate = dots(velocity, n)
+        slide = velocity + c.ball_radius * np.cross(turn, n) - rate * n
+        sheared = -c.film_viscosity * over_h * arc * slide
+        squeezed = 6.0 * c.film_viscosity * c.ball_radius * (inside - at_end) * np.maximum(rate, 0.0)
+        force += sheared - squeezed * arc * n
+        moment += np.cross(c.ball_radius * n, sheared)
+    return force, moment
 
 
 def land_loads(problem: EquationData, side: int, ring: Body, cage: Body) -> tuple[Array, Array]:
@@ -291,7 +325,7 @@ def land_loads(problem: EquationData, side: int, ring: Body, cage: Body) -> tupl
     v = (cage.velocity + np.cross(cage.turn, arm_c) - ring.velocity - np.cross(ring.turn, arm_r))[1:]
     apart = cage.turn[0] - ring.turn[0]
     force, factor = film_force(c, e, v, 0.5 * (cage.turn[0] + ring.turn[0]))
-    shear = -factor * 2.0 * np.pi * c.land_viscosity * c.land_radius**3 * c.land_width / c.land_clearance * apart
+    shear = -factor * 2.0 * np.pi * c.film_viscosity * c.land_radius**3 * c.land_width / c.land_clearance * apart
     inside = c.guide == GUIDED_BY_INNER_RING
     turning = shear - (e[0] * force[1] - e[1] * force[0] if inside else 0.0)
     size = float(np.hypot(*e))
@@ -320,7 +354,7 @@ def film_force(c: Constants, e: Array, v: Array, mean_speed: float) -> tuple[Arr
     squeeze, whirl = v @ u / c.land_clearance, v @ across / c.land_clearance
     turn = mean_speed * eps - whirl
     d = 1.0 - eps**2
-    scale = c.land_viscosity * c.land_radius * c.land_width**3 / c.land_clearance**2
+    scale = c.film_viscosity * c.land_radius * c.land_width**3 / c.land_clearance**2
     radial = -2.0 * eps * abs(turn) / d**2 - 0.5 * np.pi * squeeze * (1.0 + 2.0 * eps**2) / d**2.5
     around = 0.5 * np.pi * turn / d**1.5 + (1.0 if turn >= 0.0 else -1.0) * 2.0 * eps * squeeze / d**2
     return scale * (radial * u + around * across), d**-0.5
@@ -357,8 +391,8 @@ def accelerations(
     ring_load = _opposite(pairs[0], inner)
     cage_load = np.zeros(6)
     if c.cage_mass > 0.0:
-        pairs.append(pocket_pair(problem, cage, float(y[layout.cage][3]), balls))
-        cage_load = _opposite(pairs[2], cage)
+        pairs += pocket_pairs(problem, cage, float(y[layout.cage][3]), balls)
+        cage_load = _opposite(pairs[2], cage) + _opposite(pairs[3], cage)
         if c.guide:
             _add_lands(problem, (inner if c.guide == GUIDED_BY_INNER_RING else outer, cage), ring_load, cage_load)
     gravity = np.array(c.gravity)
@@ -373,6 +407,9 @@ def accelerations(
     if c.cage_mass > 0.0:
         turning = _rigid((c.cage_mass, c.cage_transverse, c.cage_polar), cage_load, cage, y[layout.cage_speed][4:])
         turning[:3] += gravity
+        spin, angle = y[layout.cage_speed][3], y[layout.cage][3]
+        turning[1:3] += c.cage_unbalance * spin**2 / c.cage_mass * np.array([np.cos(angle), np.sin(angle)])
+        turning[3] -= c.cage_drag * abs(spin) * spin / c.cage_polar
         parts[1] = turning * free[5:11]
     return np.concatenate([*parts, (ball[0] * free[11:14]).ravel(), (ball[1] * free[14:]).ravel()])
 

@@ -1,5 +1,6 @@
 """Forces between two bodies of a bearing: normal laws, friction, lubricated lands.
 
+_ball_kernels - balls without a cage where they meet each other, compiled
 _cage_kernels - balls in pockets and the cage on its guiding lands, compiled
 _film_kernels - a ball on a race over the film of a traction table, compiled
 _kernels      - laws of the contacts, compiled: normal force, friction, motion of a point, films

@@ -11,9 +11,6 @@ from ehl.compiled import compiled
 from .._state_kernels import accumulate, cross, minus, plus
 from ..arrays import DAMPING, EXPONENT, FORCE, MOMENT, STIFFNESS
 
-# of the lubrication asymptote of a sphere at a wall, see `wall_shear` [-]
-WALL_SHEAR_SLOPE = 8.0 / 15.0
-WALL_SHEAR_CONSTANT = 0.9588
 # of the film of a land; beyond it its forces stay and the solid contact takes over [-]
 ECCENTRICITY_LIMIT = 0.95
 
@@ -43,16 +40,6 @@ def normal_force(law, approach, speed, impact_speed):
 def ramped(friction, slide, ramp):
     """Coefficient of friction that rises linearly up to a sliding speed `ramp`."""
     return friction if slide >= ramp else friction * slide / ramp
-
-
-@compiled
-def wall_shear(radius, film):
-    """Drag of a sphere that moves along a wall over that in free flow, 8/15 ln(R/h) + 0.9588:
-    Goldman, Cox and Brenner (1967), Chem. Eng. Sci. 22, 637.
-
-    Within 0.3 % of the exact series of O'Neill (1964) up to h = 0.01 R, 2 % up to 0.045 R (tests).
-    """
-    return WALL_SHEAR_SLOPE * np.log(max(radius / film, 1.0)) + WALL_SHEAR_CONSTANT
 
 
 @compiled

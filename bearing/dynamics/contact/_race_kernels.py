@@ -3,7 +3,7 @@
 import numpy as np
 
 from ehl.compiled import compiled
-from ehl.traction._kernels import hertz_friction, table_lookup
+from ehl.traction._kernels import hertz_friction, straight_friction, table_lookup
 
 from .._state_kernels import accumulate, ball_motion, cross, dot, minus, norm, plus, times
 from ..arrays import (
@@ -25,6 +25,8 @@ from ..arrays import (
 )
 from ._film_kernels import elastic_approach, smallest_load
 from ._kernels import add_load, elastic_force, normal_force, point_velocity
+
+STRAIGHT_ROWS = 2  # of the nodes of `straight_friction`; those over the ellipse have three
 
 
 @compiled
@@ -88,7 +90,41 @@ def race_motion(c, body, centre_radius, groove_radius, position, velocity, turn)
 
 
 @compiled
-def race_friction(kind, data, law, motion, friction):
+def straight_motion(c, body, centre_radius, groove_radius, position, velocity, turn):
+    """`race_motion` where all motion is in the middle plane and all turning about the axis."""
+    _, ry, rz = minus(position, body.centre)
+    rho = np.sqrt(ry * ry + rz * rz)
+    ny, nz = ry / rho, rz / rho
+    radial = rho - centre_radius
+    side = 1.0 if radial >= 0.0 else -1.0  # of the race: outer, inner
+    arm = side * c.ball_radius
+    _, vy, vz = velocity
+    _, by, bz = body.velocity
+    along = vz * ny - vy * nz
+    drift = bz * ny - by * nz
+    of_ball = along + turn[0] * arm
+    of_race = drift + body.turn[0] * (rho + arm)
+    entrainment = 0.5 * (of_ball + of_race) - along - (along - drift) / rho * arm
+    sense = 1.0 if entrainment >= 0.0 else -1.0
+    _, py, pz = position
+    return RaceMotion(
+        normal=(0.0, side * ny, side * nz),
+        x_axis=(0.0, -sense * nz, sense * ny),
+        y_axis=(side * sense, 0.0, 0.0),
+        point=(0.0, py + arm * ny, pz + arm * nz),
+        slide_x=sense * (of_ball - of_race),
+        slide_y=0.0,
+        spin=0.0,
+        roll=side * sense * (turn[0] - body.turn[0]),
+        entrainment=abs(entrainment),
+        approach_speed=side * ((vy - by) * ny + (vz - bz) * nz),
+        angle=0.0,
+        approach=abs(radial) - groove_radius + c.ball_radius,
+    )
+
+
+@compiled
+def race_friction(kind, mirrored, data, law, motion, friction):
     """Friction of a race on a ball, a row of numbers; approach of the elastic bodies, and film.
 
     Where films separate the bodies, the damping fades below the table's smallest load as friction
@@ -102,6 +138,10 @@ def race_friction(kind, data, law, motion, friction):
     load = elastic_force(law, approach)
     if load <= 0.0 or kind == FRICTIONLESS:
         friction[:] = 0.0
+    elif kind == COEFFICIENT and mirrored and data.disc.shape[0] == STRAIGHT_ROWS:
+        straight_friction(
+            data.disc, data.law, data.shape, load, motion.entrainment, motion.slide_x, friction
+        )
     elif kind == COEFFICIENT:
         hertz_friction(
             data.disc, data.law, data.shape,
@@ -147,8 +187,13 @@ def race_forces(
     for j in range(c.balls):
         # 1. motion, friction, normal force
         position, velocity, turn = ball_motion(y, c.balls, j)
-        motion = race_motion(c, body, centre_radius, groove_radius, position, velocity, turn)
-        approach, film = race_friction(kind, data, law, motion, friction)
+        if c.mirrored:
+            motion = straight_motion(
+                c, body, centre_radius, groove_radius, position, velocity, turn
+            )
+        else:
+            motion = race_motion(c, body, centre_radius, groove_radius, position, velocity, turn)
+        approach, film = race_friction(kind, c.mirrored, data, law, motion, friction)
         record_contact(motion, approach, film, friction, race_out[j])
         if approach <= 0.0:
             continue

@@ -8,8 +8,8 @@ import numpy as np
 from scipy.integrate import LSODA
 
 from ..arrays import Array, EquationData
-from ..layout import Layout
-from ..record import Record, SimulationState, StepControl, empty_record, first_rows
+from ..record import ContactHistory, Record, SimulationState, StepControl, empty_record, first_rows
+from ..reduction import SolvedMotion, solved_motion
 from . import _kernels
 from ._kernels import DONE, EVALUATIONS, SOFT_SEEN, STAGE_ROWS, STEPS, STIFF_SEEN, TOO_SMALL
 
@@ -26,39 +26,56 @@ def advance_explicit(
 
     `scale`, shape (mechanical,): errors that count as one [SI].
     """
-    record = empty_record(times, data.constants.balls)
-    stages = np.zeros((STAGE_ROWS, state.y.size))
+    motion = solved_motion(state.kind, data)
+    y, history = motion.begin(state)
+    record = empty_record(times, motion.solved)
+    stages = np.zeros((STAGE_ROWS, y.size))
     status, rows, state.time, state.step = _kernels.advance_samples(
-        state.time, state.y, state.step, data, control, scale,
-        stages, np.zeros(state.y.size), state.history, state.counters, record,
+        state.time, y, state.step, motion.data, control, motion.scale(scale),
+        stages, np.zeros(y.size), history, state.counters, record,
     )  # fmt: skip
-    return int(status), first_rows(record, rows)
+    motion.finish(state, y, history)
+    return int(status), first_rows(motion.whole_record(record), rows)
 
 
 def advance_implicit(
     state: SimulationState, data: EquationData, times: Array, control: StepControl, scale: Array
 ) -> tuple[int, Record]:
     """`advance_explicit` by LSODA; status DONE or TOO_SMALL, and the rows reached [SI]."""
-    record = empty_record(times, data.constants.balls)
+    motion = solved_motion(state.kind, data)
+    y, history = motion.begin(state)
+    record = empty_record(times, motion.solved)
     state.counters[[STIFF_SEEN, SOFT_SEEN]] = 0  # the test begins anew when explicit steps do
+    reached = 0
     for row, time in enumerate(times):
-        if not _advance_to(state, data, float(time), control, scale):
-            return TOO_SMALL, first_rows(record, row)
-        _kernels.sample(state.y, data, state.history, record, row)
-    return DONE, record
+        limits = (float(time), control, motion.scale(scale))
+        if not _advance_to(state, motion, (y, history), limits):
+            break
+        _kernels.sample(y, motion.data, history, record, row)
+        reached = row + 1
+    motion.finish(state, y, history)
+    record = first_rows(motion.whole_record(record), reached)
+    return (DONE if reached == times.size else TOO_SMALL), record
 
 
 def _advance_to(
-    state: SimulationState, data: EquationData, end: float, control: StepControl, scale: Array
+    state: SimulationState,
+    motion: SolvedMotion,
+    moved: tuple[Array, ContactHistory],
+    limits: tuple[float, StepControl, Array],
 ) -> bool:
-    """Steps of LSODA up to `end` [s], impacts remembered after each; whether it was reached."""
-    rates = np.zeros_like(state.y)
-    before = state.y.copy()
-    _kernels.derivative(state.time, state.y, data, rates)
-    if end <= state.time:  # the explicit steps were given up right at a sample
+    """Steps of LSODA up to the time of `limits` [s], impacts remembered after each; whether it was
+    reached. `moved`: what is solved and what its contacts remember, brought up to date.
+    """
+    y, history = moved
+    data = motion.data
+    rates = np.zeros_like(y)
+    _kernels.solved_rates(state.time, y, data, rates)
+    if limits[0] <= state.time:  # the explicit steps were given up right at a sample
         return True
+    _kernels.remember_turns(data)
     _kernels.mark_films(data)
-    solver = _solver(state, data, end, control, scale)
+    solver = _solver(state, data, y, limits)
     while solver.status == "running":
         try:
             message = solver.step()
@@ -67,12 +84,11 @@ def _advance_to(
         if message or not np.all(np.isfinite(solver.y)):
             return False
         step = solver.t - solver.t_old
-        state.y[: solver.n] = solver.y
-        _kernels.derivative(solver.t, state.y, data, rates)
-        _kernels.turn_balls(before, state.y, step, data.constants.balls, state.attitude)
-        _kernels.after_step(data, solver.t, step, state.onset, state.contact_state, state.shares)
-        _kernels.add_film_work(data, state.y)
-        before[:] = state.y
+        y[: solver.n] = solver.y
+        _kernels.solved_rates(solver.t, y, data, rates)
+        _kernels.turn_balls(data, step, history.attitude)
+        _kernels.after_step(data, solver.t, step, history.onset, history.states, history.shares)
+        _kernels.add_film_work(data, y)
         state.counters[STEPS] += 1
         state.time = solver.t
         state.step = step
@@ -81,16 +97,17 @@ def _advance_to(
 
 
 def _solver(
-    state: SimulationState, data: EquationData, end: float, control: StepControl, scale: Array
+    state: SimulationState, data: EquationData, y: Array, limits: tuple[float, StepControl, Array]
 ) -> Any:
     """LSODA over all but the last accumulator, the work of the films, which follows each step."""
-    size = state.y.size - 1
-    mechanical = Layout(data.constants.balls).mechanical
+    end, control, scale = limits
+    size = y.size - 1
+    mechanical = data.mechanical
     full, derivative = np.zeros(size + 1), np.zeros(size + 1)
 
     def rates(t: float, y: Array) -> Array:
         full[:size] = y
-        _kernels.derivative(t, full, data, derivative)
+        _kernels.solved_rates(t, full, data, derivative)
         return derivative[:size].copy()
 
     def slopes(t: float, y: Array) -> Array:
@@ -101,11 +118,11 @@ def _solver(
         out[:mechanical, :mechanical] = block
         return out
 
-    energy = np.maximum(np.abs(state.y[mechanical:size]), 1.0) * ACCUMULATOR_TOLERANCE
+    energy = np.maximum(np.abs(y[mechanical:size]), 1.0) * ACCUMULATOR_TOLERANCE
     return LSODA(
         rates,
         state.time,
-        state.y[:size].copy(),
+        y[:size].copy(),
         end,
         first_step=min(state.step, end - state.time),
         max_step=control.longest,

@@ -13,7 +13,7 @@ from bearing.contacts.contacts import contact_conditions
 from bearing.contacts.motion import ball_speeds, motion_map
 from bearing.dynamics.arrays import Body
 from bearing.dynamics.assembly import constants
-from bearing.dynamics.contact._race_kernels import race_motion
+from bearing.dynamics.contact._race_kernels import race_motion, straight_motion
 from ehl import Lubricant
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
@@ -66,3 +66,22 @@ def test_compiled_motion_is_that_of_the_map(setup, bearings, name):
             assert_allclose(row.entrainment, speed, rtol=1e-10)
             motion = (row.slide_x, row.slide_y, row.spin, row.roll)
             assert_allclose(motion / size, expected, rtol=0.0, atol=1e-10)
+
+
+@pytest.mark.parametrize("race", list(Race))
+def test_motion_in_the_middle_plane_is_that_in_space(setup, race):
+    """Every number of the motion, at random motions in the plane, to round-off."""
+    bearing = setup.bearing_7008()
+    c, random = constants(bearing, setup.model(bearing)), np.random.default_rng(60013)
+    inner = race is Race.INNER
+    groove = (c.inner_centre, c.inner_groove) if inner else (c.outer_centre, c.outer_groove)
+    for _ in range(DRAWS):
+        angle = random.uniform(-np.pi, np.pi)
+        place = 27e-3 * np.array([0.0, np.cos(angle), np.sin(angle)]) + [0.0, *random.normal(0.0, 1e-6, 2)]
+        centre, drift, velocity = ([0.0, *random.normal(0.0, size, 2)] for size in (1e-6, 0.1, 5.0))
+        turn, ring = [random.normal(0.0, 2e3), 0.0, 0.0], random.normal(0.0, 500.0)
+        body = Body(tuple(centre), (1.0, 0.0, 0.0), tuple(drift), (ring, 0.0, 0.0))
+        vectors = (tuple(place), tuple(velocity), tuple(turn))
+        plane, space = (kernel(c, body, *groove, *vectors) for kernel in (straight_motion, race_motion))
+        for part, wanted in zip(plane, space, strict=True):
+            assert_allclose(part, wanted, rtol=1e-9, atol=1e-9)

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import csv
 import json
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from typer.testing import CliRunner
 
+from cases import load_case, run_case
 from cases.cli.main import app
 from cases.format.document import read_text
 from cases.format.shipped import find_case
+from postprocess import summary
 
 FEW = "points = 3\ncritical_points = 2\n"
 PLOTS = ("slip_factors.png", "critical_loads.png", "minimum_preload.png", "slip_per_ball.png")
@@ -69,6 +72,7 @@ def test_left_out_factors_are_null_with_a_reason(case):
     summary = json.loads(result.stdout)
     assert summary["minimum_preload"]["as_printed_N"] is None
     assert any("as_printed" in message for message in summary["messages"])
+    assert any("a fourth to a fifth" in message for message in summary["messages"])
     assert summary["critical_curves"] == []
 
 
@@ -112,3 +116,13 @@ def test_a_case_without_slip_is_refused():
     result = call("218_axial_22250N", "--json")
     assert result.exit_code == 2
     assert "[slip]" in result.output
+
+
+@pytest.mark.parametrize(("axial", "told"), [(40.0, True), (600.0, False)])
+def test_gross_slip_by_hirano_is_told(axial, told):
+    """7008 at 5000 r/min under thrust: his ratio of 10 needs some 360 N."""
+    case = load_case("7008_axial")
+    found = summary(run_case(replace(case, operation=replace(case.operation, force=(axial, 0.0, 0.0)))))
+    messages = [message for message in found["messages"] if "by Hirano's criterion all balls slip" in message]
+    assert bool(messages) is told
+    assert all("a fourth to a fifth" in message for message in messages)
