@@ -12,7 +12,7 @@ from typing import Any
 from ehl import ContactSolution, SolverOptions, solve_contact
 from ehl.multigrid.threads import cores
 from ehl.scaling import scale_contact
-from ehl.thread_pool import film_threads
+from ehl.multigrid.threads import film_threads
 
 from .draws import Draw, draws
 from .page import ForeignFileError, Progress

@@ -102,7 +102,8 @@ def test_relax_lines(fields):
         for colour in (first, first + 1):
             ends = (colour, g.ny - 1)
             flooded = (False, spread, kinds, spread)
-            sweep = (*couette, f, kernel.near, *mesh(g), *flooded, 0.8, 0.7, kinds, spread, *ends)
+            storage = np.zeros((0, 0, 0))
+            sweep = (*couette, f, storage, kernel.near, *mesh(g), *flooded, 0.8, 0.7, kinds, spread, *ends)
             _relaxation_kernels.relax_lines(ours, H, flow.eps, *sweep)
         _relaxation_kernels.spread_changes(ours, kinds, spread, g.hx, g.hy, 0.3, first, g.ny - 1)
         twin = relaxation.relax_lines(P, H, flow, f, g, kernel, (0.3, 0.8, 0.7))
