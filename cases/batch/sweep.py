@@ -15,7 +15,7 @@ from ..format.case import Case, ContactCase, case_of_document
 from ..format.document import parse, read_text
 from ..format.problems import CaseError, CaseFault, faults_error, schema_faults
 from ..format.shipped import find_case, find_sweep
-from ..format.sweep import SensitivityTable, SweepFile
+from .planning.sweep_file import SensitivityTable, SweepFile
 from .keys import digest, value_in
 from .planning.alternatives import PointDocuments, replaced_keys, with_values
 from .planning.blocks import (

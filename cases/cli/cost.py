@@ -21,6 +21,8 @@ EQUILIBRIUM_SECONDS = 0.01  # of a bearing in a slip map, measured likewise on 7
 # and 7008_combined (3.2 to 4.9), and on 6304_planar
 DYNAMICS_SECONDS = 4.0
 PLANAR_SECONDS = 1.0  # with the equations of a plane
+# of a step in time on 257 nodes along x, of y >= 0, measured likewise on waviness_ball_on_disc
+STEP_SECONDS = 0.08
 TORQUE_SECONDS = 1.0  # of equilibrium, torque by every model and self-heating without films
 TABLE_FILMS = 120  # of the tables of both races, without refinement
 
@@ -69,6 +71,22 @@ def dynamics_cost(case: Case) -> tuple[str, float]:
     each = PLANAR_SECONDS if planar else DYNAMICS_SECONDS
     seconds = simulated * case.bearing.balls * each
     return f"{simulated:g} s of {case.bearing.balls} balls simulated", seconds
+
+
+def transient_cost(case: ContactCase) -> tuple[str, float]:
+    """What a contact over time takes [s]; nothing without [transient], which is an error later."""
+    if case.transient is None:
+        return "", 0.0
+    from ehl.transient.run import planned_steps
+
+    conditions, options = case.transient
+    try:
+        steps = planned_steps(conditions, options)
+    except ValueError:
+        return "", 0.0
+    sides = 1.0 if conditions.symmetric else 2.0
+    each = STEP_SECONDS * sides * (options.points / FILM_POINTS) ** 2
+    return f"{steps} steps in time on {options.points} nodes along the entrainment", steps * each
 
 
 def batch_cost(first: Case | ContactCase, points: int, compute: str) -> tuple[str, float]:

@@ -208,7 +208,7 @@ def exterior_load(field: FarField, grid: Grid, H: Array, layer: float = inf) -> 
     load = load_outside(field, *_box_and_level(field, grid, H), layer)
     if field.squeeze != 0.0:
         load += field.squeeze * squeeze_load(field, grid, H, layer)
-    return load
+    return max(load, 0.0)  # bodies that part leave a cavity there
 
 
 def deflection_outside(field: FarField, grid: Grid, H: Array, layer: float = inf) -> float:

@@ -91,6 +91,22 @@ class TransientRun:
         if result.frame is not None:
             self.frames.append(result.frame)
 
+    def go_on_from(
+        self,
+        past: Past,
+        state: tuple[float, int],
+        records: tuple[list[StepRecord], list[Frame]],
+    ) -> None:
+        """Stand where an earlier run of the same case stood: fields of its last steps, load
+        outside the box [-] and halvings of the damping, records.
+        """
+        self.past = past
+        self.exterior, self.stepper.halvings = state
+        self.stepper.state.exterior = self.exterior
+        for _ in range(self.stepper.halvings):
+            self.stepper.state.damping = self.stepper.state.damping.halved()
+        self.steps, self.frames = records
+
     def complete(self) -> Iterator[int]:
         """Make all steps that are left; the number of each [-]."""
         while not self.finished:
@@ -280,6 +296,14 @@ def transient_run(conditions: TransientConditions, options: TransientOptions) ->
     )
     run.record_start()
     return run
+
+
+def planned_steps(conditions: TransientConditions, options: TransientOptions) -> int:
+    """Steps that a run will make [-]."""
+    state, contact, _ = levels_over_time(conditions, options)
+    assert contact.semi_axis_x is not None
+    mesh = state.levels[-1].grid.hx * contact.semi_axis_x
+    return len(step_times(conditions, mesh, options.largest_step)) - 1
 
 
 def c_speed(conditions: TransientConditions) -> float:

@@ -55,7 +55,7 @@ def levels_over_time(
 ) -> tuple[Multigrid, ScaledContact, tuple[float, float, float]]:
     """Levels of the contact on a grid along the entrainment, its scales and its box [-]."""
     contact = scale_contact(conditions.contact, along_entrainment=True)
-    domain = options.domain or choose_domain(contact)
+    domain = options.domain or _open_box(conditions, contact)
     damping = Damping(switch=SWITCH)
     state = contact_multigrid(
         contact,
@@ -65,6 +65,15 @@ def levels_over_time(
         whole=not conditions.symmetric,
     )
     return state, contact, domain
+
+
+def _open_box(
+    conditions: TransientConditions, contact: ScaledContact
+) -> tuple[float, float, float]:
+    """As a steady contact takes it; as far behind as ahead where the entrainment reverses."""
+    x_in, x_out, y_half = choose_domain(contact)
+    turns = conditions.speed is not None and min(conditions.speed.values) < 0.0
+    return (x_in, -x_in, y_half) if turns else (x_in, x_out, y_half)
 
 
 def begin(conditions: TransientConditions, options: TransientOptions, rough: Array) -> Begin:

@@ -9,7 +9,7 @@ from itertools import accumulate
 from pathlib import Path
 from typing import Any, overload
 
-from ...format.sweep import SweepFile
+from .sweep_file import SweepFile
 from ..keys import BESIDE_TRACTION_TABLES, DESCRIBING, digest, document_text
 from ..points import Point
 from ..program import program_digest
