@@ -103,6 +103,7 @@ class TransientRun:
         self.past = past
         self.exterior, self.stepper.halvings = state
         self.stepper.state.exterior = self.exterior
+        self.stepper.state.approach = past.approach[0]
         for _ in range(self.stepper.halvings):
             self.stepper.state.damping = self.stepper.state.damping.halved()
         self.steps, self.frames = records
