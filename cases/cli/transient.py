@@ -84,9 +84,9 @@ def _writer(
         problems = write_transient(results, folder, hurried)
         try:
             if not hurried():
-                write_transient_series(results.solution, folder)
+                write_transient_series(results.solution, folder, hurried)
             if movie and not hurried():
-                write_movie(results.solution, folder / MOVIE_FILE, results.title)
+                write_movie(results.solution, folder / MOVIE_FILE, results.title, hurried)
         except (OSError, ValueError, RuntimeError) as error:
             if is_disk_failure(error):
                 raise

@@ -19,8 +19,8 @@ that is left is that wave, for which Venner and Lubrecht fitted A_d/A_i to their
 from dataclasses import dataclass
 from math import exp, hypot, sqrt
 
-# of A_d/A_i = 1/(1 + c1 x + c2 x^2), Venner and Lubrecht (2000) after Venner, Couhier, Lubrecht and
-# Greenwood (1997), as quoted by Morales-Espejel and Brizmer (2011): circular contacts, pure rolling
+# of A_d/A_i = 1/(1 + c1 x + c2 x^2), Venner and Lubrecht (2000), as quoted by Morales-Espejel and
+# Brizmer (2011): circular contacts, pure rolling
 AMPLITUDE_FIT = (0.15, 0.015)
 
 
@@ -58,8 +58,8 @@ def amplitude_left(wavelengths: tuple[float, float], load: float, lubricant: flo
     """A_d/A_i of a waviness in pure rolling, Venner's fit for circular contacts [-].
 
     wavelengths: along and across the entrainment over the Hertz radius, infinite without waves;
-    load, lubricant: M and L of Moes. Solutions of this program lie within 20 % of it at L of 10 and
-    more, and x of 0.8 to 7; below L 10 one variable x does not hold.
+    load, lubricant: M and L of Moes. Solutions of this program lie within 20 % of it at L of 10
+    and more, and x of 0.8 to 7; below L 10 one variable x does not hold.
     """
     along, across = wavelengths
     ratio = along / across

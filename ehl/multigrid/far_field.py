@@ -49,8 +49,8 @@ class FarField:
     squeeze: float = 0.0  # P H^2 by bodies that close in, see `over_time`
 
     def strength(self, X: Array, Y: Array) -> Array:
-        """P H^2 = s r, with the rotation, or bodies that close in with k_V, max(K - k_xy X Y + k_V,
-        0) + s r - max(K, 0), K of Kapitza's solution without [-].
+        """P H^2 = s r; with the rotation, or bodies that close in with k_V, max(K - k_xy X Y +
+        k_V, 0) + s r - max(K, 0), K of Kapitza's solution without [-].
         """
         X, Y = np.broadcast_arrays(X, Y)
         straight = np.interp(

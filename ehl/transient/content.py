@@ -11,18 +11,17 @@ r the step over the one before, d' the nodes of both. With equal steps of a node
 -4, 1)/2 along the characteristic, the narrow-upstream scheme of Venner and Wijnant, and what is
 steady is so on the equations of the steady solver. Where the gap is full m = rho H; where it is
 not, P = 0 and m < rho H: with the residual f - L(P) >= 0 of a node without pressure, m = rho H -
-residual/sigma, sigma = c_0/dT. The complementarity of the solver, P >= 0 and residual >= 0, is that
-of Jakobsson, Floberg and Olsson, and m is kept for all nodes in this form: oil that the cycles have
-not yet put in its place is not lost, but handed on to the next step.
+residual/sigma, sigma = c_0/dT. The complementarity of the solver, P >= 0 and residual >= 0, is
+that of Jakobsson, Floberg and Olsson, and m is kept for all nodes in this form: oil that the
+cycles have not yet put in its place is not lost, but handed on to the next step.
 """
 
 from math import floor
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..arrays import Array
-
-PAD = 4  # nodes beyond either end of a line, of which the film is extrapolated
 
 
 def weights(ratio: float) -> tuple[float, float, float]:
@@ -31,7 +30,7 @@ def weights(ratio: float) -> tuple[float, float, float]:
 
 
 def moved(content: Array, nodes: float) -> Array:
-    """A content, shape (ny, nx), moved by so many nodes along the lines, |nodes| < 3 [-].
+    """A content, shape (ny, nx), moved by so many nodes along the lines [-].
 
     Whole nodes exactly, else by cubics through four of them; beyond the ends the lines go on as
     parabolas, which is exact in the gap of paraboloids.
@@ -39,10 +38,11 @@ def moved(content: Array, nodes: float) -> Array:
     whole = floor(nodes)
     part = nodes - whole
     n = content.shape[1]
-    wide = _extended(content)
+    pad = abs(whole) + 2
+    wide = _extended(content, pad)
 
     def at(steps: int) -> Array:
-        first = PAD - steps
+        first = pad - steps
         return wide[:, first : first + n]
 
     if part == 0.0:
@@ -57,9 +57,9 @@ def moved(content: Array, nodes: float) -> Array:
     return total
 
 
-def _extended(content: Array) -> Array:
-    """Lines with `PAD` more nodes at both ends."""
-    k = np.arange(1, PAD + 1)
+def _extended(content: Array, pad: int) -> Array:
+    """Lines with so many more nodes at both ends."""
+    k = np.arange(1, pad + 1)
     # of a parabola through the last three nodes, k nodes beyond
     near = (k + 1.0) * (k + 2.0) / 2.0
     middle = -k * (k + 2.0)
@@ -71,7 +71,7 @@ def _extended(content: Array) -> Array:
     return np.concatenate((left[:, ::-1], content, right), axis=1)
 
 
-def steady_content(full: Array, gained: Array, empty: Array, mesh: float) -> Array:
+def steady_content(full: Array, gained: Array, empty: NDArray[np.bool_], mesh: float) -> Array:
     """m of a steady film that flows along its lines, shape (ny, nx) [-].
 
     full: rho H; gained: Pois(P); empty: nodes without pressure. Where oil does not fill the gap it

@@ -1,8 +1,8 @@
 """Features of the surfaces: waviness, dents, ridges, measured profiles.
 
-A feature is a height z of its surface over the undeformed body, positive into the gap, over places
-x from a point that moves with the body, and y; x runs along the entrainment. The film is thinner by
-z.
+A feature is a height z of its surface over the undeformed body, positive into the gap, over
+places x from a point that moves with the body, and y; x runs along the entrainment. The film is
+thinner by z.
 """
 
 from dataclasses import dataclass
@@ -22,10 +22,15 @@ REACH = 3.0
 class Feature(Protocol):
     """A feature of one of the bodies."""
 
-    body: int  # 1 or 2
-    # place of its point at t = 0, along the entrainment from the contact's centre [m]; None: so
-    # that it enters the box at once, or everywhere on a body at rest
-    start: float | None
+    @property
+    def body(self) -> int:
+        """1 or 2."""
+
+    @property
+    def start(self) -> float | None:
+        """Place of its point at t = 0, along the entrainment from the contact's centre [m]; None:
+        so that it enters the box at once, or everywhere on a body at rest.
+        """
 
     @property
     def reach(self) -> float:
@@ -60,7 +65,7 @@ class Waviness:
     wavelength: float  # lambda_x [m]
     wavelength_across: float | None = None  # lambda_y [m]; None: no waves across
     phase: float = 0.0  # at its point [rad]
-    start: float | None = None
+    start: float | None = None  # of its point at t = 0 [m]
 
     def __post_init__(self) -> None:
         _require_body(self)
@@ -95,7 +100,7 @@ class Dent:
     radius: float  # r_x, at which 1/e of the depth is left [m]
     radius_across: float | None = None  # r_y [m]; None: round
     place_across: float = 0.0  # y of its middle [m]
-    start: float | None = None
+    start: float | None = None  # of its point at t = 0 [m]
 
     def __post_init__(self) -> None:
         _require_body(self)
@@ -136,7 +141,7 @@ class Ridge:
     ridge_height: float  # h [m]
     width: float  # w, at which 1/e of the height is left [m]
     angle: float = 0.0  # of the crest from y, towards -x [rad]
-    start: float | None = None
+    start: float | None = None  # of its point at t = 0 [m]
 
     def __post_init__(self) -> None:
         _require_body(self)
@@ -178,7 +183,7 @@ class Profile:
     x: Array  # rising, shape (n,) [m]
     heights: Array  # shape (n,), or (n, m) with y [m]
     y: Array | None = None  # rising, shape (m,) [m]
-    start: float | None = None
+    start: float | None = None  # of its point at t = 0 [m]
 
     def __post_init__(self) -> None:
         _require_body(self)

@@ -24,7 +24,7 @@ class Course:
     """A quantity over time by straight lines, constant before the first and after the last."""
 
     times: tuple[float, ...]  # rising [s]
-    values: tuple[float, ...]
+    values: tuple[float, ...]  # [N] or [m/s]
 
     def __post_init__(self) -> None:
         for name in ("times", "values"):
@@ -66,7 +66,7 @@ class Impact:
 class TransientConditions:
     """One contact over time; its load and speed set the scales, and hold where no course is given.
 
-    The load of the contact is to be the largest, or the size of the impact: the box is made for it.
+    The load of the contact is to be the largest, or that of the impact: the box is made for it.
     """
 
     contact: ContactConditions
@@ -84,7 +84,9 @@ class TransientConditions:
         if c.inlet_layer is not None:
             raise ValueError("inlet_layer: contacts over time are solved flooded")
         if self.impact is None and not self.speed_at(0.0) != 0.0:
-            raise ValueError("speed: a contact at rest has no film to start from; begin with motion")
+            raise ValueError(
+                "speed: a contact at rest has no film to start from; begin with motion"
+            )
         if self.impact is None and not min(self._loads()) > 0.0:
             raise ValueError("load: must stay positive; bodies that part have a mass (impact)")
         if max(self._loads()) > c.load * (1.0 + 1e-9):
@@ -141,5 +143,5 @@ class TransientOptions:
     largest_step: float | None = None
     frames: int = 60  # fields that are kept, at even times, the first and last among them
     cycles: int = 2  # multigrid cycles a step at least
-    most_cycles: int = 8
+    most_cycles: int = 20
     tolerance: float = 1e-3  # error of a step over the film, or a feature that is smaller [-]

@@ -55,13 +55,13 @@ def _step(conditions: TransientConditions, time: float, mesh: float, longest: fl
 
 
 def nodes_moved(conditions: TransientConditions, times: Array, mesh: float) -> Array:
-    """Nodes that the film moves by in each step, of either sign, shape (n,) [-]; within round-off
-    of one exactly one.
+    """Nodes that the film moves by in each step, of either sign, shape (n,) [-]; whole
+    numbers without round-off.
     """
     way = np.array([conditions.way(float(time)) for time in times])
     moved = np.diff(way) / mesh
-    return np.where(np.abs(np.abs(moved) - 1.0) < 1e-6, np.copysign(1.0, moved), moved)
-
+    whole = np.round(moved)
+    return np.where((np.abs(moved - whole) < 1e-6) & (whole != 0.0), whole, moved)
 
 
 def impact_time(conditions: TransientConditions, impact: Impact) -> float:

@@ -102,9 +102,7 @@ def begin(conditions: TransientConditions, options: TransientOptions, rough: Arr
     return Begin(state=state, smooth=smooth, content=content, fields=fields, domain=domain)
 
 
-def _settle(
-    conditions: TransientConditions, options: TransientOptions, state: Multigrid
-) -> None:
+def _settle(conditions: TransientConditions, options: TransientOptions, state: Multigrid) -> None:
     """Steady film at the load and speed of t = 0, from a solution of its own scales."""
     speed = conditions.speed_at(0.0)
     load = conditions.load_at(0.0)
@@ -135,19 +133,25 @@ def _settle(
     start_level(state, index, start)
     update_exterior(state, index)
     update_film(state, index)
-    # 2. until the equations hold
+    residual = _polished(state, index)
+    for one in state.levels:
+        one.factors = replace(one.factors, couette_x=None)
+    state.contact = contact
+    if not residual < 1e-3:
+        raise NoStart(f"steady film at the start: residual of {residual:.1e} after the cycles")
+
+
+def _polished(state: Multigrid, index: int) -> float:
+    """Residual after cycles until the equations hold, or come no nearer to it [-]."""
     before = np.inf
+    residual = np.inf
     for _ in range(MOST_CYCLES):
         cycle(state, index)
         residual = relative_residual(state, index)[0]
         if residual < POLISHED or (residual < 1e-5 and residual > 0.9 * before):
             break
         before = residual
-    for one in state.levels:
-        one.factors = replace(one.factors, couette_x=None)
-    state.contact = contact
-    if not residual < 1e-3:
-        raise NoStart(f"steady film at the start: residual of {residual:.1e} after the cycles")
+    return float(residual)
 
 
 def _carried_approach(levels: Multigrid, state: Multigrid) -> float:

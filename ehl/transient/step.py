@@ -19,7 +19,7 @@ LOAD_TOLERANCE = 1e-4
 
 @dataclass(slots=True, kw_only=True)
 class Past:
-    """Fields of the last two steps, arrays of shape (ny, nx), and how the bodies moved; all [-]."""
+    """Fields of the last two steps, arrays of shape (ny, nx), and how bodies moved; all [-]."""
 
     content: tuple[Array, Array]  # m of the last step and the one before
     pressure: tuple[Array, Array]
@@ -47,7 +47,8 @@ class StepReport:
     """What a step left; all [-]."""
 
     cycles: int
-    residual: float  # mean of |residual| over sigma H_c: error of the film, where it carries
+    # mean of |residual| H_c/(sigma max(H, H_c)) where oil carries: error of the film
+    residual: float
     load_error: float  # over the load of the scales
     balance: float  # integral of the residual over sigma: oil not yet in its place
 
@@ -58,6 +59,7 @@ class Stepper:
 
     state: Multigrid
     smooth: Array  # gap without features, shape (ny, nx) [-]
+    film: float  # H_c; in a wider gap an error counts over the gap [-]
     scale: float  # that the error of a step is counted in: the film, or a smaller feature [-]
     tolerance: float  # [-]
     cycles: tuple[int, int]  # at least and at most
@@ -104,7 +106,8 @@ class Stepper:
         last, before = past.content
         source = c1 * moved(last, nodes[0]) - c2 * moved(before, back)
         # 1. the bodies, by second order backwards twice
-        inertia, free = 0.0, 0.0
+        inertia = 0.0
+        free = 0.0
         if move.mass > 0.0:
             h1, h2 = past.approach
             v1, v2 = past.rate
@@ -161,7 +164,8 @@ class Stepper:
         residual = self._residual()
         wet = level.P > 0.0
         residual = np.where(wet | (residual < 0.0), residual, 0.0)
-        size = float(np.abs(residual).sum()) / max(int(wet.sum()), 1)
+        share = self.film / np.maximum(level.H, self.film)
+        size = float((np.abs(residual) * share).sum()) / max(int(wet.sum()), 1)
         if not np.isfinite(size):
             return None
         step = state.time_step
@@ -216,4 +220,3 @@ def directions(contact: ScaledContact) -> dict[bool, FarField]:
     """Far field of an entrainment forwards (True) and backwards [-]."""
     back = replace(contact, velocity_x=-contact.velocity_x, velocity_y=-contact.velocity_y)
     return {True: far_field(contact), False: far_field(back)}
-

@@ -12,6 +12,7 @@ from .record import TransientSolution
 
 FIT_LUBRICANT = 10.0  # least L that the fit holds for
 FIT_RANGE = (0.8, 7.0)  # of (lambda/a) sqrt(M/L)
+WAVES = 1.5  # that pass before the amplitude is taken, the first of which rises
 ROUND = 1e-3  # deviation of the ellipse from a circle
 
 
@@ -62,7 +63,7 @@ def _wave(solution: TransientSolution, number: int, wave: Waviness) -> WaveResul
     last = time > time[-1] - 1.0 / frequency * (1.0 + 1e-9)
     # the wave passes the centre in full, and so does what it made in the inlet
     slowest = min(speed, conditions.speed_at(0.0))
-    arrived = (wave.wavelength - solution.starts[number]) / slowest
+    arrived = (WAVES * wave.wavelength - solution.starts[number]) / slowest
     if time[last][0] < arrived:
         needed = arrived + 1.0 / frequency
         return WaveResult(

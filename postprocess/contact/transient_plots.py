@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from ehl.transient.record import TransientSolution
 from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE
@@ -75,6 +76,7 @@ def _film_over_time(figure: Figure, axes: Any, solution: TransientSolution) -> N
     for end in (-1.0, 1.0):
         place = end * solution.semi_axes[0] / MILLIMETRE
         axes.axvline(place, color="white", linestyle=(0, (4, 2)), linewidth=0.8)
+    axes.xaxis.set_major_locator(MaxNLocator(6))
     axes.set_xlabel("x, along the entrainment [mm]; Hertz ellipse dashed")
     axes.set_ylabel("time [ms]")
 

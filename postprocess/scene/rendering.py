@@ -151,9 +151,7 @@ def require_display() -> None:
         )
 
 
-def write_gif(
-    frames: Sequence[Image.Image], file: Path | BinaryIO, per_frame: int
-) -> None:
+def write_gif(frames: Sequence[Image.Image], file: Path | BinaryIO, per_frame: int) -> None:
     """Write pictures as an endless GIF, each shown for `per_frame` [ms]."""
     method = Image.Quantize.MAXCOVERAGE
     first, *others = [frame.quantize(COLOURS, method=method) for frame in frames]

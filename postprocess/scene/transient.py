@@ -1,6 +1,7 @@
 """A contact over time for ParaView, and as a movie."""
 
 import io
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -38,8 +39,16 @@ def _whole(solution: TransientSolution, values: Array) -> Array:
     return unfolded(values) if solution.symmetric else values
 
 
-def write_transient_series(solution: TransientSolution, directory: Path) -> Path:
-    """Write a file for each frame, its film as height, and the series; the .pvd file."""
+def _never() -> bool:
+    return False
+
+
+def write_transient_series(
+    solution: TransientSolution, directory: Path, hurried: Callable[[], bool] = _never
+) -> Path:
+    """Write a file for each frame, its film as height, and the series; the .pvd file. Frames are
+    left out when one is `hurried`.
+    """
     step = max(1, (solution.x.size - 1) // (MOST_NODES - 1))
     x = solution.x[::step]
     y = unfolded(solution.y, sign=-1.0) if solution.symmetric else solution.y
@@ -47,18 +56,18 @@ def write_transient_series(solution: TransientSolution, directory: Path) -> Path
     y = y[::lines]
     files = {}
     for frame in solution.frames:
+        if hurried():
+            break
         name = f"{FOLDER}/step{frame.step:06d}.vts"
         thin = [
             _whole(solution, values)[::lines, ::step].T
             for values in (frame.film, frame.pressure, frame.filled)
         ]
         film, pressure, filled = thin
-        places = np.stack(np.broadcast_arrays(x[:, None], y[None, :], EXAGGERATION * film), axis=-1)
-        fields = {
-            FILM: film / MICROMETRE,
-            PRESSURE: pressure / GIGAPASCAL,
-            FILLED: filled,
-        }
+        places = np.stack(
+            np.broadcast_arrays(x[:, None], y[None, :], EXAGGERATION * film), axis=-1
+        )
+        fields = {FILM: film / MICROMETRE, PRESSURE: pressure / GIGAPASCAL, FILLED: filled}
         facts: dict[str, float | str] = {
             "time [ms]": frame.time / MILLISECOND,
             "coordinates": "mm",
@@ -76,10 +85,18 @@ def _line_step(solution: TransientSolution, step: int) -> int:
     return step if cells % (2 * step) == 0 else 1
 
 
-def write_movie(solution: TransientSolution, file: Path, title: str) -> None:
-    """Write the frames as a .gif: map of the film above film and pressure on y = 0."""
+def write_movie(
+    solution: TransientSolution, file: Path, title: str, hurried: Callable[[], bool] = _never
+) -> None:
+    """Write the frames as a .gif: map of the film above film and pressure on y = 0; none when one
+    is `hurried`.
+    """
+    pictures = []
     with rc_context(RC):
-        pictures = [_picture(solution, frame, title) for frame in solution.frames]
+        for frame in solution.frames:
+            if hurried():
+                return
+            pictures.append(_picture(solution, frame, title))
     content = io.BytesIO()
     write_gif(pictures, content, PER_FRAME)
     write_bytes(file, content.getvalue())

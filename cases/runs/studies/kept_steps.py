@@ -1,8 +1,8 @@
 """Steps of a contact over time on disk while it runs, so that an interrupted run goes on."""
 
 import io
-import shutil
 import zipfile
+from contextlib import suppress
 from pathlib import Path
 from time import monotonic
 from typing import Any
@@ -59,8 +59,11 @@ class KeptSteps:
         self._last = monotonic()
 
     def forget(self) -> None:
-        """Remove the steps of a run that is complete."""
-        shutil.rmtree(self.folder, ignore_errors=True)
+        """Remove the steps of a run that is complete, and the folder if nothing else is there."""
+        for file in [*self.folder.glob("frame*.npz"), self.folder / STATE_FILE]:
+            file.unlink(missing_ok=True)
+        with suppress(OSError):
+            self.folder.rmdir()
 
     def _file(self, step: Any) -> Path:
         return self.folder / f"frame{int(step):07d}.npz"

@@ -29,10 +29,7 @@ class Interrupted(KeyboardInterrupt):
 
 
 def run_transient(
-    case: ContactCase,
-    name: str,
-    folder: Path | None = None,
-    progress: Progress | None = None,
+    case: ContactCase, name: str, folder: Path | None = None, progress: Progress | None = None
 ) -> TransientResults:
     """Solve a contact over time, by its `name` in messages, its steps kept in a folder.
 
@@ -90,6 +87,8 @@ def _stream(
                     kept.keep(run)
             left = (perf_counter() - began) * (run.planned - run.done) / (run.done - resumed)
             notify(run.done, run.planned, f"steps, {left:.0f} s left")
+        if kept is not None and run.done > resumed:
+            kept.keep(run, now=True)
     except KeyboardInterrupt:
         if kept is not None and run.done > 0:
             with finish_first("the steps so far"):

@@ -172,11 +172,11 @@ def relax_lines(
 
     near[r, m]: deflection at distance m hx in the r-th next line from a unit pressure. flow_x,
     flow_y: density times the velocity of the Couette flow, slope_x, slope_y: their derivatives by
-    P; those of y are used if `lateral`. storage: density and its derivative by P over a time step, shape
-    (2, ny, nx); empty where nothing is stored. rest, empty, share: residual, nodes whose oil does not
-    fill the gap, and share of it that leaves them along the line, used if `starved`. kinds,
-    spread: kind of each node, and the changes left to `spread_changes`. Lines of one colour, even
-    or odd, are independent of each other.
+    P; those of y are used if `lateral`. storage: density and its derivative by P over a time step,
+    shape (2, ny, nx); empty where nothing is stored. rest, empty, share: residual, nodes whose oil
+    does not fill the gap, and share of it that leaves them along the line, used if `starved`.
+    kinds, spread: kind of each node, and the changes left to `spread_changes`. Lines of one
+    colour, even or odd, are independent of each other.
     """
     nx = P.shape[1]
     mesh = (0.5 / (hx * hx), 0.5 / (hy * hy), 1.0 / hx)

@@ -106,9 +106,7 @@ class LinearContact:
         still = np.zeros_like(lin.P)
         rows = self._changed(still, gap, turn=1j * frequency).rows
         entry = gap[origin_line(lin.grid), 0]
-        right = _Right(
-            source=-rows, edge=lin.edge_by_film * gap, load=-lin.load_by_film * entry
-        )
+        right = _Right(source=-rows, edge=lin.edge_by_film * gap, load=-lin.load_by_film * entry)
         p, h = self._solved(right, frequency)
         return np.asarray(self._film(p, h) + gap)
 

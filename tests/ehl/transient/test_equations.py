@@ -103,7 +103,9 @@ def test_cycles_find_the_closed_form():
 def running(groups, points=65, ratio=1.0, **more):
     """A run of constant load and speed."""
     c = from_groups(moes(*groups, ratio))
-    return transient_run(TransientConditions(contact=c, end_time=1e-2, **more), TransientOptions(points=points, domain=SMALL))
+    return transient_run(
+        TransientConditions(contact=c, end_time=1e-2, **more), TransientOptions(points=points, domain=SMALL)
+    )
 
 
 @pytest.mark.parametrize("groups", [(100.0, 2.5), (100.0, 10.0), (1000.0, 10.0)], ids=str)

@@ -126,7 +126,7 @@ def two_waves(slide, length):
 
 @pytest.mark.parametrize(("slide", "length"), [(1.0, 0.75), pytest.param(-1.0, 1.0, marks=pytest.mark.slow)])
 def test_the_wave_that_moves_with_its_body_is_hookes(slide, length):
-    """Flat film of the mean pressure and film of the middle: film to 3 % of Hooke's closed form; the rest is carried at u_m."""
+    """Flat film of the mean pressure and film of the middle: to 3 % of Hooke's form; the rest is carried at u_m."""
     (own, carried), solution = two_waves(slide, length)
     a, _, _ = scales(M100)
     scaled = scale_contact(M100)
