@@ -95,7 +95,7 @@ def test_series_for_paraview_and_movie(results):
 def test_shipped_cases_have_a_run_and_say_what_is_assumed(stem):
     conditions, options = load_case(stem).transient
     assert conditions.end_time > 0.0
-    assert options.points in (65, 129)
+    assert options.points in (65, 129, 257)
 
 
 FAULTS = {
