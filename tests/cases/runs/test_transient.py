@@ -22,6 +22,7 @@ from cases.cli.main import app
 from cases.format.problems import CaseError
 from cases.format.shipped import shipped_cases
 from cases.runs.studies.transient import run_transient
+from postprocess import open_results
 
 STEMS = [stem for stem, path in shipped_cases().items() if path.parent.name == "transient"]
 WAVES = shipped_cases()["waviness_ball_on_disc"].read_text(encoding="utf-8")
@@ -70,6 +71,12 @@ def test_series_and_fields(results):
         assert float(data["h"][-1, 0, middle]) == pytest.approx(float(data["film_central"][-1]), rel=1e-6)
         assert 0.0 < float(data["filled"].min()) < 0.5  # the cavity behind the contact
         assert data["h"].attrs["units"] == "m"
+
+
+def test_results_are_opened_with_all_others(results):
+    with open_results(results) as tree:
+        assert tree.attrs["kind"] == "transient"
+        assert tree["film_line"].dims == ("time", "x")
 
 
 def test_series_for_paraview_and_movie(results):
