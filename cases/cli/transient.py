@@ -17,7 +17,7 @@ from .app import CaseName, Json, Output, Quiet, app
 from .cost import tell_cost, transient_cost
 from .output import held_directory, report, results_directory, save_with
 from .progress import progress_bar
-from .terminal import guarded
+from .terminal import NOT_CONVERGED, guarded
 
 if TYPE_CHECKING:
     from postprocess.contact.transient_results import TransientResults
@@ -36,6 +36,8 @@ def transient(
 
     Steps are kept in DIR_steps while it runs; the same command goes on with them.
     """
+    from ehl.transient.run import NoStart
+
     from ..format.case import ContactCase, load_case
     from ..runs.studies.transient import Interrupted, run_transient
 
@@ -53,6 +55,9 @@ def transient(
                 hurry = Event()
                 write = _writer(results, movie, hurry.is_set)
                 save_with(write, directory, hurry.set)
+    except NoStart as problem:
+        say(f"oilfilm: {case}: not converged: {problem}; nothing is written")
+        return NOT_CONVERGED
     except Interrupted as stop:
         if stop.kept:
             say(f"finished steps are kept in {folder}; the same command goes on with them")

@@ -46,6 +46,16 @@ class Frame:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class MeshError:
+    """What the mesh leaves of the steady films at the start, by the solutions on coarser ones."""
+
+    central: float  # error of the nodal film over the film without mesh, with its bar [-]
+    minimum: float  # likewise
+    resolved: bool
+    message: str  # of the steady solution
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class TransientSolution:
     """One contact over time, SI."""
 
@@ -63,6 +73,7 @@ class TransientSolution:
     frames: tuple[Frame, ...]
     converged: bool
     message: str
+    mesh: MeshError | None = None  # of an impact, which has no steady start
     starts: tuple[float, ...] = ()  # places of the features at t = 0 [m]; inf: everywhere
 
     def series(self, name: str) -> Array:

@@ -11,7 +11,7 @@ from ..scaling import ScaledContact
 from .features import Feature
 from .inputs import Scheme, TransientConditions, TransientOptions
 from .plan import nodes_moved, step_times
-from .record import QUANTITIES, Frame, StepRecord, TransientSolution
+from .record import QUANTITIES, Frame, MeshError, StepRecord, TransientSolution
 from .start import Begin, NoStart, begin, levels_over_time
 from .step import Diverged, Move, Past, Stepper, StepReport
 
@@ -20,6 +20,9 @@ DIVERGED = "step {step} of {planned}, t = {time:.4g} s, did not converge with an
 # leave is handed on to the next step and no more there
 MOST_EXCESS = 10.0
 MOST_MISSED = 0.02
+CLOSED = (
+    "not converged: the film is not positive on this mesh at t = {time:.4g} s; try more points"
+)
 LEFT = "the cycles left {share:.1e} of the film or the feature, above {tolerance:g}"
 
 
@@ -46,6 +49,7 @@ class TransientRun:
     past: Past
     starts: tuple[float, ...]  # of the features [m]
     domain: tuple[float, float, float]  # x_in, x_out, y_half in Hertz semi-axes [-]
+    mesh: MeshError | None = None
     steps: list[StepRecord] = field(default_factory=list)
     frames: list[Frame] = field(default_factory=list)
     message: str = ""  # of a step that failed
@@ -144,12 +148,17 @@ class TransientRun:
             frames=tuple(self.frames),
             converged=converged,
             message=message,
+            mesh=self.mesh,
             starts=self.starts,
         )
 
     def _verdict(self) -> tuple[bool, str]:
         if self.message:
             return False, self.message
+        least = QUANTITIES.index("film_minimum")
+        for step in self.steps:
+            if not step.values[least] > 0.0:
+                return False, CLOSED.format(time=float(step.values[0]))
         error = QUANTITIES.index("error")
         errors = np.array([step.values[error] for step in self.steps])
         tolerance = self.options.tolerance
@@ -278,6 +287,7 @@ def transient_run(conditions: TransientConditions, options: TransientOptions) ->
         past=_before_the_start(conditions, first, times),
         starts=starts,
         domain=first.domain,
+        mesh=first.mesh,
     )
     run.record_start()
     return run

@@ -22,9 +22,11 @@ from ..multigrid.levels import Damping, Multigrid
 from ..multigrid.open_box import choose_domain
 from ..options import SolverOptions
 from ..scaling import ScaledContact, scale_contact
+from ..solution import ContactSolution
 from ..solver import solve_attempts
 from .content import steady_content
 from .inputs import TransientConditions, TransientOptions
+from .record import MeshError
 from .step import directions
 
 # share of K_00/hx below which nodes are relaxed distributively: with the 0.3 of steady contacts
@@ -48,6 +50,7 @@ class Begin:
     content: Array  # m, shape (ny, nx)
     fields: dict[bool, FarField]  # of an open box, by the direction of the entrainment
     domain: tuple[float, float, float]  # in Hertz semi-axes
+    mesh: MeshError | None = None  # where it is a steady film
 
 
 def levels_over_time(
@@ -92,8 +95,9 @@ def begin(conditions: TransientConditions, options: TransientOptions, rough: Arr
     smooth = level.gap.copy()
     level.gap = smooth + rough
     fields = directions(contact) if state.far_field is not None else {}
+    mesh = None
     if conditions.impact is None:
-        _settle(conditions, options, state)
+        mesh = _settle(conditions, options, state)
     else:
         scale = contact.film_scale
         assert scale is not None
@@ -101,10 +105,14 @@ def begin(conditions: TransientConditions, options: TransientOptions, rough: Arr
         state.far_field = None
         start_level(state, len(state.levels) - 1, np.zeros_like(level.P))
     content = _content(state, conditions)
-    return Begin(state=state, smooth=smooth, content=content, fields=fields, domain=domain)
+    return Begin(
+        state=state, smooth=smooth, content=content, fields=fields, domain=domain, mesh=mesh
+    )
 
 
-def _settle(conditions: TransientConditions, options: TransientOptions, state: Multigrid) -> None:
+def _settle(
+    conditions: TransientConditions, options: TransientOptions, state: Multigrid
+) -> MeshError:
     """Steady film at the load and speed of t = 0, from a solution of its own scales."""
     speed = conditions.speed_at(0.0)
     load = conditions.load_at(0.0)
@@ -141,6 +149,16 @@ def _settle(conditions: TransientConditions, options: TransientOptions, state: M
     state.contact = contact
     if not residual < 1e-3:
         raise NoStart(f"steady film at the start: residual of {residual:.1e} after the cycles")
+    return _mesh_error(solution)
+
+
+def _mesh_error(solution: ContactSolution) -> MeshError:
+    """Distance of the nodal films from those without mesh, and the bars of these."""
+    films = (solution.film_central_dimensionless, solution.film_minimum_dimensionless)
+    errors = [(abs(f.value - f.finest) + f.uncertainty) / abs(f.value) for f in films]
+    return MeshError(
+        central=errors[0], minimum=errors[1], resolved=solution.resolved, message=solution.message
+    )
 
 
 def _polished(state: Multigrid, index: int) -> float:

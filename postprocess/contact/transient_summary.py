@@ -39,6 +39,7 @@ def transient_summary(results: TransientResults) -> dict[str, Any]:
         "smallest_step_us": from_si("step_us", float(step.min())) if step.size else None,
         "largest_step_us": from_si("step_us", float(step.max())) if step.size else None,
         **_films(results),
+        **_mesh(results),
         "pressure_maximum_GPa": from_si("p_GPa", float(solution.series("pressure_maximum").max())),
         "film_force_largest_N": float(solution.series("film_force").max()),
         **_rebound(results),
@@ -76,6 +77,16 @@ def _films(results: TransientResults) -> dict[str, Any]:
     return values
 
 
+def _mesh(results: TransientResults) -> dict[str, Any]:
+    """What the mesh leaves of the films at the start [-]."""
+    mesh = results.solution.mesh
+    return {
+        "film_central_mesh_error": None if mesh is None else mesh.central,
+        "film_minimum_mesh_error": None if mesh is None else mesh.minimum,
+        "resolved": None if mesh is None else mesh.resolved,
+    }
+
+
 def _rebound(results: TransientResults) -> dict[str, float | None]:
     """Speed of bodies that part after an impact [m/s], and its ratio to that before [-]."""
     impact = results.solution.conditions.impact
@@ -106,6 +117,11 @@ def _messages(results: TransientResults) -> Iterator[str]:
     solution = results.solution
     if solution.message != "converged":
         yield f"transient: {solution.message}"
+    if solution.mesh is None:
+        lack = "null, an impact has no steady film at its start"
+        yield f"film_central_mesh_error, film_minimum_mesh_error, resolved: {lack}"
+    elif not solution.mesh.resolved:
+        yield f"steady film at the start: {solution.mesh.message}"
     if results.resumed:
         yield f"transient: went on from step {results.resumed}; wall_s counts from there"
     else:
@@ -139,6 +155,11 @@ def transient_table(document: dict[str, Any]) -> Group:
         table.add_row(title, *(f"{document[key]:.4g}" for key in keys))
     rows = Table(box=None, show_header=False)
     rows.add_row("simulated", f"{document['simulated_ms']:.4g} ms, {document['steps']} steps")
+    if document["film_central_mesh_error"] is not None:
+        errors = [document[f"{name}_mesh_error"] for name in FILMS]
+        rows.add_row(
+            "mesh error", "{:.1%} of the central, {:.1%} of the minimum film".format(*errors)
+        )
     rows.add_row("highest pressure", f"{document['pressure_maximum_GPa']:.4g} GPa")
     if document["restitution_ratio"] is not None:
         rows.add_row("restitution", f"{document['restitution_ratio']:.4g}")

@@ -5,7 +5,7 @@ from functools import partial
 from pathlib import Path
 from time import perf_counter
 
-from ehl.transient.run import NoStart, TransientRun, transient_run
+from ehl.transient.run import TransientRun, transient_run
 from ehl.transient.waves import wave_results
 from postprocess.contact.transient_results import TransientResults
 
@@ -43,7 +43,9 @@ def run_transient(
     Raises
     ------
     CaseError
-        If the case has no [transient], or does not converge at its start.
+        If the case has no [transient].
+    NoStart
+        If the steady film at its start does not converge.
     Interrupted
         With what there is so far, on Ctrl-C.
     """
@@ -56,8 +58,6 @@ def run_transient(
     notify(0, 1, "steady film at the start")
     try:
         run = interruptible(partial(transient_run, *case.transient))
-    except NoStart as problem:
-        raise CaseError(f"{name}: {problem}; try another ehl.points or ehl.domain") from problem
     except ValueError as problem:
         raise CaseError(f"{name}: transient: {problem}") from problem
     kept = None if folder is None else KeptSteps(folder, json.dumps(case.document, sort_keys=True))

@@ -55,6 +55,7 @@ def test_summary(results):
     assert wave["fitted_amplitude_ratio"] == pytest.approx(1.0 / (1.0 + 0.15 * 3.16 + 0.015 * 10.0), rel=2e-3)
     assert wave["passing_frequency_Hz"] == pytest.approx(0.46227 / 106.9e-6, rel=1e-9)
     assert abs(document["oil_error"]) < 1e-3
+    assert 0.01 < document["film_central_mesh_error"] < 0.2
     nulls = [key for key, value in document.items() if value is None]
     assert all(any(key in text for text in document["messages"]) for key in nulls)
 
@@ -133,6 +134,15 @@ def test_a_case_without_a_course_is_refused(tmp_path):
     assert answer.exit_code == 2
     assert "has no table [transient]" in answer.output
     assert run("6208_life", "--json").exit_code == 2
+
+
+def test_a_mesh_without_a_film_at_the_start_is_told(tmp_path):
+    text = WAVES.replace("load_N = 18.387", "load_N = 2000.0").replace("points = 129", "points = 33")
+    case = tmp_path / "case.toml"
+    case.write_text(text, encoding="utf-8")
+    answer = run(case, "--json")
+    assert answer.exit_code == 1
+    assert "steady film at the start" in answer.output
 
 
 def test_a_measured_profile(tmp_path, monkeypatch):

@@ -42,7 +42,7 @@ def completed(conditions, points=129, **options):
     return run
 
 
-def waves(length, contact=M100, points=129, body=1, passed=2.5, **options):
+def waves(length, contact=M100, points=129, body=1, passed=2.6, **options):
     """Waviness of some semi-axes and 5 % of the film, until it has passed the centre by some of its waves."""
     a, film, unit = scales(contact)
     wave = Waviness(body=body, amplitude=0.05 * FILM * film, wavelength=length * a)
