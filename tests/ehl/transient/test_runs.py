@@ -172,10 +172,10 @@ def test_a_symmetric_dent_gives_the_same_film_on_half_and_whole_grids(monkeypatc
     a, film, unit = scales(M100)
     dent = Dent(body=1, depth=0.2 * FILM * film, radius=0.3 * a, start=-1.2 * a)
     conditions = TransientConditions(contact=M100, end_time=1.0 * unit, features=(dent,))
-    half = completed(conditions, 65).stepper.level.H
+    half = completed(conditions, 65, tolerance=1e-6).stepper.level.H
     monkeypatch.setattr(TransientConditions, "symmetric", property(lambda self: False))
-    both = completed(conditions, 65).stepper.level.H
-    assert_allclose(both[both.shape[0] // 2 :], half, rtol=2e-4)  # the tolerance of a step is 1e-3 of the dent
+    both = completed(conditions, 65, tolerance=1e-6).stepper.level.H
+    assert_allclose(both[both.shape[0] // 2 :], half, rtol=1e-5)
 
 
 def test_entrainment_that_reverses_ends_at_the_mirrored_film():
