@@ -22,7 +22,7 @@ EQUILIBRIUM_SECONDS = 0.01  # of a bearing in a slip map, measured likewise on 7
 DYNAMICS_SECONDS = 4.0
 PLANAR_SECONDS = 1.0  # with the equations of a plane
 # of a step in time on 257 nodes along x, of y >= 0, measured likewise on waviness_ball_on_disc
-STEP_SECONDS = 0.08
+STEP_SECONDS = 0.05
 TORQUE_SECONDS = 1.0  # of equilibrium, torque by every model and self-heating without films
 TABLE_FILMS = 120  # of the tables of both races, without refinement
 

@@ -68,7 +68,8 @@ class FeatureTable(Table):
     width_um: float | None = above(0, 1e7, "ridge: distance at which 1/e of the height is left")
     angle_deg: float | None = within(85, "ridge: of its crest from y towards -x")
     file: str | None = described(
-        "profile: text file with columns of x and height, or of x, y and height on a grid [um]",
+        "profile: text file with columns of x and height, or of x, y and height on a grid [um]; "
+        "a path from the current folder",
         min_length=1,
     )
     start_um: float | None = within(

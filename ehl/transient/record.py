@@ -50,7 +50,7 @@ class MeshError:
     """What the mesh leaves of the steady films at the start, by the solutions on coarser ones."""
 
     central: float  # error of the nodal film over the film without mesh, with its bar [-]
-    minimum: float  # likewise
+    minimum: float  # likewise [-]
     resolved: bool
     message: str  # of the steady solution
 
