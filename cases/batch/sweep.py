@@ -15,7 +15,6 @@ from ..format.case import Case, ContactCase, case_of_document
 from ..format.document import parse, read_text
 from ..format.problems import CaseError, CaseFault, faults_error, schema_faults
 from ..format.shipped import find_case, find_sweep
-from .planning.sweep_file import SensitivityTable, SweepFile
 from .keys import digest, value_in
 from .planning.alternatives import PointDocuments, replaced_keys, with_values
 from .planning.blocks import (
@@ -32,6 +31,7 @@ from .planning.faults import located_faults, overridden_names
 from .planning.plan import Document, Plan, PointName
 from .planning.plotted import plot_problems
 from .planning.samples import sampled_blocks
+from .planning.sweep_file import SensitivityTable, SweepFile
 from .points import Point, Sweep
 from .shared.tables import (
     bodies_and_oil,

@@ -9,11 +9,11 @@ from itertools import accumulate
 from pathlib import Path
 from typing import Any, overload
 
-from .sweep_file import SweepFile
 from ..keys import BESIDE_TRACTION_TABLES, DESCRIBING, digest, document_text
 from ..points import Point
 from ..program import program_digest
 from .blocks import Variation
+from .sweep_file import SweepFile
 
 FORMAT = 3  # of what a point leaves on disk
 INPUT_FILES = (("friction", "traction_table"),)  # table and key of files that a case reads
