@@ -31,7 +31,6 @@ from .planning.faults import located_faults, overridden_names
 from .planning.plan import Document, Plan, PointName
 from .planning.plotted import plot_problems
 from .planning.samples import sampled_blocks
-from .planning.sweep_file import SensitivityTable, SweepFile
 from .points import Point, Sweep
 from .shared.tables import (
     bodies_and_oil,
@@ -40,6 +39,7 @@ from .shared.tables import (
     with_equilibrium,
     with_table_names,
 )
+from .sweep_file import SensitivityTable, SweepFile
 
 MOST_FAULTS = 1000  # from which on no further point is checked
 CHECKED = 1000  # points of a large sweep that are checked before anything runs

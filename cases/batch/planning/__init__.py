@@ -2,7 +2,6 @@
 
 | module | responsibility |
 |---|---|
-| sweep_file | the tables of a sweep file |
 | blocks | points described by the blocks of a sweep file |
 | alternatives | points as documents: keys of the case that give way to a point's |
 | distributions | laws of the values of a key |

@@ -12,8 +12,8 @@ from typing import Any, overload
 from ..keys import BESIDE_TRACTION_TABLES, DESCRIBING, digest, document_text
 from ..points import Point
 from ..program import program_digest
+from ..sweep_file import SweepFile
 from .blocks import Variation
-from .sweep_file import SweepFile
 
 FORMAT = 3  # of what a point leaves on disk
 INPUT_FILES = (("friction", "traction_table"),)  # table and key of files that a case reads

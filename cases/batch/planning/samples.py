@@ -12,9 +12,9 @@ from ehl.arrays import Array
 from postprocess.batch.results import Design
 
 from ...format.problems import CaseFault, Path, schema_faults, shown
+from ..sweep_file import HypercubeOptions, MorrisOptions, SampleOptions, SobolOptions, SweepFile
 from .blocks import Sampled, block_settings
 from .distributions import Distribution, correlated, distribution, with_law
-from .sweep_file import HypercubeOptions, MorrisOptions, SampleOptions, SobolOptions, SweepFile
 
 # levels of Morris' designs at the ends of a law without ends: its quantiles of 2.5 and 97.5 %
 OUTER = 0.025
