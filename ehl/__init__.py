@@ -17,8 +17,8 @@ scaling        - the one bridge between SI and the solver's dimensionless form
 solid          - the bodies: elastic deflection, coatings, heat conduction
 solution       - result of one contact solve
 solver         - one lubricated contact solved: box, fields, film values
-thread_pool    - threads that solve several films at a time
 traction       - traction of a lubricated contact
+transient      - one lubricated contact over time: load, speed, features of the surfaces
 units          - units of named numbers: the last words of a key say its unit
 """
 

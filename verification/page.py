@@ -5,8 +5,7 @@ from dataclasses import dataclass
 from importlib import resources
 from typing import Any, TypeVar
 
-from ehl.multigrid.threads import cores
-from ehl.thread_pool import film_threads
+from ehl.multigrid.threads import cores, film_threads
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")

@@ -10,9 +10,8 @@ from pathlib import Path
 from typing import Any
 
 from ehl import ContactSolution, SolverOptions, solve_contact
-from ehl.multigrid.threads import cores
+from ehl.multigrid.threads import cores, film_threads
 from ehl.scaling import scale_contact
-from ehl.thread_pool import film_threads
 
 from .draws import Draw, draws
 from .page import ForeignFileError, Progress

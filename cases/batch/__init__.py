@@ -7,6 +7,7 @@
 | points | a sweep, its points, tasks and receipts: plain data |
 | planning | points of a sweep file |
 | shared | contacts and traction tables that points share |
+| sweep_file | the tables of a sweep file |
 | sweep | a sweep file read, expanded and checked |
 | shards | shares of a batch that are computed apart |
 | compute | results of one point |

@@ -15,7 +15,6 @@ from ..format.case import Case, ContactCase, case_of_document
 from ..format.document import parse, read_text
 from ..format.problems import CaseError, CaseFault, faults_error, schema_faults
 from ..format.shipped import find_case, find_sweep
-from ..format.sweep import SensitivityTable, SweepFile
 from .keys import digest, value_in
 from .planning.alternatives import PointDocuments, replaced_keys, with_values
 from .planning.blocks import (
@@ -40,6 +39,7 @@ from .shared.tables import (
     with_equilibrium,
     with_table_names,
 )
+from .sweep_file import SensitivityTable, SweepFile
 
 MOST_FAULTS = 1000  # from which on no further point is checked
 CHECKED = 1000  # points of a large sweep that are checked before anything runs

@@ -13,6 +13,7 @@
 | output | writing and printing of results, shared by commands |
 | compute | run, contact, film, slip, stiffness, table |
 | dynamics | dynamics |
+| transient | transient |
 | batch | batch |
 | optimise | optimise |
 | view | view |

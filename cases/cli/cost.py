@@ -23,6 +23,8 @@ EQUILIBRIUM_SECONDS = 0.01  # of a bearing in a slip map, measured likewise on 7
 DYNAMICS_SECONDS = 4.0
 PLANAR_SECONDS = 1.0  # with the equations of a plane
 AXIAL_SECONDS = 9.0  # of one ball for all, with ring and cage; not for each ball
+# of a step in time on 257 nodes along x, of y >= 0, measured likewise on waviness_ball_on_disc
+STEP_SECONDS = 0.05
 TORQUE_SECONDS = 1.0  # of equilibrium, torque by every model and self-heating without films
 TABLE_FILMS = 120  # of the tables of both races, without refinement
 
@@ -80,6 +82,22 @@ def _one_ball(case: Case, table: DynamicsTable) -> bool:
     across = any(case.operation.force[1:]) or any(table.gravity_m_s2[1:])
     plain = table.load_table_N is None and table.moment_table_N_mm is None
     return table.equations == "by load" and plain and not across and not table.unbalance_g_mm
+
+
+def transient_cost(case: ContactCase) -> tuple[str, float]:
+    """What a contact over time takes [s]; nothing without [transient], which is an error later."""
+    if case.transient is None:
+        return "", 0.0
+    from ehl.transient.run import planned_steps
+
+    conditions, options = case.transient
+    try:
+        steps = planned_steps(conditions, options)
+    except ValueError:
+        return "", 0.0
+    sides = 1.0 if conditions.symmetric else 2.0
+    each = STEP_SECONDS * sides * (options.points / FILM_POINTS) ** 2
+    return f"{steps} steps in time on {options.points} nodes along the entrainment", steps * each
 
 
 def batch_cost(first: Case | ContactCase, points: int, compute: str) -> tuple[str, float]:

@@ -20,6 +20,6 @@ problems    - faults of a case file as sentences: line, key, found, allowed, nea
 rows        - [[rows]]: rows of balls, and the balls whose films are wanted
 rules       - relations between keys as data, and their checker
 shipped     - case files that come with the program
-sweep       - files of sweeps
+transient   - [transient] and [[features]]: a single contact over time
 traction    - [friction] traction: friction of balls on races, tables from a file
 """

@@ -22,6 +22,7 @@ from bearing.torque.inlet import NO_LOSS, InletFactors, inlet_factors
 from bearing.torque.inputs import FrictionInput
 from ehl import ContactConditions, InletLayer, Lubricant, MoesConditions, SolverOptions
 from ehl.oil.rheology import Rheology
+from ehl.transient.inputs import TransientConditions, TransientOptions
 
 from . import bearing as bearings
 from . import contact as contacts
@@ -39,6 +40,7 @@ from .problems import CaseError, UnfitKey, key_lines
 from .rows import rows
 from .shipped import find_case
 from .traction import ball_traction
+from .transient import transient, transient_options
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -96,6 +98,8 @@ class ContactCase(AnyCase):
     temperature: float | None = None  # of the oil [K]
     frequencies: tuple[float, ...] = ()  # of the response [Hz]
     passes: TrackPasses | None = None  # None: the contact stands alone
+    # over time, where the case has a table [transient]
+    transient: tuple[TransientConditions, TransientOptions] | None = None
 
 
 def load_case(name_or_path: str | Path) -> Case | ContactCase:
@@ -336,7 +340,18 @@ def _contact_case(file: ContactFile) -> ContactCase:
         temperature=temperature,
         frequencies=tuple(file.ehl.response_frequencies_Hz),
         passes=contacts.track_passes(file.ehl, conditions),
+        transient=_over_time(file, conditions),
     )
+
+
+def _over_time(
+    file: ContactFile, conditions: ContactConditions | MoesConditions
+) -> tuple[TransientConditions, TransientOptions] | None:
+    """The contact over time and how it is solved; None without [transient]."""
+    over_time = transient(file.transient, file.features, conditions)
+    if over_time is None or file.transient is None:
+        return None
+    return over_time, transient_options(file.transient, file.ehl)
 
 
 def _bearing_document(

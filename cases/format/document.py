@@ -11,7 +11,18 @@ from typing import Any
 
 from pydantic import PrivateAttr, TypeAdapter, ValidationError
 
-from . import bearing, contact, dynamics, fits, friction, load_cases, lubricant, operation, rows
+from . import (
+    bearing,
+    contact,
+    dynamics,
+    fits,
+    friction,
+    load_cases,
+    lubricant,
+    operation,
+    rows,
+    transient,
+)
 from .bearing import BearingTable, SurfaceTable
 from .contact import ContactEhlTable, ContactTable, EhlTable
 from .dynamics import RENAMED, CageTable, DynamicsTable
@@ -36,6 +47,7 @@ from .problems import (
 )
 from .rows import RowTable
 from .rules import CaseValues, relation_faults
+from .transient import FeatureTable, TransientTable
 
 LARGEST_FILE = 1_000_000  # [bytes]
 NOT_OFFERED = "minimum dissipation"
@@ -49,6 +61,7 @@ NAMED_TABLES: dict[str, type[Table]] = {
     "lubricants": OilTable,
     "rows": RowTable,
     "load_cases": LoadCaseTable,
+    "features": FeatureTable,
 }
 SWEEP_TABLES = ("sweep", "combinations", "latin_hypercube")
 
@@ -115,12 +128,16 @@ class ContactFile(CaseFile):
 
     contact: ContactTable
     ehl: ContactEhlTable = ContactEhlTable()
+    transient: TransientTable | None = None
+    features: tuple[FeatureTable, ...] = described(
+        "of the surfaces, over time", (), strict=False, max_length=20
+    )
     lubricants: dict[str, OilTable] = described("oils by name", {})
 
 
 # tables with relations, and functions for what these do not say
 OF_BEARINGS = (lubricant, bearing, fits, operation, rows, friction, dynamics, load_cases)
-OF_CONTACTS = (lubricant, contact)
+OF_CONTACTS = (lubricant, contact, transient)
 
 
 def _conflicts(values: CaseValues, tables: tuple[ModuleType, ...]) -> Iterator[CaseFault]:

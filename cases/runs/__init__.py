@@ -11,7 +11,7 @@
 | bearing | a bearing: equilibrium, films, torque |
 | contact | a single contact |
 | slip | slip maps |
-| studies | answers that need no film solved: stiffness over speed, films of the atlas |
+| studies | further answers: stiffness over speed, films of the atlas, a contact over time |
 | traction_table | building of traction tables |
 | dynamics | time simulation |
 | drawing | pictures and VTK, made by processes |

@@ -13,9 +13,8 @@ from bearing.supply.starved_films import starved_films
 from bearing.supply.supply import AMPLE, Supply, inlet_layer
 from ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
 from ehl.closed_form.film import film_reduction_gupta, thermal_loading
-from ehl.multigrid.threads import cores
+from ehl.multigrid.threads import cores, film_threads
 from ehl.oil.inlet_layer import InletLayer
-from ehl.thread_pool import film_threads
 from ehl.units import MILLIMETRE, MILLION, RPM
 
 from ..format.case import Case

@@ -6,4 +6,5 @@ hertz        - dry elastic contact of two quadratic surfaces, Hertz (1882)
 hertz_stress - stress below a dry elliptical contact, on its axis and beside it
 starvation   - what a layer of oil at the inlet leaves of a flooded contact
 starvation_table - the law of starvation as tabulated
+waviness     - what a film leaves of a small waviness
 """

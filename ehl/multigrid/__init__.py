@@ -17,7 +17,7 @@ settling            - cycles on one level until its film is at rest
 starved             - conservation of mass where the oil does not fill the gap
 starved_jacobian    - derivative of its flux
 supply              - what a layer of oil at the inlet leaves of a flooded contact
-threads             - threads that share the lines of a grid
+threads             - threads that share the lines of a grid, or solve several films
 transfer            - transfers between a grid and the one with doubled mesh size
 verdict             - values of a solve with their bars; converged, resolved, and why not
 """

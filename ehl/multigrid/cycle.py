@@ -27,7 +27,7 @@ from ..scaling import ScaledContact
 from ..solid.deformation import deflect
 from .far_field import edge_pressure, exterior_load
 from .kernels import _kernels, _relaxation_kernels
-from .levels import Damping, Level, Multigrid
+from .levels import Damping, Level, Multigrid, TimeStep
 from .starved import Fields, flux_operator, march, march_all, oil_lost, restrict_flux
 from .transfer import full_weighting, inject, interpolate_cubic, interpolate_linear
 
@@ -48,7 +48,7 @@ def start_level(state: Multigrid, index: int, pressure: Array) -> None:
     level.f = np.zeros_like(level.P)
     level.s = level.gap
     level.start = None
-    level.load = state.contact.load - state.exterior
+    level.load = carried_load(state) - state.exterior
     if state.far_field is None:
         _zero_edge(level.P, level.grid)
     update_film(state, index)
@@ -89,6 +89,8 @@ def flow(state: Multigrid, level: Level) -> None:
     """Flow coefficient, and density times velocity, of a level from its pressure and film."""
     factors = level.factors
     _oil(state, level)
+    if state.time_step is not None:
+        _store(state.time_step, level)
     if factors.couette_y is not None:
         np.multiply(level.flow_x, factors.couette_y, out=level.flow_y)
         np.multiply(level.slope_x, factors.couette_y, out=level.slope_y)
@@ -102,6 +104,17 @@ def flow(state: Multigrid, level: Level) -> None:
             state.contact, factors.pressure
         )
         level.eps *= np.exp(factors.thinning * thicker)
+
+
+def _store(step: TimeStep, level: Level) -> None:
+    """What the nodes of a level store over a step, from density and its slope in place of the
+    flow, and the flow that the step leaves.
+    """
+    if not level.storage.size:
+        level.storage = np.zeros((2, *level.P.shape))
+    for stored, density in zip(level.storage, (level.flow_x, level.slope_x), strict=True):
+        np.multiply(density, step.rate, out=stored)
+        density *= step.couette
 
 
 def _oil(state: Multigrid, level: Level) -> None:
@@ -168,6 +181,7 @@ def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
         *couette,
         lateral,
         level.f,
+        level.storage,
         level.kernel.near,
         grid.hx,
         grid.hy,
@@ -189,6 +203,9 @@ def reynolds_operator(level: Level) -> Array:
     _kernels.reynolds_operator(
         level.P, level.H, level.eps, *couette, grid.hx, grid.hy, grid.symmetric, level.scratch
     )
+    if level.storage.size:
+        level.scratch -= level.storage[0] * level.H
+        _zero_edge(level.scratch, grid)
     return level.scratch
 
 
@@ -269,7 +286,12 @@ def _solve_coarsest(state: Multigrid) -> None:
     stiffness = 1.0 + 2.0 * max(state.contact.film_guess, 0.0)  # a thick film responds softly
     for _ in range(COARSEST_SWEEPS):
         relax(state, 0)
-        step = state.damping.approach * stiffness * load_error(state, 0)
+        softness = state.damping.approach * stiffness
+        step = softness * load_error(state, 0)
+        if state.time_step is not None:  # bodies of a mass, which their own inertia holds back
+            resistance = state.time_step.inertia / state.contact.load
+            step -= softness * resistance * (state.approach - state.time_step.free)
+            step /= 1.0 + softness * resistance
         step = min(max(step, -0.1 * stiffness), 0.1 * stiffness)
         state.approach += step
         level.H += step
@@ -325,7 +347,12 @@ def update_exterior(state: Multigrid, index: int) -> None:
     level = state.levels[index]
     central = layer_at_centre(state)
     state.exterior = exterior_load(state.far_field, level.grid, level.H, central)
-    level.load = state.contact.load - state.exterior
+    level.load = carried_load(state) - state.exterior
+
+
+def carried_load(state: Multigrid) -> float:
+    """Integral of P that the contact carries, at the time of the step; inertia aside [-]."""
+    return state.contact.load if state.time_step is None else state.time_step.load
 
 
 def layer_at_centre(state: Multigrid) -> float:

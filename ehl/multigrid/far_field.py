@@ -16,7 +16,7 @@ load it carries outside the box is taken from the load balance; the part of the 
 both directions, is left out of that.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import cos, inf, isfinite, sin
 from typing import NamedTuple
 
@@ -46,20 +46,21 @@ class FarField:
     curvature_x: float  # S, T, C of the gap
     curvature_y: float
     curvature_xy: float
+    squeeze: float = 0.0  # P H^2 by bodies that close in, see `over_time`
 
     def strength(self, X: Array, Y: Array) -> Array:
-        """P H^2 = s r, with the rotation max(K - k_xy X Y, 0) + s r - max(K, 0), K of Kapitza's
-        solution without [-].
+        """P H^2 = s r; with the rotation, or bodies that close in with k_V, max(K - k_xy X Y +
+        k_V, 0) + s r - max(K, 0), K of Kapitza's solution without [-].
         """
         X, Y = np.broadcast_arrays(X, Y)
         straight = np.interp(
             np.arctan2(Y, X), _angles(DIRECTIONS), self.profile, period=2.0 * np.pi
         )
         straight = straight * np.hypot(X, Y)
-        if self.pressure_xy == 0.0:
+        if self.pressure_xy == 0.0 and self.squeeze == 0.0:
             return np.asarray(straight)
         kapitza = -(self.pressure_x * X + self.pressure_y * Y)
-        turning = np.maximum(kapitza - self.pressure_xy * X * Y, 0.0)
+        turning = np.maximum(kapitza - self.pressure_xy * X * Y + self.squeeze, 0.0)
         return np.asarray(turning + np.maximum(straight - np.maximum(kapitza, 0.0), 0.0))
 
 
@@ -91,6 +92,26 @@ def far_field(contact: ScaledContact) -> FarField:
         curvature_x=contact.curvature_x,
         curvature_y=contact.curvature_y,
         curvature_xy=contact.curvature_xy,
+    )
+
+
+def over_time(
+    field: FarField, contact: ScaledContact, speed: float, approach_rate: float
+) -> FarField:
+    """The solution for an entrainment along a direction, at its share of u_m, and with bodies that
+    part.
+
+    div(H^3 grad P) = lambda dH0/dT holds for P = -lambda dH0/dT/(2 (S + T) H^2) in the gap of a
+    paraboloid, in any directions; it is added to Kapitza's solution. approach_rate: dH0/dT [-].
+    """
+    kappa = contact.speed / (2.0 * (contact.curvature_x + contact.curvature_y))
+    return replace(
+        field,
+        profile=speed * field.profile,
+        pressure_x=speed * field.pressure_x,
+        pressure_y=speed * field.pressure_y,
+        pressure_xy=speed * field.pressure_xy,
+        squeeze=-kappa * approach_rate,
     )
 
 
@@ -184,7 +205,10 @@ def exterior_load(field: FarField, grid: Grid, H: Array, layer: float = inf) -> 
     """Integral of the far field outside the box of a grid, from the film on its inlet edge, up to
     where the gap is as wide as a layer [-].
     """
-    return load_outside(field, *_box_and_level(field, grid, H), layer)
+    load = load_outside(field, *_box_and_level(field, grid, H), layer)
+    if field.squeeze != 0.0:
+        load += field.squeeze * squeeze_load(field, grid, H, layer)
+    return max(load, 0.0)  # bodies that part leave a cavity there
 
 
 def deflection_outside(field: FarField, grid: Grid, H: Array, layer: float = inf) -> float:
@@ -198,14 +222,17 @@ def deflection_outside(field: FarField, grid: Grid, H: Array, layer: float = inf
 
 
 def squeeze_load(field: FarField, grid: Grid, H: Array, layer: float = inf) -> float:
-    """Integral of 1/H^2 outside the box of a grid where the far field carries pressure, up to
-    where the gap is as wide as a layer [-]: of the pressure that bodies parting or closing in set
-    up in a paraboloid.
+    """Integral of 1/H^2 outside the box of a grid where the far field carries pressure, all around
+    without entrainment, up to where the gap is as wide as a layer [-]: of the pressure that bodies
+    parting or closing in set up in a paraboloid.
     """
     box, level = _box_and_level(field, grid, H)
     rays = _rays(field, box)
     rings = _inverse_square(rays, level, layer)
-    return float(np.sum(rings[rays.strength > 0.0])) * 2.0 * np.pi / DIRECTIONS
+    wet = rays.strength > 0.0
+    if not rays.strength.any():
+        wet[:] = True
+    return float(np.sum(rings[wet])) * 2.0 * np.pi / DIRECTIONS
 
 
 def _inverse_square(rays: "_Rays", level: float, layer: float) -> Array:

@@ -175,8 +175,12 @@ def contact_multigrid(
     options: SolverOptions,
     attempt: Attempt,
     flow_model: FlowModel | None = None,
+    *,
+    whole: bool = False,
 ) -> Multigrid:
-    """Levels for a box given in Hertz half-extents; in an open box the origin is a node."""
+    """Levels for a box given in Hertz half-extents; in an open box the origin is a node. `whole`:
+    on both sides of y = 0 also where a contact is symmetric.
+    """
     is_open = options.domain is None
     x_in = domain[0] * contact.half_extent_x
     x_out = domain[1] * contact.half_extent_x
@@ -186,7 +190,7 @@ def contact_multigrid(
         x_out = outlet * -x_in / (ORIGIN_CELLS - outlet)
     levels = ((options.most_points - 1) // COARSEST_CELLS).bit_length()
     aspect = attempt.mesh_y * contact.half_extent_y / contact.half_extent_x
-    symmetric = contact.symmetric and (flow_model is None or flow_model.symmetric)
+    symmetric = contact.symmetric and (flow_model is None or flow_model.symmetric) and not whole
     grids = grid_hierarchy(
         options.most_points,
         (x_in, x_out, y_half * contact.half_extent_y),

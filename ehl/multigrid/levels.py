@@ -39,6 +39,18 @@ class Damping:
         )
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TimeStep:
+    """What one step in time adds to the equations, the same on every level; all [-]."""
+
+    rate: float  # sigma: sigma rho H leaves Reynolds' equation
+    couette: float  # factor on the Couette terms: speed over u_m, none along the characteristic
+    load: float  # g, integral of P that the contact carries at the time
+    # of the bodies' mass against a change of H0: the load carried is g + inertia (H0 - free)
+    inertia: float = 0.0
+    free: float = 0.0  # H0 of bodies that the film does not slow down
+
+
 @dataclass(slots=True, kw_only=True)
 class Level:
     """Workspace of one grid; all arrays of shape (ny, nx), all quantities [-]."""
@@ -58,6 +70,8 @@ class Level:
     scratch: Array  # always zero on the edge
     kinds: NDArray[np.int8]  # of the nodes in the last sweep
     factors: FlowFactors
+    # density and its derivative by P over a time step, shape (2, ny, nx); empty in steady contacts
+    storage: Array = field(default_factory=lambda: np.zeros((0, 0, 0)))
     fill: Fill | None = None  # where the inlet carries a layer; None: flooded
     # pressure that s already holds the deflection of; below the level being solved
     start: Array | None = None
@@ -77,6 +91,7 @@ class Multigrid:
     threads: Threads = field(default_factory=Threads)
     approach: float = 0.0  # H0
     exterior: float = 0.0  # load outside the box
+    time_step: TimeStep | None = None  # None: a steady contact
     swings: bool = False  # whether cycles took the load from one side to the other, see `settle`
     deflections: dict[int, int] = field(default_factory=dict)  # level -> number of deflection FFTs
 

@@ -1,8 +1,11 @@
-"""Threads that share the lines of a grid: the compiled kernels release the interpreter's lock."""
+"""Threads that share the lines of a grid, and threads that solve several films at a time: the
+compiled kernels release the interpreter's lock.
+"""
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
 from itertools import pairwise
 
 # nodes of the smallest grid that is shared: below, the hand-over costs more than it saves
@@ -40,3 +43,20 @@ class Threads:
             kernel(*part)
         for job in jobs:
             job.result()
+
+
+@contextmanager
+def film_threads(number: int) -> Iterator[ThreadPoolExecutor]:
+    """So many threads; after an interrupt nothing is begun, and nobody waits for their films.
+
+    A film under way cannot be stopped: a program that is to end at once ends by `os._exit`.
+    """
+    pool = ThreadPoolExecutor(max_workers=max(1, number))
+    waits = True
+    try:
+        yield pool
+    except KeyboardInterrupt:
+        waits = False
+        raise
+    finally:
+        pool.shutdown(wait=waits, cancel_futures=True)

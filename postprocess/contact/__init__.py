@@ -14,6 +14,10 @@ stored        - the fields of contacts, read back from a result folder by their 
 summary       - summary of a single contact
 supply        - oil supply of a single contact: its film where the inlet layer starves it
 table         - a single contact in the terminal
+transient_plots   - picture of a contact over time
+transient_results - results of a contact over time
+transient_summary - its summary, and its table for a terminal
+transient_write   - its files: summary, series, fields
 view          - the part of a contact that pictures show
 write         - fields of contacts as netCDF groups, and the file of a single contact
 """

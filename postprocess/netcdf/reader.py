@@ -1,4 +1,6 @@
-"""One loader for the folders of all commands: run, contact, batch, slip, stiffness, dynamics."""
+"""One loader for the folders of all commands: run, contact, batch, slip, stiffness,
+transient, dynamics.
+"""
 
 import json
 from pathlib import Path
@@ -11,7 +13,7 @@ from ..dynamics.history import HISTORY_FILE
 from ..files import SUMMARY_FILE
 from .groups import FIELDS_FILE, FORMAT, close_in_silence
 
-KINDS = ("bearing", "contact", "batch", "slip", "stiffness")  # that a file names
+KINDS = ("bearing", "contact", "batch", "slip", "stiffness", "transient")  # that a file names
 FOREIGN = "is a netCDF file, but not one of oilfilm's results"
 
 

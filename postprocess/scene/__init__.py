@@ -3,6 +3,7 @@
 geometry          - shapes of patches, balls, cage and rings, by lengths
 vtk               - fields and bodies of results as VTK files
 vtk_history       - motion of a simulation as steps for ParaView
+transient         - a contact over time for ParaView, and as a movie
 export            - films and finite elements as meshes for other programs
 hexahedra         - cells between the nodes of a grid in space
 ring_deformed     - elastic rings with their displacement, for ParaView and other programs

@@ -11,7 +11,7 @@ from contextlib import suppress
 from functools import lru_cache
 from pathlib import Path
 from shutil import disk_usage
-from typing import Any
+from typing import Any, BinaryIO
 
 from PIL import Image
 
@@ -151,10 +151,16 @@ def require_display() -> None:
         )
 
 
-def write_gif(frames: Sequence[Image.Image], file: Path, per_frame: int) -> None:
+def write_gif(frames: Sequence[Image.Image], file: Path | BinaryIO, per_frame: int) -> None:
     """Write pictures as an endless GIF, each shown for `per_frame` [ms]."""
     method = Image.Quantize.MAXCOVERAGE
     first, *others = [frame.quantize(COLOURS, method=method) for frame in frames]
     first.save(
-        file, save_all=True, append_images=others, duration=per_frame, loop=0, optimize=True
+        file,
+        format="gif",
+        save_all=True,
+        append_images=others,
+        duration=per_frame,
+        loop=0,
+        optimize=True,
     )

@@ -31,6 +31,8 @@ SPECIAL = {
     "critical_speeds_rpm": "up to six numbers > 0 and <= 1e6",
     "speed_table_rpm": "rows of time in s and a number",
     "load_table_N": "rows of time in s and three numbers",
+    "load_over_time_N": "rows of time in s and a number",
+    "speed_over_time_m_s": "rows of time in s and a number",
     "gravity_m_s2": "three numbers",
     "assumed": "list of `table.key`",
 }
@@ -48,13 +50,22 @@ ORDER = (
     "friction",
     "cage",
     "dynamics",
+    "transient",
+    "features",
     "rows",
     "load_cases",
     "slip",
     "materials",
     "lubricants",
 )
-NAMED = {"rows": "[rows]", "load_cases": "[load_cases]", "materials": "materials.NAME", "lubricants": "lubricants.NAME"}
+OF_CONTACTS = ("contact", "transient", "features")
+NAMED = {
+    "rows": "[rows]",
+    "features": "[features]",
+    "load_cases": "[load_cases]",
+    "materials": "materials.NAME",
+    "lubricants": "lubricants.NAME",
+}
 
 
 def unit(key: str) -> str:
@@ -96,7 +107,7 @@ def tables() -> str:
     top = {"description": "Before the first table.", "properties": scalars, "required": bearing["required"]}
     lines = table("Top of the file", top, bearing)
     for key in ORDER:
-        schema = contact if key == "contact" else bearing
+        schema = contact if key in OF_CONTACTS else bearing
         lines += table(f"[{NAMED.get(key, key)}]", _content(schema, schema["properties"][key]), schema)
     return "\n".join(lines)
 

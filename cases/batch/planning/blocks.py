@@ -7,7 +7,7 @@ from typing import Any, overload
 
 from ...format.fields import is_number
 from ...format.problems import CaseFault, Path, shown
-from ...format.sweep import SensitivityTable, SweepFile
+from ..sweep_file import SensitivityTable, SweepFile
 
 MOST_POINTS = 10_000_000
 

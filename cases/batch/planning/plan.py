@@ -9,10 +9,10 @@ from itertools import accumulate
 from pathlib import Path
 from typing import Any, overload
 
-from ...format.sweep import SweepFile
 from ..keys import BESIDE_TRACTION_TABLES, DESCRIBING, digest, document_text
 from ..points import Point
 from ..program import program_digest
+from ..sweep_file import SweepFile
 from .blocks import Variation
 
 FORMAT = 3  # of what a point leaves on disk

@@ -12,7 +12,7 @@ from ehl.arrays import Array
 from postprocess.batch.results import Design
 
 from ...format.problems import CaseFault, Path, schema_faults, shown
-from ...format.sweep import HypercubeOptions, MorrisOptions, SampleOptions, SobolOptions, SweepFile
+from ..sweep_file import HypercubeOptions, MorrisOptions, SampleOptions, SobolOptions, SweepFile
 from .blocks import Sampled, block_settings
 from .distributions import Distribution, correlated, distribution, with_law
 

@@ -1,8 +1,10 @@
-"""Answers on a case that need no film solved anew.
+"""Further answers on a case.
 
 | module | responsibility |
 |---|---|
 | atlas | films of the film atlas, of a contact or of a bearing |
 | stiffness | stiffness over speed |
+| transient | a contact over time, its steps kept while it runs |
+| kept_steps | the folder of these steps |
 | supply | torque at other supplies of oil, films after the supply stops |
 """

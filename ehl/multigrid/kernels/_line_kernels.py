@@ -30,7 +30,10 @@ LATERAL = (WIDTH + 7) * LANES
 # line
 FRONT = (WIDTH + 11) * LANES
 SHARE = (WIDTH + 12) * LANES
-COLUMNS = WIDTH + 13
+# of what a node stores over time: its derivative by the film, and by the pressure at that film
+STORED = (WIDTH + 13) * LANES
+STORED_BY_PRESSURE = (WIDTH + 14) * LANES
+COLUMNS = WIDTH + 15
 ROW = COLUMNS * LANES
 # the row of the node in a window, and the numbers of a window
 HERE = LOWER * ROW
@@ -173,6 +176,28 @@ def _add_lateral(w, lines):
 
 
 @compiled
+def _add_storage(w, gauss, jacobi, weight):
+    """Add the derivative of what a node stores, with a minus: through its film by the changes at
+    its WIDTH neighbours, and through the density by its own change and by what those beside it
+    spread to it.
+    """
+    for d in range(WIDTH):
+        by_gauss = gauss[abs(LOWER - d)]
+        by_jacobi = jacobi[abs(LOWER - d)]
+        for lane in range(LANES):
+            at = d * ROW + lane
+            change = w[at + GAUSS] * by_gauss + w[at + SPREAD] * by_jacobi
+            w[HERE + d * LANES + lane] -= w[HERE + STORED + lane] * change
+    for lane in range(LANES):
+        own = w[HERE + STORED_BY_PRESSURE + lane]
+        spread = _around(w, SPREAD, lane)
+        row = HERE + lane
+        w[row + 3 * LANES] += weight * own * spread[1]
+        w[row + 4 * LANES] -= own
+        w[row + 5 * LANES] += weight * own * spread[3]
+
+
+@compiled
 def _add_pressure(w, mesh, weights, behind, ahead):
     """Add the derivative of d_X(eps d_X P) + d_Y(eps d_Y P), and that of -d_X(flow H) through the
     density, by the changes at a node and the two to either side; a fixed node's is one by itself
@@ -280,7 +305,7 @@ def _substitute(w, lanes):
 
 
 @compiled
-def solve_lines(work, lanes, lines, mesh, weights, backward, lateral, starved):
+def solve_lines(work, lanes, lines, mesh, weights, backward, lateral, starved, stored):
     """Changes of LANES lines from their fields: their linear systems, elimination from the first
     node to the last, and the way back. `lanes` is LANES, in a form that the compiler cannot see
     through: it would write out the short loop of the way back number by number.
@@ -298,6 +323,8 @@ def solve_lines(work, lanes, lines, mesh, weights, backward, lateral, starved):
             _add_lateral(window, lines)
         if starved and i > 1:
             _add_front(window, lines[0][0], lines[0][1], mesh, weights)
+        if stored:
+            _add_storage(window, lines[0][0], lines[0][1], weights[0])
         _eliminate(window)
     for i in range(last, 0, -1):
         _substitute(work[(LOWER + i) * ROW : (LOWER + i) * ROW + WINDOW], lanes)

@@ -20,6 +20,8 @@ from ._line_kernels import (
     SHARE,
     SIDES,
     SPREAD,
+    STORED,
+    STORED_BY_PRESSURE,
     line_influences,
     solve_lines,
 )
@@ -31,8 +33,8 @@ JACOBI = 2
 
 
 @compiled
-def _line_residual(j, P, H, eps, flow_x, flow_y, lateral, f, hx, hy, residual):
-    """f - L(P) at the nodes of line j."""
+def _line_residual(j, P, H, eps, flow_x, flow_y, lateral, f, storage, hx, hy, residual):
+    """f - L(P) at the nodes of line j, with what they store over time."""
     s = abs(j - 1)
     operator_of_line(
         P[j], P[j + 1], P[s], eps[j], eps[j + 1], eps[s], flow_x[j], H[j], hx, hy, residual
@@ -42,6 +44,9 @@ def _line_residual(j, P, H, eps, flow_x, flow_y, lateral, f, hx, hy, residual):
     if lateral:
         for i in range(1, residual.size - 1):
             residual[i] += lateral_at(j, i, flow_y, H, hy)
+    if storage.size > 0:
+        for i in range(1, residual.size - 1):
+            residual[i] += storage[0, j, i] * H[j, i]
 
 
 @compiled
@@ -125,6 +130,18 @@ def _interleave_lateral(flow, slope, H, hy, kinds, empty, starved, start, stop, 
 
 
 @compiled
+def _interleave_storage(storage, H, kinds, start, stop, work):
+    """As `_interleave`, of what nodes store over time; nothing at fixed nodes."""
+    for j in range(start, stop, 2):
+        lane = (j - start) // 2
+        for i in range(1, H.shape[1] - 1):
+            at = (LOWER + i) * ROW + lane
+            free = 0.0 if kinds[j, i] == FIXED else 1.0
+            work[at + STORED] = free * storage[0, j, i]
+            work[at + STORED_BY_PRESSURE] = free * storage[1, j, i] * H[j, i]
+
+
+@compiled
 def _apply_line(P, eps, kind, delta, wx, relief, spread):
     """Apply the solution of a line: Gauss-Seidel changes go into P at once, Jacobi changes into
     `spread` for the end of the sweep.
@@ -143,8 +160,8 @@ def _apply_line(P, eps, kind, delta, wx, relief, spread):
 
 @compiled
 def relax_lines(
-    P, H, eps, flow_x, slope_x, flow_y, slope_y, lateral, f, near, hx, hy, symmetric, starved,
-    rest, empty, share, relief, switch, kinds, spread, first, stop,
+    P, H, eps, flow_x, slope_x, flow_y, slope_y, lateral, f, storage, near, hx, hy, symmetric,
+    starved, rest, empty, share, relief, switch, kinds, spread, first, stop,
 ):  # fmt: skip
     """First part of a hybrid line sweep, Venner and Lubrecht (2000), sec. 5.5: every second line
     from `first` to before `stop`; the film stays as it is.
@@ -155,10 +172,11 @@ def relax_lines(
 
     near[r, m]: deflection at distance m hx in the r-th next line from a unit pressure. flow_x,
     flow_y: density times the velocity of the Couette flow, slope_x, slope_y: their derivatives by
-    P; those of y are used if `lateral`. rest, empty, share: residual, nodes whose oil does not
-    fill the gap, and share of it that leaves them along the line, used if `starved`. kinds,
-    spread: kind of each node, and the changes left to `spread_changes`. Lines of one colour, even
-    or odd, are independent of each other.
+    P; those of y are used if `lateral`. storage: density and its derivative by P over a time step,
+    shape (2, ny, nx); empty where nothing is stored. rest, empty, share: residual, nodes whose oil
+    does not fill the gap, and share of it that leaves them along the line, used if `starved`.
+    kinds, spread: kind of each node, and the changes left to `spread_changes`. Lines of one
+    colour, even or odd, are independent of each other.
     """
     nx = P.shape[1]
     mesh = (0.5 / (hx * hx), 0.5 / (hy * hy), 1.0 / hx)
@@ -175,7 +193,7 @@ def relax_lines(
             if starved:
                 own[:] = rest[j]
             else:
-                _line_residual(j, P, H, eps, flow_x, flow_y, lateral, f, hx, hy, own)
+                _line_residual(j, P, H, eps, flow_x, flow_y, lateral, f, storage, hx, hy, own)
             _line_kinds(j, P, own, eps, mesh, threshold, kinds)
         # 2. linear systems of the changes
         backward = _interleave(eps, flow_x, slope_x, H, residual, kinds, start, end, work)
@@ -183,8 +201,11 @@ def relax_lines(
             _interleave_lateral(flow_y, slope_y, H, hy, kinds, empty, starved, start, end, work)
         if starved:
             _interleave_fill(empty, share, start, end, work)
+        if storage.size > 0:
+            _interleave_storage(storage, H, kinds, start, end, work)
         # 3. solution and changes
-        solve_lines(work, len(residual), lines, mesh, weights, backward, lateral, starved)
+        terms = (backward, lateral, starved, storage.size > 0)
+        solve_lines(work, len(residual), lines, mesh, weights, *terms)
         for j in range(start, end, 2):
             delta = work[LOWER * ROW + RIGHT + (j - start) // 2 :: ROW]
             _apply_line(P[j], eps[j], kinds[j], delta, weights[0], relief, spread[j])

@@ -27,7 +27,7 @@ from ...arrays import Array
 from ...multigrid.bordered import Border, LinearSolverError, solve_bordered
 from ...multigrid.cycle import layer_at_centre
 from ...multigrid.far_field import squeeze_load
-from ...multigrid.jacobian import Linearisation, deflected, poiseuille_change
+from ...multigrid.jacobian import Linearisation, deflected, origin_line, poiseuille_change
 from ...multigrid.levels import Multigrid
 from ...multigrid.newton import Factored, dry_nodes, polished
 from ...multigrid.starved_jacobian import FluxChange, flux_change
@@ -91,6 +91,25 @@ class LinearContact:
         reaction = -1.0 / h
         return reaction.real, reaction.imag / frequency
 
+    def film_wave(self, gap: Numbers, frequency: float) -> Numbers:
+        """Change of the film, shape (ny, nx), where the gap of the bodies oscillates by Re gap
+        exp(i omega T) under constant load, as by a waviness that passes; behind no layer.
+
+        frequency: angular, times a/u_m [-].
+
+        Raises
+        ------
+        LinearSolverError
+            If the linear system is not solved.
+        """
+        lin = self.lin
+        still = np.zeros_like(lin.P)
+        rows = self._changed(still, gap, turn=1j * frequency).rows
+        entry = gap[origin_line(lin.grid), 0]
+        right = _Right(source=-rows, edge=lin.edge_by_film * gap, load=-lin.load_by_film * entry)
+        p, h = self._solved(right, frequency)
+        return np.asarray(self._film(p, h) + gap)
+
     def _solved(self, right: "_Right", frequency: float = 0.0) -> tuple[Numbers, Any]:
         """Change of pressure, shape (ny, nx), and of H0 for a right side."""
         lin = self.lin
@@ -128,7 +147,7 @@ class LinearContact:
         return _by_parts(lambda a: deflected(self.state, self.index, a), p) + h
 
     def _changed(
-        self, p: Numbers, film: Numbers, source: Array | float = 0.0, turn: complex = 0.0
+        self, p: Numbers, film: Numbers, source: Numbers | float = 0.0, turn: complex = 0.0
     ) -> FluxChange:
         """Change of the equations inside and of the oil that nodes hold."""
         lin = self.lin
@@ -150,9 +169,9 @@ class LinearContact:
 class _Right:
     """Right side of the equations, arrays of shape (ny, nx) [-]."""
 
-    source: Array | float = 0.0  # inside, oil that appears
-    edge: Array | float = 0.0  # pressure on the edge
-    load: float = 0.0
+    source: Numbers | float = 0.0  # inside, oil that appears
+    edge: Numbers | float = 0.0  # pressure on the edge
+    load: Any = 0.0
 
 
 def linear_contact(state: Multigrid) -> LinearContact:

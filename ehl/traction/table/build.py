@@ -14,7 +14,7 @@ from math import log
 import numpy as np
 
 from ...arrays import Array
-from ...thread_pool import film_threads
+from ...multigrid.threads import film_threads
 from .._kernels import LOAD_POWER
 from .film import FilmSample, film_sample, relative_forces
 from .packing import rounded_values

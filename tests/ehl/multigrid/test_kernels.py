@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import dataclasses
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
@@ -91,18 +93,23 @@ def test_reynolds_operator(fields):
         assert_allclose(ours, twin, rtol=ROUND_OFF, atol=ROUND_OFF * np.abs(twin).max())
 
 
-def test_relax_lines(fields):
+@pytest.mark.parametrize("stored", [False, True], ids=["steady", "over time"])
+def test_relax_lines(fields, stored):
     g, P, H = fields
     kernel = deflection_kernel(g, contact().deformation)
     f = 0.01 * np.random.default_rng(5519).standard_normal(P.shape)
     for flow in couette_flows(g, P, H):
+        storage = np.zeros((0, 0, 0))
+        if stored:  # 1.5 rho/hx and its slope
+            storage = 1.5 / g.hx * np.stack(reynolds.flow_properties(P, H, contact())[1:])
+            flow = dataclasses.replace(flow, storage=storage)
         ours, spread, kinds = P.copy(), np.zeros_like(P), np.zeros(P.shape, dtype=np.int8)
         couette = (flow.flow_x, flow.slope_x, *compiled_lateral(flow))
         first = 0 if g.symmetric else 1
         for colour in (first, first + 1):
             ends = (colour, g.ny - 1)
             flooded = (False, spread, kinds, spread)
-            sweep = (*couette, f, kernel.near, *mesh(g), *flooded, 0.8, 0.7, kinds, spread, *ends)
+            sweep = (*couette, f, storage, kernel.near, *mesh(g), *flooded, 0.8, 0.7, kinds, spread, *ends)
             _relaxation_kernels.relax_lines(ours, H, flow.eps, *sweep)
         _relaxation_kernels.spread_changes(ours, kinds, spread, g.hx, g.hy, 0.3, first, g.ny - 1)
         twin = relaxation.relax_lines(P, H, flow, f, g, kernel, (0.3, 0.8, 0.7))

@@ -51,6 +51,7 @@ class Line:
     slope: Array  # its derivative by P
     H: Array
     lateral: "LateralFlow | None" = None
+    storage: Array | None = None  # shape (2, nx)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -78,6 +79,8 @@ class Flow:
     slope_x: Array  # its derivative by P
     flow_y: Array | None = None
     slope_y: Array | None = None
+    # density and its derivative by P over a time step, shape (2, ny, nx); None: nothing is stored
+    storage: Array | None = None
 
 
 def neighbour_weights(hx: float, hy: float) -> tuple[float, float]:
@@ -152,6 +155,8 @@ def _column(pressure: Array, film: Array, across: float, line: Line, grid: Grid,
     column -= _upstream(line.flow, line.flow * film[0], np.where(unit, 0.0, line.flow * film[0])) / grid.hx
     compressed = line.slope * line.H * unit
     column -= _upstream(line.flow, compressed, np.zeros_like(unit)) / grid.hx
+    if line.storage is not None:
+        column -= line.storage[0] * film[0] + line.storage[1] * line.H * pressure
     if line.lateral is not None:
         column -= line.lateral.up * -(line.lateral.flow * film.T).sum(axis=1) / grid.hy
         column -= line.lateral.up * -1.5 * line.lateral.slope * line.H * unit / grid.hy
@@ -217,6 +222,8 @@ def relax_lines(
         line = _line(flow, H, j)
         couette = (flow.flow_x, flow.flow_y)
         residual = (f - reynolds_operator(P, H, eps, couette, (grid.hx, grid.hy), grid.symmetric))[j]
+        if line.storage is not None:
+            residual += line.storage[0] * line.H
         kinds[j] = line_kinds(P[j], residual, line, grid, threshold)
         delta = solve(line_matrix(line, kinds[j], grid, kernel), np.where(kinds[j] == FIXED, 0.0, residual))
         spread[j] = np.where(kinds[j] == JACOBI, delta, 0.0)
@@ -246,4 +253,5 @@ def _line(flow: Flow, H: Array, j: int) -> Line:
         slope=flow.slope_x[j],
         H=H[j],
         lateral=_lateral(flow, j),
+        storage=None if flow.storage is None else flow.storage[:, j],
     )

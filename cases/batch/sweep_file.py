@@ -4,7 +4,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, WithJsonSchema
 
-from .fields import Name, Points, Table, above, between, checked, described, within
+from ..format.fields import Name, Points, Table, above, between, checked, described, within
 
 
 def _keys(value: object) -> object:

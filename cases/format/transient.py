@@ -1,0 +1,257 @@
+"""[transient] and [[features]]: a single contact over time."""
+
+from collections.abc import Iterator, Mapping
+from math import inf
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import numpy as np
+
+from ehl import ContactConditions, MoesConditions
+from ehl.transient.features import Dent, Feature, Profile, Ridge, Waviness
+from ehl.transient.inputs import Course, Impact, Scheme, TransientConditions, TransientOptions
+
+from .contact import ContactEhlTable
+from .fields import OneOf, SpeedTable, Table, above, between, described, is_number, within
+from .problems import MISSING, CaseFault, UnfitKey, shown
+from .rules import CaseValues, Needs, OnlyWith, Relation, Where
+
+NAME = "features"
+POINTS = 257  # of the finest grid, where [ehl] gives none
+IMPACT = ("mass_kg", "approach_speed_m_s", "gap_um")
+
+
+class TransientTable(Table):
+    """A contact over time: `oilfilm transient`."""
+
+    end_time_ms: float = above(0, 1e6, "simulated time", ...)
+    load_over_time_N: SpeedTable | None = described(
+        "[[time in s, load], ...], linear between; load_N of the contact is the largest"
+    )
+    speed_over_time_m_s: SpeedTable | None = described(
+        "[[time in s, u_m], ...], linear between, negative backwards; slide-roll ratios stay"
+    )
+    mass_kg: float | None = above(
+        0, 1e6, "impact: of both bodies, 1/(1/m1 + 1/m2); they move freely under load and film"
+    )
+    approach_speed_m_s: float | None = above(0, 1e3, "impact: towards each other at the start")
+    gap_um: float | None = above(0, 1e6, "impact: between the bodies at the start")
+    scheme: Annotated[str, OneOf(Scheme)] = described(
+        "characteristic: a film wave is carried exactly; upstream: to compare with",
+        "characteristic",
+    )
+    largest_step_us: float | None = above(
+        0, 1e9, "step; left out, four times that from node to node, of an impact a 300th of it"
+    )
+    frames: int = between(2, 2000, "fields that are kept, evenly over the time", 60)
+    tolerance: float = between(
+        1e-6, 0.1, "error of a step over the central film, or a feature that is smaller", 1e-3
+    )
+
+
+class FeatureTable(Table):
+    """A feature of one surface, on which it moves through the contact."""
+
+    kind: Literal["waviness", "dent", "ridge", "profile"] = described("what it is", ...)
+    body: Literal[1, 2] = described("surface it is on; 1 the ball", ...)
+    amplitude_um: float | None = above(0, 1e4, "waviness: of the wave")
+    wavelength_um: float | None = above(0, 1e7, "waviness: along the entrainment")
+    wavelength_across_um: float | None = above(
+        0, 1e7, "waviness: across; left out, no waves across"
+    )
+    phase_deg: float | None = within(360, "waviness: of its sine at x = 0 and time zero")
+    depth_um: float | None = within(1e4, "dent: at its middle; negative of a bump")
+    radius_um: float | None = above(0, 1e7, "dent: at which 1/e of the depth is left")
+    radius_across_um: float | None = above(0, 1e7, "dent: the same across; left out, round")
+    place_across_um: float | None = within(1e7, "dent: y of its middle")
+    height_um: float | None = within(1e4, "ridge: of its crest; negative of a groove")
+    width_um: float | None = above(0, 1e7, "ridge: distance at which 1/e of the height is left")
+    angle_deg: float | None = within(85, "ridge: of its crest from y towards -x")
+    file: str | None = described(
+        "profile: text file with columns of x and height, or of x, y and height on a grid [um]; "
+        "a path from the current folder",
+        min_length=1,
+    )
+    start_um: float | None = within(
+        1e8,
+        "x at time zero of its middle, of a profile its foremost place, of waviness its front; "
+        "left out, ahead of the box, of waviness on a body at rest everywhere",
+    )
+
+
+# keys of each kind: needed, and allowed beside
+KINDS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
+    "waviness": (("amplitude_um", "wavelength_um"), ("wavelength_across_um", "phase_deg")),
+    "dent": (("depth_um", "radius_um"), ("radius_across_um", "place_across_um")),
+    "ridge": (("height_um", "width_um"), ("angle_deg",)),
+    "profile": (("file",), ()),
+}
+COMMON = ("kind", "body", "start_um")
+RELATIONS: tuple[Relation, ...] = (
+    Needs("transient.end_time_ms", Where(NAME), "needed with [[features]]"),
+    *(
+        Needs(f"transient.{name}", Where(f"transient.{other}"))
+        for name in IMPACT
+        for other in IMPACT
+        if name != other
+    ),
+    OnlyWith("transient.approach_speed_m_s", (Where("transient.mass_kg"),)),
+)
+DIMENSIONLESS = "nothing with Moes' groups, which have no unit of time"
+
+
+def faults(values: CaseValues) -> Iterator[CaseFault]:
+    """Keys of a feature that its kind lacks or does not know; a contact without lengths, with
+    spin, a layer or another film than the Newtonian one.
+    """
+    for index, table in _features(values):
+        yield from _feature_faults(index, table)
+    if not isinstance(values.get("transient"), dict):
+        return
+    if values.given("contact", "moes_M"):
+        yield CaseFault(("transient",), "found with moes_M", f"allowed: {DIMENSIONLESS}")
+    without = {
+        ("contact", "spin_rad_s"): "spin",
+        ("contact", "mean_spin_rad_s"): "spin",
+        ("contact", "coating_thickness_um"): "a coating",
+        ("lubricant", "inlet_film_um"): "a layer at the inlet",
+    }
+    for path, what in without.items():
+        if values.get(*path):
+            finding = f"found {shown(values.get(*path))} together with [transient]"
+            yield CaseFault(path, finding, f"allowed: contacts over time without {what}")
+    film = values.get("ehl", "film_model")
+    if film not in (None, "newtonian"):
+        finding = f"found {shown(film)} together with [transient]"
+        yield CaseFault(("ehl", "film_model"), finding, 'allowed: "newtonian"')
+
+
+def _features(values: CaseValues) -> Iterator[tuple[int, dict[str, Any]]]:
+    tables = values.get(NAME)
+    for index, table in enumerate(tables if isinstance(tables, list | tuple) else ()):
+        if isinstance(table, dict) and (NAME, index) not in values.faulty:
+            yield index, table
+
+
+def _feature_faults(index: int, table: Mapping[str, Any]) -> Iterator[CaseFault]:
+    kind = table.get("kind")
+    if kind not in KINDS:
+        return
+    needed, beside = KINDS[kind]
+    for key in needed:
+        if key not in table:
+            yield CaseFault((NAME, index, key), MISSING, f"needed with kind = {shown(kind)}")
+    known = (*COMMON, *needed, *beside)
+    for key in table:
+        if key in FeatureTable.model_fields and key not in known:
+            finding = f"found with kind = {shown(kind)}"
+            allowed = f"allowed: {', '.join((*needed, *beside, 'start_um'))}"
+            yield CaseFault((NAME, index, key), finding, allowed)
+        elif key in ("depth_um", "height_um") and is_number(table[key]) and table[key] == 0.0:
+            yield CaseFault((NAME, index, key), "found 0", "allowed: a height that is not zero")
+
+
+def transient(
+    table: TransientTable | None,
+    features: tuple[FeatureTable, ...],
+    contact: ContactConditions | MoesConditions,
+) -> TransientConditions | None:
+    """The contact over time, SI; None without [transient]. `UnfitKey` or ValueError where it
+    cannot be computed.
+    """
+    if table is None or isinstance(contact, MoesConditions):
+        return None
+    si = table.si()
+    impact = None
+    if table.mass_kg is not None:
+        impact = Impact(mass=si["mass"], approach_speed=si["approach_speed"], gap=si["gap"])
+    return TransientConditions(
+        contact=contact,
+        end_time=si["end_time"],
+        load=_course(si["load_over_time"]),
+        speed=_course(si["speed_over_time"]),
+        features=tuple(_feature(index, one) for index, one in enumerate(features)),
+        impact=impact,
+    )
+
+
+def transient_options(table: TransientTable, grid: ContactEhlTable) -> TransientOptions:
+    """Grid, scheme and steps of a run, SI."""
+    points = POINTS if grid.points is None else grid.points
+    return TransientOptions(
+        points=points,
+        domain=grid.domain,
+        scheme=Scheme(table.scheme),
+        largest_step=table.si()["largest_step"],
+        frames=table.frames,
+        tolerance=table.tolerance,
+    )
+
+
+def _course(rows: tuple[tuple[float, float], ...] | None) -> Course | None:
+    if rows is None:
+        return None
+    return Course(times=tuple(row[0] for row in rows), values=tuple(row[1] for row in rows))
+
+
+def _feature(index: int, table: FeatureTable) -> Feature:
+    """A feature, SI."""
+    si = table.si()
+    common = {"body": table.body, "start": si["start"]}
+    if table.kind == "waviness":
+        return Waviness(
+            amplitude=si["amplitude"],
+            wavelength=si["wavelength"],
+            wavelength_across=si["wavelength_across"],
+            phase=si["phase"] or 0.0,
+            **common,
+        )
+    if table.kind == "dent":
+        return Dent(
+            depth=si["depth"],
+            radius=si["radius"],
+            radius_across=si["radius_across"],
+            place_across=si["place_across"] or 0.0,
+            **common,
+        )
+    if table.kind == "ridge":
+        angle = si["angle"] or 0.0
+        return Ridge(ridge_height=si["height"], width=si["width"], angle=angle, **common)
+    return _profile(index, table, common)
+
+
+def _profile(index: int, table: FeatureTable, common: dict[str, Any]) -> Profile:
+    """A measured profile of a file [m]; `UnfitKey` where it cannot be read."""
+    key = (NAME, index, "file")
+    assert table.file is not None
+    allowed = "allowed: rows of x and height, or x, y and height on a grid, in um"
+    try:
+        text = Path(table.file).read_text(encoding="utf-8").replace(",", " ").replace(";", " ")
+        rows = np.atleast_2d(np.loadtxt(text.splitlines(), comments=["#", "%"]))
+    except OSError as error:
+        finding = f"{table.file} cannot be read: {error.strerror or error}"
+        raise UnfitKey(key, finding, allowed) from None
+    except ValueError as error:
+        raise UnfitKey(key, f"{table.file}: {error}", allowed) from None
+    rows = rows * 1e-6
+    try:
+        if rows.shape[1] == 2:
+            return Profile(x=rows[:, 0], heights=rows[:, 1], **common)
+        if rows.shape[1] == 3:
+            return _surface(rows, common)
+    except ValueError as error:
+        raise UnfitKey(key, f"{table.file}: {error}", allowed) from None
+    raise UnfitKey(key, f"{table.file} has {rows.shape[1]} columns", allowed)
+
+
+def _surface(rows: Any, common: dict[str, Any]) -> Profile:
+    """Heights over a grid of x and y [m]."""
+    x, at_x = np.unique(rows[:, 0], return_inverse=True)
+    y, at_y = np.unique(rows[:, 1], return_inverse=True)
+    if len(rows) != x.size * y.size:
+        raise ValueError(f"{len(rows)} rows are no grid of {x.size} by {y.size} places")
+    heights = np.full((x.size, y.size), inf)
+    heights[at_x, at_y] = rows[:, 2]
+    if not np.isfinite(heights).all():
+        raise ValueError("a place of the grid has no height, another one two")
+    return Profile(x=x, y=y, heights=heights, **common)

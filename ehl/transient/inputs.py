@@ -1,0 +1,147 @@
+"""What changes over time, and the options of a run."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+import numpy as np
+
+from ..conditions import ContactConditions
+from ..ranges import require_finite, require_positive
+from .features import Feature
+
+
+class Scheme(Enum):
+    """Discretisation of the flow and storage of oil, d_X(u rho H) + d_T(rho H)."""
+
+    # second order backwards along the characteristic, exact where a step moves a node to the next
+    CHARACTERISTIC = "characteristic"
+    # second order upstream, and second order backwards in time: to compare with
+    UPSTREAM = "upstream"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Course:
+    """A quantity over time by straight lines, constant before the first and after the last."""
+
+    times: tuple[float, ...]  # rising [s]
+    values: tuple[float, ...]  # [N] or [m/s]
+
+    def __post_init__(self) -> None:
+        for name in ("times", "values"):
+            if not np.isfinite(getattr(self, name)).all():
+                raise ValueError(f"{name} of a course must be finite")
+        if len(self.times) != len(self.values) or not self.times:
+            raise ValueError("a course needs as many values as times, and one at least")
+        if any(b <= a for a, b in zip(self.times, self.times[1:], strict=False)):
+            raise ValueError("times of a course must rise")
+
+    def at(self, time: float) -> float:
+        """Value at a time [s]."""
+        return float(np.interp(time, self.times, self.values))
+
+    def integral(self, time: float) -> float:
+        """Integral over time from the first [s] times the unit of the values."""
+        if time <= self.times[0]:
+            return (time - self.times[0]) * self.values[0]
+        inner = [t for t in self.times if t < time]
+        knots = np.array([*inner, time])
+        values = np.interp(knots, self.times, self.values)
+        return float(np.sum(0.5 * (values[1:] + values[:-1]) * np.diff(knots)))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Impact:
+    """Bodies of a mass that move freely under the load and the film's reaction."""
+
+    mass: float  # effective, 1/(1/m_1 + 1/m_2) [kg]
+    approach_speed: float  # at t = 0, positive towards each other [m/s]
+    gap: float  # of the undeformed bodies at t = 0 [m]
+
+    def __post_init__(self) -> None:
+        require_positive(self, "mass", "gap")
+        require_finite(self, "approach_speed")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TransientConditions:
+    """One contact over time; its load and speed set the scales, and hold where no course is given.
+
+    The load of the contact is to be the largest, or that of the impact: the box is made for it.
+    """
+
+    contact: ContactConditions
+    end_time: float  # [s]
+    load: Course | None = None  # [N]
+    speed: Course | None = None  # mean surface speed u_m, negative backwards [m/s]
+    features: tuple[Feature, ...] = ()
+    impact: Impact | None = None
+
+    def __post_init__(self) -> None:
+        require_positive(self, "end_time")
+        c = self.contact
+        if c.rotation != 0.0 or c.spin != 0.0:
+            raise ValueError("spin: contacts over time are solved without spin")
+        if c.inlet_layer is not None:
+            raise ValueError("inlet_layer: contacts over time are solved flooded")
+        if self.impact is None and not self.speed_at(0.0) != 0.0:
+            raise ValueError(
+                "speed: a contact at rest has no film to start from; begin with motion"
+            )
+        if self.impact is None and not min(self._loads()) > 0.0:
+            raise ValueError("load: must stay positive; bodies that part have a mass (impact)")
+        if max(self._loads()) > c.load * (1.0 + 1e-9):
+            raise ValueError("load: must not exceed that of the contact, which sets the scales")
+
+    def _loads(self) -> tuple[float, ...]:
+        return (self.contact.load,) if self.load is None else self.load.values
+
+    def load_at(self, time: float) -> float:
+        """Load at a time [N]; none on bodies that meet by their mass, unless it is given."""
+        if self.load is not None:
+            return self.load.at(time)
+        return self.contact.load if self.impact is None else 0.0
+
+    def speed_at(self, time: float) -> float:
+        """Mean surface speed at a time [m/s]."""
+        return self.contact.entrainment_speed if self.speed is None else self.speed.at(time)
+
+    def way(self, time: float) -> float:
+        """Of the mean surface speed since t = 0 [m]."""
+        if self.speed is None:
+            return self.contact.entrainment_speed * time
+        return self.speed.integral(time) - self.speed.integral(0.0)
+
+    def body_share(self, body: int) -> tuple[float, float]:
+        """Speed of a body over u_m, along the entrainment and across [-]."""
+        sign = 0.5 if body == 1 else -0.5
+        c = self.contact
+        return 1.0 + sign * c.slide_roll_ratio, sign * c.lateral_slide_ratio
+
+    def body_way(self, body: int, time: float) -> tuple[float, float]:
+        """Of the surface of a body since t = 0, along the entrainment and across [m]."""
+        along, across = self.body_share(body)
+        way = self.way(time)
+        return along * way, across * way
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether all features stay even in y."""
+        return all(
+            one.symmetric and (self.body_share(one.body)[1] == 0.0) for one in self.features
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TransientOptions:
+    """What the user may choose about a run."""
+
+    points: int = 257  # nodes along the entrainment, 2^k + 1 [-]
+    # box (x_in, x_out, y_half) in Hertz semi-axes [-]; None: the solver's own, open
+    domain: tuple[float, float, float] | None = None
+    scheme: Scheme = Scheme.CHARACTERISTIC
+    # step at most [s]; None: four times that in which the film moves from node to node
+    largest_step: float | None = None
+    frames: int = 60  # fields that are kept, at even times, the first and last among them
+    cycles: int = 2  # multigrid cycles a step at least
+    most_cycles: int = 20
+    tolerance: float = 1e-3  # error of a step over the film, or a feature that is smaller [-]

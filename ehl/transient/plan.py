@@ -1,0 +1,75 @@
+"""Times of the steps: the film moves from node to node in each, where it moves fast enough."""
+
+import numpy as np
+from scipy.optimize import brentq
+
+from ..arrays import Array
+from .inputs import Impact, TransientConditions
+
+GROWTH = 1.5  # of a step over the one before; second order backwards is stable below 2.41
+SLOWEST = 4.0  # steps as long as this many of those at the speed of the scales
+MOST_STEPS = 1_000_000
+IMPACT_STEPS = 300.0  # of the time that dry elastic bodies touch each other
+FULL = 1.0 - 1e-9  # of a node, that counts as one
+
+
+def step_times(conditions: TransientConditions, mesh: float, largest: float | None) -> Array:
+    """Times of all steps from t = 0, shape (n + 1,) [s], on nodes `mesh` apart along the
+    entrainment [m]; steps of `largest` at most [s].
+
+    Raises
+    ------
+    ValueError
+        If there are more than `MOST_STEPS`.
+    """
+    usual = mesh / conditions.contact.entrainment_speed
+    longest = SLOWEST * usual if largest is None else largest
+    if largest is None and conditions.impact is not None:
+        longest = impact_time(conditions, conditions.impact) / IMPACT_STEPS
+    times = [0.0]
+    before = longest
+    while times[-1] < conditions.end_time * FULL:
+        step = min(_step(conditions, times[-1], mesh, longest), GROWTH * before)
+        left = conditions.end_time - times[-1]
+        if conditions.impact is not None or conditions.speed is not None:
+            step = min(step, left)
+        times.append(times[-1] + step)
+        before = step
+        if len(times) > MOST_STEPS:
+            raise ValueError(f"end_time: takes more than {MOST_STEPS} steps")
+    return np.array(times)
+
+
+def _step(conditions: TransientConditions, time: float, mesh: float, longest: float) -> float:
+    """In which the film moves by a node, `longest` at most [s]."""
+    if conditions.speed is None:
+        return min(mesh / conditions.contact.entrainment_speed, longest)
+    begin = conditions.way(time)
+
+    def beyond(step: float) -> float:
+        return abs(conditions.way(time + step) - begin) - mesh
+
+    if beyond(longest) <= 0.0:
+        return longest
+    return float(brentq(beyond, 0.0, longest, xtol=1e-12 * longest, rtol=1e-14))
+
+
+def nodes_moved(conditions: TransientConditions, times: Array, mesh: float) -> Array:
+    """Nodes that the film moves by in each step, of either sign, shape (n,) [-]; whole
+    numbers without round-off.
+    """
+    way = np.array([conditions.way(float(time)) for time in times])
+    moved = np.diff(way) / mesh
+    whole = np.round(moved)
+    return np.where((np.abs(moved - whole) < 1e-6) & (whole != 0.0), whole, moved)
+
+
+def impact_time(conditions: TransientConditions, impact: Impact) -> float:
+    """Time that dry elastic spheres of the contact's mean radius touch each other [s]: 2.94 d/V
+    with the largest approach d = (15 m V^2/(16 sqrt(R) E*))^(2/5), Johnson (1985), sec. 11.4.
+    """
+    c = conditions.contact
+    radius = (c.radius_x * c.radius_y) ** 0.5
+    energy = 15.0 * impact.mass * impact.approach_speed**2
+    deepest = (energy / (16.0 * radius**0.5 * 0.5 * c.reduced_modulus)) ** 0.4
+    return 2.94 * deepest / abs(impact.approach_speed)

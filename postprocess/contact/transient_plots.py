@@ -1,0 +1,140 @@
+"""Picture of a contact over time: film along its middle over time, films and load, some lines."""
+
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
+
+from ehl.transient.record import TransientSolution
+from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE
+
+from ..plot_style import (
+    COLOUR_MAPS,
+    INK,
+    INNER_COLOUR,
+    OUTER_COLOUR,
+    PAGE_WIDTH,
+    REFERENCE,
+    SHOWN_INLET,
+    SHOWN_OUTLET,
+    write_figures,
+)
+from .transient_results import TransientResults
+
+HEIGHT = 6.2  # [in]
+MILLISECOND = 1e-3  # [s]
+LINES = 4  # times at which film and pressure along x are drawn
+SPREAD = (2.0, 98.0)  # percentiles of the film in the contact that the colours span
+MARGIN = 0.15  # of their span beyond them
+
+
+def write_transient_plots(results: TransientResults, directory: Path) -> tuple[str, ...]:
+    """Draw the run into the folder `plots`; a figure that failed is a message."""
+    draw = partial(draw_transient, solution=results.solution, title=results.title)
+    return write_figures(directory, [("plots/transient", draw)])
+
+
+def draw_transient(figure: Figure, solution: TransientSolution, title: str) -> None:
+    """Film over x and time beside films and load over time, above lines along x."""
+    figure.set_size_inches(PAGE_WIDTH, HEIGHT)
+    figure.suptitle(title, fontsize=8.5)
+    grid = figure.add_gridspec(3, 2, height_ratios=(1.0, 0.55, 1.0))
+    _film_over_time(figure, figure.add_subplot(grid[:2, 0]), solution)
+    _films(figure.add_subplot(grid[0, 1]), solution)
+    _conditions(figure.add_subplot(grid[1, 1]), solution)
+    for column, name in enumerate(("film", "pressure")):
+        _lines(figure.add_subplot(grid[2, column]), solution, name)
+
+
+def shown(solution: TransientSolution) -> Any:
+    """Nodes along x that are drawn."""
+    a = solution.semi_axes[0]
+    return (solution.x >= SHOWN_INLET * a) & (solution.x <= SHOWN_OUTLET * a)
+
+
+def film_span(solution: TransientSolution) -> tuple[float, float]:
+    """Ends of the colours of films [um], by those inside the Hertz ellipse over all times."""
+    inside = np.abs(solution.x) < 0.9 * solution.semi_axes[0]
+    films = solution.film_lines[:, inside] / MICROMETRE
+    low, high = (float(value) for value in np.percentile(films, SPREAD))
+    margin = MARGIN * max(high - low, 0.02 * high)
+    return max(low - margin, 0.0), high + margin
+
+
+def _film_over_time(figure: Figure, axes: Any, solution: TransientSolution) -> None:
+    part = shown(solution)
+    x = solution.x[part] / MILLIMETRE
+    time = solution.series("time") / MILLISECOND
+    low, high = film_span(solution)
+    style: dict[str, Any] = {"cmap": COLOUR_MAPS["film"], "vmin": low, "vmax": high}
+    films = solution.film_lines[:, part] / MICROMETRE
+    image = axes.pcolormesh(x, time, films, shading="nearest", rasterized=True, **style)
+    figure.colorbar(image, ax=axes, location="top", label="film on $y$ = 0 [µm]", extend="max")
+    for end in (-1.0, 1.0):
+        place = end * solution.semi_axes[0] / MILLIMETRE
+        axes.axvline(place, color="white", linestyle=(0, (4, 2)), linewidth=0.8)
+    axes.xaxis.set_major_locator(MaxNLocator(6))
+    axes.set_xlabel("x, along the entrainment [mm]; Hertz ellipse dashed")
+    axes.set_ylabel("time [ms]")
+
+
+def _films(axes: Any, solution: TransientSolution) -> None:
+    time = solution.series("time") / MILLISECOND
+    for name, title, colour in (
+        ("film_central", "centre", INNER_COLOUR),
+        ("film_minimum", "smallest", OUTER_COLOUR),
+    ):
+        axes.plot(time, solution.series(name) / MICROMETRE, color=colour, label=title)
+    axes.set_ylabel("film [µm]")
+    axes.set_ylim(bottom=0.0)
+    style = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "ncols": 2}
+    axes.legend(**style)
+    axes.tick_params(labelbottom=False)
+    axes.grid(linewidth=0.3, alpha=0.5)
+
+
+def _conditions(axes: Any, solution: TransientSolution) -> None:
+    """Load, and what the film carries of it where that differs; the speed."""
+    time = solution.series("time") / MILLISECOND
+    load, force = solution.series("load"), solution.series("film_force")
+    axes.plot(time, load, color=INK, label="load", linewidth=1.0)
+    if np.abs(force - load).max() > 0.01 * max(float(np.abs(force).max()), 1e-300):
+        axes.plot(time, force, color=OUTER_COLOUR, label="film force", linewidth=1.0)
+    axes.set_ylabel("force [N]")
+    axes.set_xlabel("time [ms]")
+    speed = axes.twinx()
+    style = {"color": REFERENCE, "linestyle": "--", "linewidth": 1.0}
+    speed.plot(time, solution.series("speed"), label="speed", **style)
+    speed.set_ylabel("$u_m$ [m/s]", color=REFERENCE)
+    handles = [*axes.get_legend_handles_labels()[0], *speed.get_legend_handles_labels()[0]]
+    axes.legend(handles=handles, ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1.0))
+
+
+def _lines(axes: Any, solution: TransientSolution, name: str) -> None:
+    """Film or pressure on y = 0 at some times."""
+    part = shown(solution)
+    x = solution.x[part] / MILLIMETRE
+    film = name == "film"
+    unit = MICROMETRE if film else GIGAPASCAL
+    lines = solution.film_lines if film else solution.pressure_lines
+    time = solution.series("time") / MILLISECOND
+    rows = np.unique(np.round(np.linspace(0, len(time) - 1, LINES)).astype(int))
+    shades = np.linspace(0.85, 0.0, len(rows))
+    for row, shade in zip(rows, shades, strict=True):
+        label = f"{time[row]:.3g} ms"
+        axes.plot(x, lines[row, part] / unit, color=_shade(shade), label=label, linewidth=1.0)
+    axes.set_xlabel("x [mm], at $y$ = 0")
+    axes.set_ylabel("film [µm]" if film else "pressure [GPa]")
+    if film:
+        low, high = film_span(solution)
+        axes.set_ylim(max(0.0, low - (high - low)), high + 0.5 * (high - low))
+        return
+    axes.legend(fontsize=6.5)
+
+
+def _shade(share: float) -> tuple[float, float, float]:
+    """From ink to pale blue [-]."""
+    return (0.05 + 0.6 * share, 0.1 + 0.65 * share, 0.2 + 0.75 * share)
