@@ -20,7 +20,6 @@
 | reading | folders of results that are read: there, and as they were written |
 | documents | report, compare, cut, interferogram |
 | files | list, validate, init, schema |
-| new_case | text of a new case file, by designation or boundary dimensions |
-| first_operation | speed, loads, oil and cooling that a new case starts from |
+| new | text of new case files |
 | verify | verify |
 """

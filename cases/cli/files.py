@@ -138,8 +138,8 @@ def init(  # noqa: PLR0913
     axial: Annotated[float | None, typer.Option(help="Axial load [N].")] = None,
 ) -> None:
     """Write a new case file: of a bearing by its designation or its size, or copied."""
-    from .first_operation import FirstOperation
-    from .new_case import BoundaryDimensions, case_of_designation, case_of_dimensions, checked
+    from .new.case_text import BoundaryDimensions, case_of_designation, case_of_dimensions, checked
+    from .new.first_operation import FirstOperation
 
     size = {"bore": bore, "outside": outside, "width": width}
     given = [f"--{key}" for key, value in size.items() if value is not None]

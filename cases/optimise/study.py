@@ -18,12 +18,12 @@ from ..batch.planning.distributions import RANGE, Distribution, distribution, wi
 from ..batch.planning.plan import Document, Plan, PointName
 from ..batch.planning.samples import unit_sample
 from ..batch.points import Sweep
+from ..batch.sweep_file import OptimisationFile, SearchTable, SweepFile
 from ..format.case import case_of_document
 from ..format.document import parse, read_text
 from ..format.fields import is_number
 from ..format.problems import CaseFault, Path, faults_error, nearest_name, schema_faults, shown
 from ..format.shipped import find_case
-from ..format.sweep import OptimisationFile, SearchTable, SweepFile
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,8 +7,8 @@ from math import pi
 
 import pytest
 
-from cases.cli.first_operation import FirstOperation
-from cases.cli.new_case import case_of_designation
+from cases.cli.new.case_text import case_of_designation
+from cases.cli.new.first_operation import FirstOperation
 from cases.format.case import case_from_text
 from cases.format.problems import CaseError
 from cases.runs.bearing import run_case

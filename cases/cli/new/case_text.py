@@ -11,8 +11,8 @@ from bearing.library.catalogue import boundary_dimensions, with_designation
 from bearing.library.designation import Designation, series_and_bore
 from bearing.rating.geometry_estimate import CatalogueData, estimate_bearing
 
-from ..format.document import validate_text
-from ..format.problems import CaseError
+from ...format.document import validate_text
+from ...format.problems import CaseError
 from .first_operation import BearingKind, FirstOperation, first_tables, typical
 
 SPINDLE_SERIES = ("70", "719")
