@@ -53,7 +53,7 @@ class Where:
         if not all(where.holds(values) for where in self.also):
             return False
         if len(path) == 1:
-            return values.get(*path) is not None
+            return values.get(*path) not in (None, [], ())  # no table of several is none, too
         if self.value is not None:
             return bool(values.get(*path) == self.value)
         return bool(values.get(*path)) if self.nonzero else values.given(*path)
