@@ -135,7 +135,7 @@ def _features(values: CaseValues) -> Iterator[tuple[int, dict[str, Any]]]:
 
 def _feature_faults(index: int, table: Mapping[str, Any]) -> Iterator[CaseFault]:
     kind = table.get("kind")
-    if kind not in KINDS:
+    if not isinstance(kind, str) or kind not in KINDS:
         return
     needed, beside = KINDS[kind]
     for key in needed:

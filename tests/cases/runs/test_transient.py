@@ -129,6 +129,14 @@ def test_faults_name_their_key(tmp_path, found):
     assert message in answer.output
 
 
+def test_a_kind_that_is_a_table_is_told(tmp_path):
+    case = tmp_path / "case.toml"
+    case.write_text(WAVES.replace('kind = "waviness"', "kind = { a = 1 }"), encoding="utf-8")
+    answer = run(case, "--json")
+    assert answer.exit_code == 2
+    assert "features.0.kind" in answer.output
+
+
 def test_a_case_without_a_course_is_refused(tmp_path):
     answer = run("ball_on_disc", "--json")
     assert answer.exit_code == 2
