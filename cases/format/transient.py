@@ -10,6 +10,7 @@ import numpy as np
 from ehl import ContactConditions, MoesConditions
 from ehl.transient.features import Dent, Feature, Profile, Ridge, Waviness
 from ehl.transient.inputs import Course, Impact, Scheme, TransientConditions, TransientOptions
+from ehl.units import MICROMETRE
 
 from .contact import ContactEhlTable
 from .fields import OneOf, SpeedTable, Table, above, between, described, is_number, within
@@ -233,7 +234,7 @@ def _profile(index: int, table: FeatureTable, common: dict[str, Any]) -> Profile
         raise UnfitKey(key, finding, allowed) from None
     except ValueError as error:
         raise UnfitKey(key, f"{table.file}: {error}", allowed) from None
-    rows = rows * 1e-6
+    rows = rows * MICROMETRE
     try:
         if rows.shape[1] == 2:
             return Profile(x=rows[:, 0], heights=rows[:, 1], **common)

@@ -92,11 +92,9 @@ def with_inlet_oil(
     oil, which has L = 0, as it is.
     """
     oil = conditions.lubricant
-    if not oil.piezoviscous:
+    if not oil.piezoviscous or _roelands(oil):
         return conditions
     own = inlet_oil(oil)
-    if own.exponent == oil.exponent and own.pressure_viscosity == oil.pressure_viscosity:
-        return conditions
     roelands = replace(
         oil,
         viscosity_law=ViscosityLaw.ROELANDS,
