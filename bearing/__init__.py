@@ -19,6 +19,7 @@ shoulder_diameter - diameters of the shoulders of the rings, given or estimated
 studies           - studies over load and speed: slip, stiffness, preload
 supply            - oil supply and starved films
 torque            - friction torque of a ball bearing, by several models side by side
+vibration         - vibration by form of surfaces and passing balls, with films and supports
 """
 
 import lazy_loader

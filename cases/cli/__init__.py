@@ -13,7 +13,7 @@
 | output | writing and printing of results, shared by commands |
 | compute | run, contact, film, slip, stiffness, table |
 | dynamics | dynamics |
-| transient | transient |
+| over_time | transient, vibration |
 | batch | batch |
 | optimise | optimise |
 | view | view |

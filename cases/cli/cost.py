@@ -25,6 +25,9 @@ PLANAR_SECONDS = 1.0  # with the equations of a plane
 AXIAL_SECONDS = 9.0  # of one ball for all, with ring and cage; not for each ball
 # of a step in time on 257 nodes along x, of y >= 0, measured likewise on waviness_ball_on_disc
 STEP_SECONDS = 0.05
+# of a vibration for each ball and simulated second, and of its films; measured likewise on the 6208
+VIBRATION_SECONDS = 3.0
+VIBRATION_FILMS = 5.0
 TORQUE_SECONDS = 1.0  # of equilibrium, torque by every model and self-heating without films
 TABLE_FILMS = 120  # of the tables of both races, without refinement
 
@@ -98,6 +101,17 @@ def transient_cost(case: ContactCase) -> tuple[str, float]:
     sides = 1.0 if conditions.symmetric else 2.0
     each = STEP_SECONDS * sides * (options.points / FILM_POINTS) ** 2
     return f"{steps} steps in time on {options.points} nodes along the entrainment", steps * each
+
+
+def vibration_cost(case: Case) -> tuple[str, float]:
+    """What a vibration takes [s], films included."""
+    table = case.file.vibration
+    given = None if table is None else table.duration_s
+    end = None if case.file.dynamics is None else case.file.dynamics.end_time_s
+    settling = 0.1 if table is None else table.settling_time_s
+    simulated = (given or end or 0.5) + settling
+    seconds = VIBRATION_FILMS + simulated * case.bearing.balls * VIBRATION_SECONDS
+    return f"vibration over {simulated:g} s of {case.bearing.balls} balls", seconds
 
 
 def batch_cost(first: Case | ContactCase, points: int, compute: str) -> tuple[str, float]:

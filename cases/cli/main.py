@@ -3,7 +3,8 @@
 from .app import app  # isort: skip
 from . import compute  # noqa: F401  # isort: skip
 from . import dynamics  # noqa: F401  # isort: skip
-from . import transient  # noqa: F401  # isort: skip
+from .over_time import transient  # noqa: F401  # isort: skip
+from .over_time import vibration  # noqa: F401  # isort: skip
 from . import batch  # noqa: F401  # isort: skip
 from . import optimise  # noqa: F401  # isort: skip
 from . import view  # noqa: F401  # isort: skip

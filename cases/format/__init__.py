@@ -16,10 +16,10 @@ library     - [materials.NAME], names and values of the libraries of bearings, m
 load_cases  - [[load_cases]]: states of a duty cycle in the place of [operation]
 lubricant   - [lubricant] and [lubricants.NAME]: the oil at the temperature of operation
 operation   - [operation], [model] and [slip]: speeds, loads, assumptions, slip maps
+over_time   - contacts over time, vibration of bearings
 problems    - faults of a case file as sentences: line, key, found, allowed, nearest name
 rows        - [[rows]]: rows of balls, and the balls whose films are wanted
 rules       - relations between keys as data, and their checker
 shipped     - case files that come with the program
-transient   - [transient] and [[features]]: a single contact over time
 traction    - [friction] traction: friction of balls on races, tables from a file
 """

@@ -36,11 +36,11 @@ from .library import material_table, materials
 from .load_cases import load_case_files
 from .lubricant import Oil, lubricant, lubricant_keys, oil_of
 from .operation import model, operation
+from .over_time.transient import transient, transient_options
 from .problems import CaseError, UnfitKey, key_lines
 from .rows import rows
 from .shipped import find_case
 from .traction import ball_traction
-from .transient import transient, transient_options
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

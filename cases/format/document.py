@@ -21,7 +21,6 @@ from . import (
     lubricant,
     operation,
     rows,
-    transient,
 )
 from .bearing import BearingTable, SurfaceTable
 from .contact import ContactEhlTable, ContactTable, EhlTable
@@ -33,6 +32,9 @@ from .library import MaterialTable, name_faults, with_catalogue, with_library_na
 from .load_cases import LoadCaseTable
 from .lubricant import LubricantTable, OilTable
 from .operation import ModelTable, OperationTable, SlipTable
+from .over_time import transient, vibration
+from .over_time.transient import FeatureTable, TransientTable
+from .over_time.vibration import FormTable, SupportTable, VibrationTable
 from .problems import (
     MISSING,
     CaseError,
@@ -47,7 +49,6 @@ from .problems import (
 )
 from .rows import RowTable
 from .rules import CaseValues, relation_faults
-from .transient import FeatureTable, TransientTable
 
 LARGEST_FILE = 1_000_000  # [bytes]
 NOT_OFFERED = "minimum dissipation"
@@ -102,6 +103,9 @@ class BearingFile(CaseFile):
     friction: FrictionTable = FrictionTable()
     cage: CageTable | None = None
     dynamics: DynamicsTable | None = None
+    form: FormTable | None = None
+    support: SupportTable | None = None
+    vibration: VibrationTable | None = None
     rows: tuple[RowTable, ...] | None = described(
         "rows of balls on the one inner ring", strict=False, min_length=1, max_length=8
     )
@@ -136,7 +140,17 @@ class ContactFile(CaseFile):
 
 
 # tables with relations, and functions for what these do not say
-OF_BEARINGS = (lubricant, bearing, fits, operation, rows, friction, dynamics, load_cases)
+OF_BEARINGS = (
+    lubricant,
+    bearing,
+    fits,
+    operation,
+    rows,
+    friction,
+    dynamics,
+    vibration,
+    load_cases,
+)
 OF_CONTACTS = (lubricant, contact, transient)
 
 

@@ -5,6 +5,7 @@
 | atlas | films of the film atlas, of a contact or of a bearing |
 | stiffness | stiffness over speed |
 | transient | a contact over time, its steps kept while it runs |
+| vibration | vibration of a bearing |
 | kept_steps | the folder of these steps |
 | supply | torque at other supplies of oil, films after the supply stops |
 """

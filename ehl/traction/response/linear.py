@@ -102,13 +102,23 @@ class LinearContact:
         LinearSolverError
             If the linear system is not solved.
         """
+        p, h = self._waved(gap, frequency)
+        return np.asarray(self._film(p, h) + gap)
+
+    def apart(self, gap: Numbers, frequency: float) -> complex:
+        """What the same gap moves the bodies apart by under constant load; of a long wave, its
+        amplitude. Arguments and errors as of `film_wave`.
+        """
+        return complex(self._waved(gap, frequency)[1])
+
+    def _waved(self, gap: Numbers, frequency: float) -> tuple[Numbers, Any]:
+        """Change of pressure and of H0 by a gap that oscillates under constant load."""
         lin = self.lin
         still = np.zeros_like(lin.P)
         rows = self._changed(still, gap, turn=1j * frequency).rows
         entry = gap[origin_line(lin.grid), 0]
         right = _Right(source=-rows, edge=lin.edge_by_film * gap, load=-lin.load_by_film * entry)
-        p, h = self._solved(right, frequency)
-        return np.asarray(self._film(p, h) + gap)
+        return self._solved(right, frequency)
 
     def _solved(self, right: "_Right", frequency: float = 0.0) -> tuple[Numbers, Any]:
         """Change of pressure, shape (ny, nx), and of H0 for a right side."""

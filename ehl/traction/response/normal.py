@@ -4,6 +4,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import hypot, inf, nan, pi
 
+import numpy as np
+from numpy.typing import NDArray
+
 from ...closed_form.hertz import hertz_contact
 from ...conditions import ContactConditions, MoesConditions
 from ...multigrid.bordered import LinearSolverError
@@ -98,6 +101,32 @@ def normal_response(
         return _none(fault)
     starved = conditions.inlet_layer is not None
     return _extrapolated(meshes[-2:], tuple(frequencies), starved, _dry_stiffness(conditions))
+
+
+def wave_transmission(
+    conditions: ContactConditions, options: SolverOptions, numbers: Sequence[float]
+) -> NDArray[np.complex128]:
+    """Part of waves, along the rolling direction and as fast as the surfaces, by which they move
+    the bodies under constant load [-]; one along the contact's middle, a late answer turned back.
+
+    numbers: 2 pi a over the wavelength, a the semi-axis along x [-]; the film at rest is solved on
+    the points of the options.
+
+    Raises
+    ------
+    LinearSolverError
+        If the contact or a linear system is not solved.
+    """
+    solution, state = solve_attempts(conditions, options)
+    if not solution.converged:
+        raise LinearSolverError(solution.message)
+    contact = linear_contact(state)
+    grid = state.levels[-1].grid
+    parts = []
+    for number in numbers:
+        gap = np.exp(-1j * number * grid.X)[None, :] * np.ones((grid.ny, 1))
+        parts.append(-contact.apart(gap, number))
+    return np.array(parts, dtype=np.complex128)
 
 
 def highest_frequency(conditions: ContactConditions) -> float:

@@ -11,13 +11,13 @@ import typer
 
 from bearing.files import is_disk_failure
 
-from ..format.problems import CaseError
-from ..runs.interrupt import say
-from .app import CaseName, Json, Output, Quiet, app
-from .cost import tell_cost, transient_cost
-from .output import held_directory, report, results_directory, save_with
-from .progress import progress_bar
-from .terminal import NOT_CONVERGED, guarded
+from ...format.problems import CaseError
+from ...runs.interrupt import say
+from ..app import CaseName, Json, Output, Quiet, app
+from ..cost import tell_cost, transient_cost
+from ..output import held_directory, report, results_directory, save_with
+from ..progress import progress_bar
+from ..terminal import NOT_CONVERGED, guarded
 
 if TYPE_CHECKING:
     from postprocess.contact.transient_results import TransientResults
@@ -38,8 +38,8 @@ def transient(
     """
     from ehl.transient.run import NoStart
 
-    from ..format.case import ContactCase, load_case
-    from ..runs.studies.transient import Interrupted, run_transient
+    from ...format.case import ContactCase, load_case
+    from ...runs.studies.transient import Interrupted, run_transient
 
     loaded = load_case(case)
     if not isinstance(loaded, ContactCase):
@@ -63,7 +63,7 @@ def transient(
             say(f"finished steps are kept in {folder}; the same command goes on with them")
         raise KeyboardInterrupt from None
     if folder is not None:
-        from ..runs.studies.kept_steps import KeptSteps
+        from ...runs.studies.kept_steps import KeptSteps
 
         KeptSteps(folder, "").forget()
     from postprocess.contact.transient_summary import transient_summary, transient_table

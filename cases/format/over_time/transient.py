@@ -12,10 +12,10 @@ from ehl.transient.features import Dent, Feature, Profile, Ridge, Waviness
 from ehl.transient.inputs import Course, Impact, Scheme, TransientConditions, TransientOptions
 from ehl.units import MICROMETRE
 
-from .contact import ContactEhlTable
-from .fields import OneOf, SpeedTable, Table, above, between, described, is_number, within
-from .problems import MISSING, CaseFault, UnfitKey, shown
-from .rules import CaseValues, Needs, OnlyWith, Relation, Where
+from ..contact import ContactEhlTable
+from ..fields import OneOf, SpeedTable, Table, above, between, described, is_number, within
+from ..problems import MISSING, CaseFault, UnfitKey, shown
+from ..rules import CaseValues, Needs, OnlyWith, Relation, Where
 
 NAME = "features"
 POINTS = 257  # of the finest grid, where [ehl] gives none

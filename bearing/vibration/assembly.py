@@ -1,0 +1,312 @@
+"""Numbers of the equations of motion from a bearing in equilibrium and a model of its vibration."""
+
+from dataclasses import dataclass
+from math import pi, sqrt
+
+import numpy as np
+
+from ehl.oil.lubricant import Lubricant
+from ehl.options import SolverOptions
+
+from ..dynamics.bodies import ring_body
+from ..geometry import Array, Bearing, Race, reduced_radii
+from ..quasistatic.kinematics import ball_mass
+from ..quasistatic.solution import QuasistaticSolution
+from .arrays import BALLS, INNER, OUTER, SENSOR, ContactLawTable, VibrationArrays
+from .form import Place, heights, hollow, rolled
+from .inputs import ContactLaw, Direction, Sensor, Support, VibrationModel, WaveFilter
+from .laws import (
+    POINTS,
+    SolvedFilms,
+    dry_law,
+    film_law,
+    heaviest,
+    linear_law,
+    solved_films,
+    stiffness_factor,
+)
+from .transmission import Transmission, dry_transmission, film_transmission, filtered
+
+RACES = {Race.INNER: Place.INNER, Race.OUTER: Place.OUTER}
+AXES = {Direction.X: 0, Direction.Y: 1, Direction.Z: 2}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Assembled:
+    """Numbers of the equations, and what was solved for them."""
+
+    arrays: VibrationArrays
+    films: dict[Race, SolvedFilms]  # none with other laws
+    transmissions: dict[Race, Transmission]  # none without a filter
+    stiffness: dict[Race, float]  # of the heaviest contacts, after Hertz [N/m]
+    cage_speed: float  # [rad/s]
+    ball_speed: float  # of a ball about its axis against the cage [rad/s]
+
+
+def track_radius(bearing: Bearing, race: Race, contact_angle: float) -> float:
+    """Radius at which balls roll on a race, d_m/2 -+ D/2 cos(angle) [m]; angle in [rad]."""
+    side = -1.0 if race is Race.INNER else 1.0
+    return 0.5 * (bearing.pitch_diameter + side * bearing.ball_diameter * np.cos(contact_angle))
+
+
+def mean_angle(solution: QuasistaticSolution, race: Race) -> float:
+    """Contact angle of a race, mean over the balls by their loads [rad]."""
+    inner = race is Race.INNER
+    load = solution.inner_load if inner else solution.outer_load
+    angle = solution.inner_contact_angle if inner else solution.outer_contact_angle
+    return float(np.average(angle, weights=load)) if load.sum() > 0.0 else float(np.mean(angle))
+
+
+def assembled(
+    solution: QuasistaticSolution, lubricant: Lubricant, model: VibrationModel
+) -> Assembled:
+    """The equations of a bearing, SI, its films solved where the model asks for them.
+
+    Raises
+    ------
+    ValueError
+        If dimensions are missing, a wave is too short for the record, or nothing turns.
+    FilmsNotSolvedError
+        If a film is not solved.
+    """
+    bearing = solution.bearing
+    _check(solution, model)
+    films: dict[Race, SolvedFilms] = {}
+    laws: dict[Race, ContactLawTable] = {}
+    parts: dict[Race, Transmission] = {}
+    stiffness: dict[Race, float] = {}
+    frequency = resonance(solution, model.support)
+    for race in RACES:
+        factor = stiffness_factor(solution, race)
+        contact = heaviest(solution, lubricant, race)
+        stiffness[race] = 1.5 * factor ** (2.0 / 3.0) * contact.load ** (1.0 / 3.0)
+        if model.options.law is ContactLaw.FILM:
+            films[race] = solved_films(contact, factor, frequency)
+            laws[race] = film_law(factor, films[race])
+        else:
+            laws[race] = _other_law(solution, race, factor, model)
+        if model.options.wave_filter is not WaveFilter.NONE:
+            assert contact.hertz is not None  # it is loaded
+            along = contact.hertz.semi_axis_x
+            parts[race] = dry_transmission(along)
+            uneven = not (model.form.is_even(RACES[race]) and model.form.is_even(Place.BALL))
+            if model.options.wave_filter is WaveFilter.FILM and uneven:
+                assert contact.conditions is not None  # its film was solved
+                shortest = _largest_number(solution, model, race, along)
+                grid = SolverOptions(points=POINTS, certify=False)
+                parts[race] = film_transmission(contact.conditions, along, shortest, grid)
+    cage = solution.cage_speed
+    cage -= model.options.cage_slip * (cage - solution.operation.outer_speed)
+    loaded = solution.inner_load > 0.0
+    ball = float(np.mean(solution.spin_speed[loaded] if loaded.any() else solution.spin_speed))
+    arrays = _arrays(solution, model, laws, parts, (cage, ball))
+    return Assembled(
+        arrays=arrays,
+        films=films,
+        transmissions=parts,
+        stiffness=stiffness,
+        cage_speed=cage,
+        ball_speed=ball,
+    )
+
+
+def resonance(solution: QuasistaticSolution, support: Support) -> float:
+    """Of the inner ring on its balls in the radial direction of the load [Hz]; of the outer ring
+    where that one is held.
+    """
+    mass = _masses(solution.bearing, support)[0 if not support.inner_ring_held else OUTER]
+    return sqrt(float(solution.stiffness[1, 1]) / mass) / (2.0 * pi)
+
+
+def _check(solution: QuasistaticSolution, model: VibrationModel) -> None:
+    if len(solution.rows) > 1:
+        raise ValueError("rows: vibration takes one row of balls")
+    operation = solution.operation
+    if operation.shaft_speed == 0.0:
+        raise ValueError("inner_speed: nothing turns, so nothing vibrates")
+    limit = 0.5 * model.options.sample_rate
+    fastest = operation.shaft_speed / (2.0 * pi)
+    numbers = [one.ball for one in (*model.form.waves.get(Place.BALL, ()), *model.form.defects)]
+    balls = solution.bearing.balls
+    if max(numbers, default=0) > balls:
+        raise ValueError(f"ball: {max(numbers)} is given a form, but there are {balls} balls")
+    if len(model.form.ball_diameters) not in (0, balls):
+        given = len(model.form.ball_diameters)
+        raise ValueError(f"ball_diameters: {given} values for {balls} balls")
+    order = model.form.highest_order
+    if order * fastest > limit:
+        raise ValueError(
+            f"order: {order} passes at up to {order * fastest:.5g} Hz, more than half of the "
+            f"sample rate, {limit:.5g} Hz"
+        )
+
+
+def _other_law(
+    solution: QuasistaticSolution, race: Race, factor: float, model: VibrationModel
+) -> ContactLawTable:
+    load = solution.inner_load if race is Race.INNER else solution.outer_load
+    largest = float(load.max())
+    if model.options.law is ContactLaw.DRY:
+        return dry_law(factor, largest, model.options.loss_time)
+    mean = float(load[load > 0.0].mean())
+    return linear_law(factor, mean, largest, model.options.loss_time)
+
+
+def _largest_number(
+    solution: QuasistaticSolution, model: VibrationModel, race: Race, along: float
+) -> float:
+    """k a of the shortest wave that matters: given, or half the sample rate for profiles [-]."""
+    radius = track_radius(solution.bearing, race, mean_angle(solution, race))
+    ball_radius = 0.5 * solution.bearing.ball_diameter
+    own = model.form.waves.get(RACES[race], ())
+    numbers = [wave.order * along / radius for wave in own]
+    numbers += [w.order * along / ball_radius for w in model.form.waves.get(Place.BALL, ())]
+    if model.form.profiles or model.form.defects:
+        conditions_speed = abs(solution.operation.shaft_speed) * radius
+        numbers.append(pi * model.options.sample_rate * along / max(0.5 * conditions_speed, 1e-9))
+    return max(numbers, default=0.0)
+
+
+def _arrays(
+    solution: QuasistaticSolution,
+    model: VibrationModel,
+    laws: dict[Race, ContactLawTable],
+    parts: dict[Race, Transmission],
+    speeds: tuple[float, float],
+) -> VibrationArrays:
+    bearing = solution.bearing
+    operation = solution.operation
+    cage, ball = speeds
+    mass = ball_mass(bearing.ball_diameter, bearing.ball_material.density)
+    support = model.support
+    excess = np.zeros(bearing.balls)
+    if model.form.ball_diameters:
+        excess = 0.5 * np.array(model.form.ball_diameters)
+    load = np.zeros(SENSOR)
+    load[INNER:OUTER] = [*solution.ring_force, *solution.ring_moment]
+    load[OUTER:SENSOR] = -solution.ring_force
+    radial = support.seat_stiffness or 0.0
+    axial = radial if support.seat_axial_stiffness is None else support.seat_axial_stiffness
+    inertia = _masses(bearing, support)
+    return VibrationArrays(
+        balls=bearing.balls,
+        azimuth=np.ascontiguousarray(solution.azimuth),
+        speeds=np.array([operation.inner_speed, operation.outer_speed, cage, ball]),
+        start_ratio=model.options.start_speed_ratio,
+        duration=model.options.duration,
+        inner_centre_radius=bearing.inner_centre_radius,
+        outer_centre_radius=bearing.outer_centre_radius,
+        inner_length=bearing.inner_groove_radius - 0.5 * bearing.ball_diameter,
+        outer_length=bearing.outer_groove_radius - 0.5 * bearing.ball_diameter,
+        ball_excess=excess,
+        inner_law=laws[Race.INNER],
+        outer_law=laws[Race.OUTER],
+        inner_height=_ring_heights(solution, model, Race.INNER, parts),
+        outer_height=_ring_heights(solution, model, Race.OUTER, parts),
+        ball_height=_ball_heights(solution, model, parts),
+        mass=inertia[:BALLS],
+        free=_free(solution, support),
+        polar_inertia=float(inertia[BALLS]),
+        load=load,
+        seat_stiffness=np.array([axial, radial, radial]),
+        seat_damping=support.seat_damping,
+        sensor=_sensor(support.sensor),
+        ball_mass=mass,
+        centrifugal_force=0.5 * mass * bearing.pitch_diameter * cage**2,
+    )
+
+
+def _masses(bearing: Bearing, support: Support) -> Array:
+    """Of the nine coordinates [kg], [kg m^2], and the polar inertia of the inner ring [kg m^2]."""
+    masses = np.ones(BALLS + 1)
+    if not support.inner_ring_held:
+        ring = ring_body(bearing)
+        masses[INNER:OUTER] = ring.mass + support.shaft_mass
+        masses[INNER + 3 : OUTER] = ring.transverse_inertia
+        masses[BALLS] = ring.polar_inertia
+    if support.outer_moves:
+        masses[OUTER:SENSOR] = _outer_mass(bearing, support) + support.housing_mass
+    if support.sensor is not None:
+        masses[SENSOR] = support.sensor.mass
+    return masses
+
+
+def _outer_mass(bearing: Bearing, support: Support) -> float:
+    """Of the outer ring: as given, or a hollow cylinder outside of its groove's bottom [kg]."""
+    if support.outer_mass is not None:
+        return support.outer_mass
+    if bearing.outside_diameter is None or bearing.width is None:
+        raise ValueError("outside_diameter and width are needed for the mass of the outer ring")
+    inside = bearing.outer_centre_radius + bearing.outer_groove_radius
+    section = pi * (0.25 * bearing.outside_diameter**2 - inside**2)
+    if not section > 0.0:
+        raise ValueError("outside_diameter leaves no outer ring around its groove")
+    return bearing.outer_ring_material.density * section * bearing.width
+
+
+def _free(solution: QuasistaticSolution, support: Support) -> Array:
+    free = np.zeros(BALLS)
+    if not support.inner_ring_held:
+        given = [load is not None for load in solution.operation.loads]
+        free[INNER:OUTER] = given
+    if support.outer_moves:
+        free[OUTER:SENSOR] = 1.0
+    if support.sensor is not None:
+        free[SENSOR] = 1.0
+    return free
+
+
+def _sensor(sensor: Sensor | None) -> Array:
+    """Stiffness [N/m], damping [N s/m], axis."""
+    if sensor is None:
+        return np.array([0.0, 0.0, 1.0])
+    omega = 2.0 * pi * sensor.frequency
+    damping = 2.0 * sensor.damping_ratio * sensor.mass * omega
+    return np.array([sensor.mass * omega**2, damping, float(AXES[Direction.Y])])
+
+
+def _entering(profile: Array, part: Transmission | None, radius: float) -> Array:
+    return profile if part is None else filtered(profile, part, radius)
+
+
+def _ring_heights(
+    solution: QuasistaticSolution,
+    model: VibrationModel,
+    race: Race,
+    parts: dict[Race, Transmission],
+) -> Array:
+    """Form of a race as it enters the bearing [m]."""
+    place = RACES[race]
+    if model.form.is_even(place):
+        return np.zeros(2)
+    angle = mean_angle(solution, race)
+    radius = track_radius(solution.bearing, race, angle)
+    profile = heights(model.form, place)
+    for defect in model.form.defects_of(place):
+        profile = profile - hollow(defect, radius)
+    along = reduced_radii(solution.bearing, race, angle)[0]
+    return _entering(rolled(profile, radius, along), parts.get(race), radius)
+
+
+def _ball_heights(
+    solution: QuasistaticSolution, model: VibrationModel, parts: dict[Race, Transmission]
+) -> Array:
+    """Form of the balls as it enters at the inner and the outer race, shape (2, 1 or Z, n) [m];
+    one of all balls where they are alike.
+    """
+    bearing = solution.bearing
+    form = model.form
+    if form.is_even(Place.BALL):
+        return np.zeros((2, 1, 2))
+    radius = 0.5 * bearing.ball_diameter
+    alike = not form.defects_of(Place.BALL)
+    alike &= all(wave.ball == 0 for wave in form.waves.get(Place.BALL, ()))
+    rows = [heights(form, Place.BALL, ball + 1) for ball in range(1 if alike else bearing.balls)]
+    for defect in form.defects_of(Place.BALL):
+        rows[defect.ball - 1] -= hollow(defect, radius)
+    both = []
+    for race in RACES:
+        along = reduced_radii(bearing, race, mean_angle(solution, race))[0]
+        part = parts.get(race)
+        both.append([_entering(rolled(row, radius, along), part, radius) for row in rows])
+    return np.array(both)

@@ -1,0 +1,142 @@
+"""Form of the surfaces of rings and balls: waviness, profiles, defects, diameters of the balls.
+
+Heights count outwards from the material, against the other body, over the angle around a ring (from
+the load line at time zero, turning with it) or around a ball in the plane in which it rolls.
+"""
+
+from dataclasses import dataclass, field
+from enum import Enum
+from math import isfinite, pi
+
+import numpy as np
+from scipy.ndimage import grey_dilation
+
+from ..geometry import Array
+
+POINTS = 65536  # of a height over a turn: linear between, order 500 to 3e-4
+
+
+class Place(Enum):
+    """Body that a form belongs to."""
+
+    INNER = "inner ring"
+    OUTER = "outer ring"
+    BALL = "ball"
+
+
+class DefectKind(Enum):
+    """Shape of a defect along the track; it is as long across as the track is wide.
+
+    SPALL: flat bottom between sharp edges; PIT: round bottom, a parabola; DENT: a cosine without
+    edges.
+    """
+
+    SPALL = "spall"
+    PIT = "pit"
+    DENT = "dent"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Wave:
+    """One order of a waviness, A cos(n phi + a)."""
+
+    order: int  # n, waves over a turn [-]
+    amplitude: float  # A, half from valley to crest [m]
+    phase: float = 0.0  # a [rad]
+    ball: int = 0  # number of the ball that has it, from 1; 0: all, in step
+
+    def __post_init__(self) -> None:
+        if self.order < 1:
+            raise ValueError(f"order must be at least 1, got {self.order}")
+        if not (isfinite(self.amplitude) and self.amplitude >= 0.0):
+            raise ValueError(f"amplitude must not be negative, got {self.amplitude!r} m")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Defect:
+    """A hollow of one track."""
+
+    place: Place
+    kind: DefectKind
+    width: float  # along the track [m]
+    depth: float  # [m]
+    azimuth: float = 0.0  # of its middle, on its body [rad]
+    ball: int = 1  # number of the ball, from 1, of a defect of one
+
+    def __post_init__(self) -> None:
+        for name in ("width", "depth"):
+            if not (isfinite(getattr(self, name)) and getattr(self, name) > 0.0):
+                raise ValueError(f"{name} must be positive, got {getattr(self, name)!r} m")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SurfaceForm:
+    """What the surfaces of a bearing differ by from circles and grooves."""
+
+    waves: dict[Place, tuple[Wave, ...]] = field(default_factory=dict)
+    profiles: dict[Place, Array] = field(default_factory=dict)  # heights over a turn, even [m]
+    ball_diameters: tuple[float, ...] = ()  # of each ball over the nominal one [m]
+    defects: tuple[Defect, ...] = ()
+
+    def defects_of(self, place: Place) -> tuple[Defect, ...]:
+        """Those of one body, or of all balls."""
+        return tuple(defect for defect in self.defects if defect.place is place)
+
+    def is_even(self, place: Place) -> bool:
+        """Whether a body has neither waviness nor profile nor defect."""
+        given = self.waves.get(place) or place in self.profiles or self.defects_of(place)
+        return not given
+
+    @property
+    def highest_order(self) -> int:
+        """Of the waves given by orders; 0 without."""
+        return max((wave.order for waves in self.waves.values() for wave in waves), default=0)
+
+
+def heights(form: SurfaceForm, place: Place, ball: int = 0) -> Array:
+    """Waves and profile of a ring, or of a ball by its number from 1, over a turn [m], shape
+    (POINTS,), without its defects.
+    """
+    angle = 2.0 * pi / POINTS * np.arange(POINTS)
+    total = np.zeros(POINTS)
+    for wave in form.waves.get(place, ()):
+        if wave.ball in (0, ball):
+            total += wave.amplitude * np.cos(wave.order * angle + wave.phase)
+    given = form.profiles.get(place)
+    if given is not None:
+        even = np.append(given, given[0])
+        total += np.interp(angle, np.linspace(0.0, 2.0 * pi, even.size), even)
+    return total
+
+
+def hollow(defect: Defect, radius: float) -> Array:
+    """Depth of a defect over a turn of a body [m], shape (POINTS,); radius: of its track [m]."""
+    turned = 2.0 * pi / POINTS * np.arange(POINTS) - defect.azimuth
+    from_middle = radius * ((turned + pi) % (2.0 * pi) - pi)
+    place = 2.0 * from_middle / defect.width  # from -1 to 1 inside
+    inside = abs(place) < 1.0
+    shapes = {
+        DefectKind.SPALL: np.ones(POINTS),
+        DefectKind.PIT: 1.0 - place**2,
+        DefectKind.DENT: 0.5 * (1.0 + np.cos(pi * place)),
+    }
+    return np.where(inside, defect.depth * shapes[defect.kind], 0.0)
+
+
+def rolled(profile: Array, radius: float, reduced_radius: float) -> Array:
+    """Path of a rigid body that rolls over a profile, max over s of z(x + s) - s^2/(2 R_x) [m].
+
+    Over a gap of the width w it drops by u^2/(2 R_x) at the distance u from the nearer edge, w^2/(8
+    R_x) at most, or onto the bottom where that is less deep.
+
+    profile: heights over a turn [m], shape (n,); radius: of the track [m]; reduced_radius: R_x of
+    ball and race [m].
+    """
+    deepest = float(profile.max() - profile.min())
+    if deepest == 0.0:
+        return profile
+    cell = 2.0 * pi * radius / profile.size
+    half = min(int(np.ceil((2.0 * reduced_radius * deepest) ** 0.5 / cell)), profile.size // 2 - 1)
+    s = cell * np.arange(-half, half + 1)
+    structure = -(s**2) / (2.0 * reduced_radius)
+    return np.asarray(grey_dilation(profile, structure=structure, mode="wrap"))

@@ -1,0 +1,111 @@
+"""What the vibration of a bearing is computed from, in SI."""
+
+from dataclasses import dataclass
+from enum import Enum
+from math import isfinite
+
+from .form import SurfaceForm
+
+
+class ContactLaw(Enum):
+    """Force of ball and race over their approach.
+
+    FILM: stiffness and damping of the solved films; DRY: Hertz, with a loss in proportion to the
+    stiffness; LINEAR: springs with Hertz' stiffness at the mean load, that only press.
+    """
+
+    FILM = "film"
+    DRY = "dry"
+    LINEAR = "linear"
+
+
+class WaveFilter(Enum):
+    """What the length of the contact leaves of a wave.
+
+    FILM: solved with the film; DRY: mean height over Hertz' contact; NONE: all of it.
+    """
+
+    FILM = "film"
+    DRY = "dry"
+    NONE = "none"
+
+
+class Direction(Enum):
+    """Of what is measured: along the axis, along the load line, across it."""
+
+    X = "x"
+    Y = "y"
+    Z = "z"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sensor:
+    """One oscillator on the outer ring (housing, or a sensor's mount), where the motion is felt."""
+
+    mass: float  # [kg]
+    frequency: float  # of its resonance on a ring at rest [Hz]
+    damping_ratio: float  # [-]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Support:
+    """What holds the rings."""
+
+    shaft_mass: float = 0.0  # that moves with the inner ring [kg]
+    inner_ring_held: bool = False  # as on a stiff spindle: it stays where the loads put it
+    # of the outer ring's seat, radial and axial [N/m]; None: it stands still; zero: it is loaded
+    # against an inner ring that is held
+    seat_stiffness: float | None = None
+    seat_axial_stiffness: float | None = None  # None: the radial one
+    seat_damping: float = 0.0  # [N s/m]
+    outer_mass: float | None = None  # of the outer ring [kg]; None: by its dimensions
+    housing_mass: float = 0.0  # that moves with the outer ring [kg]
+    sensor: Sensor | None = None
+
+    @property
+    def outer_moves(self) -> bool:
+        """Whether the outer ring is a body that moves."""
+        return self.seat_stiffness is not None
+
+    def __post_init__(self) -> None:
+        for name in ("shaft_mass", "seat_damping", "housing_mass"):
+            if not (isfinite(getattr(self, name)) and getattr(self, name) >= 0.0):
+                raise ValueError(f"{name} must not be negative, got {getattr(self, name)!r}")
+        if self.sensor is not None and not self.outer_moves:
+            raise ValueError("sensor: needs an outer ring that moves, hence a seat_stiffness")
+        if self.seat_stiffness == 0.0 and not self.inner_ring_held:
+            raise ValueError(
+                "seat_stiffness: 0 leaves both rings without a hold; allowed with "
+                "inner_ring_held, or give a stiffness"
+            )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class VibrationOptions:
+    """How the vibration is computed."""
+
+    duration: float = 0.5  # recorded [s]
+    settling: float = 0.1  # before that, in which the form grows from nothing [s]
+    sample_rate: float = 51200.0  # of the record [Hz]
+    law: ContactLaw = ContactLaw.FILM
+    wave_filter: WaveFilter = WaveFilter.FILM
+    # damping over stiffness of contacts that are not solved films [s]
+    loss_time: float = 0.0
+    cage_slip: float = 0.0  # part by which the balls lag behind the equilibrium's cage speed [-]
+    # of the inner ring's and outer ring's speeds at the start of the record, over those at its end
+    start_speed_ratio: float = 1.0
+
+    def __post_init__(self) -> None:
+        if not self.duration > 0.0:
+            raise ValueError(f"duration must be positive, got {self.duration!r} s")
+        if not self.sample_rate * self.duration >= 256.0:
+            raise ValueError("duration: at least 256 samples are needed")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class VibrationModel:
+    """Form of the surfaces, what holds the rings, and how it is computed."""
+
+    form: SurfaceForm = SurfaceForm()
+    support: Support = Support()
+    options: VibrationOptions = VibrationOptions()

@@ -1,0 +1,158 @@
+"""Laws of ball and race as the equations of motion take them: Hertz, solved films, linear springs."""
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from ehl.closed_form.hertz import contact_stiffness
+from ehl.conditions import ContactConditions
+from ehl.oil.lubricant import Lubricant
+from ehl.options import SolverOptions
+from ehl.traction.response.normal import NormalResponse, highest_frequency, normal_response
+
+from ..contacts.contact import BearingContact
+from ..contacts.contacts import contact_conditions
+from ..geometry import Array, Race, contact_modulus, reduced_radii
+from ..quasistatic.solution import QuasistaticSolution
+from .arrays import ContactLawTable
+
+NODES = 600  # of a law, over the logarithm of the approach
+SPAN = (1e-4, 30.0)  # of approaches, over that of the largest load [-]
+HERTZ = 1.5  # exponent of the force
+# loads over the largest of a race, at which films are solved; stiffness over that of Hertz and
+# damping change by some per cent between them
+SOLVED_LOADS = (0.2, 1.0)
+POINTS = 129  # and half of them; damping of the 6208 within 1.5 % of that from 257
+LEAST_LOAD = 1e-3  # over the largest, of balls that count as loaded [-]
+
+
+class FilmsNotSolvedError(RuntimeError):
+    """A film whose stiffness and damping could not be solved; the message says which."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SolvedFilms:
+    """Stiffness and damping of the contacts with one race, solved at some loads."""
+
+    loads: Array  # [N]
+    stiffness_ratio: Array  # over that of Hertz [-]
+    damping: Array  # [N s/m]
+    damping_uncertainty: Array  # [N s/m]
+    frequency: float  # [Hz]
+
+
+def stiffness_factor(solution: QuasistaticSolution, race: Race) -> float:
+    """K of Hertz' law Q = K d^1.5 at the load-weighted mean contact angle [N/m^1.5]."""
+    bearing = solution.bearing
+    inner = race is Race.INNER
+    load = solution.inner_load if inner else solution.outer_load
+    angle = solution.inner_contact_angle if inner else solution.outer_contact_angle
+    mean = float(np.average(angle, weights=load)) if load.sum() > 0.0 else float(np.mean(angle))
+    radii = reduced_radii(bearing, race, mean)
+    return contact_stiffness(*radii, contact_modulus(bearing, race))
+
+
+def heaviest(solution: QuasistaticSolution, lubricant: Lubricant, race: Race) -> BearingContact:
+    """The contact of a race with the largest load; ValueError where none is loaded [N]."""
+    contacts = [c for c in contact_conditions(solution, lubricant) if c.race is race]
+    worst = max(contacts, key=lambda contact: contact.load)
+    if not worst.load > 0.0:
+        raise ValueError(f"no ball is loaded at the {race.value} race: nothing to vibrate on")
+    return worst
+
+
+def solved_films(
+    contact: BearingContact, factor: float, frequency: float, options: SolverOptions | None = None
+) -> SolvedFilms:
+    """Response of a contact and of lighter ones at a frequency [Hz], or at the highest that a mesh
+    carries. factor: K of Hertz [N/m^1.5].
+
+    Raises
+    ------
+    FilmsNotSolvedError
+        If a film or its response is not solved.
+    """
+    own = contact.conditions
+    if own is None:
+        raise FilmsNotSolvedError(f"{contact.race.value} race: {contact.note}")
+    grid = options or SolverOptions(points=POINTS)
+    found: list[tuple[float, float, NormalResponse]] = []
+    for share in SOLVED_LOADS:
+        lighter: ContactConditions = replace(own, load=share * own.load)
+        at = min(frequency, highest_frequency(lighter))
+        found.append((lighter.load, at, normal_response(lighter, grid, (at,))))
+        response = found[-1][2]
+        if not response.converged or not response.dampings[0].value > 0.0:
+            raise FilmsNotSolvedError(
+                f"film at the {contact.race.value} race under {lighter.load:.4g} N: "
+                f"{response.message or 'its damping is not positive'}"
+            )
+    loads = np.array([load for load, _, _ in found])
+    hertz = HERTZ * factor ** (2.0 / 3.0) * np.cbrt(loads)
+    stiffness = np.array([response.stiffnesses[0].value for _, _, response in found])
+    damping = np.array([response.dampings[0].value for _, _, response in found])
+    bars = np.array([response.dampings[0].uncertainty for _, _, response in found])
+    return SolvedFilms(
+        loads=loads,
+        stiffness_ratio=stiffness / hertz,
+        damping=damping,
+        damping_uncertainty=bars,
+        frequency=min(at for _, at, _ in found),
+    )
+
+
+def film_law(factor: float, films: SolvedFilms) -> ContactLawTable:
+    """Law with the stiffness dQ/dd and the damping of solved films over the load; the damping of
+    lighter contacts fades with the load. factor: K of Hertz [N/m^1.5].
+    """
+    largest = films.loads[-1]
+    dry = (largest / factor) ** (2.0 / 3.0)
+    loads = largest * np.geomspace(SPAN[0] ** HERTZ, SPAN[1] ** HERTZ, 4 * NODES)
+    ratio = np.interp(np.log(loads), np.log(films.loads), films.stiffness_ratio)
+    # d = integral of dQ/k, with the ratio constant between two loads
+    hertz = (loads / factor) ** (2.0 / 3.0)
+    steps = np.diff(hertz) * 0.5 * (1.0 / ratio[1:] + 1.0 / ratio[:-1])
+    approach = hertz[0] / ratio[0] + np.concatenate([[0.0], np.cumsum(steps)])
+    grid = np.geomspace(SPAN[0] * dry, SPAN[1] * dry, NODES)
+    load = np.exp(np.interp(np.log(grid), np.log(approach), np.log(loads)))
+    damping = np.interp(np.log(load), np.log(films.loads), films.damping)
+    damping *= np.minimum(load / films.loads[0], 1.0)
+    return law_table(grid, load / grid**HERTZ, damping, HERTZ)
+
+
+def dry_law(factor: float, largest: float, loss_time: float) -> ContactLawTable:
+    """Hertz' law [N/m^1.5] with a damping of loss_time [s] times its stiffness, for loads around
+    the largest [N].
+    """
+    dry = (largest / factor) ** (2.0 / 3.0)
+    grid = np.geomspace(SPAN[0] * dry, SPAN[1] * dry, NODES)
+    damping = loss_time * HERTZ * factor * np.sqrt(grid)
+    return law_table(grid, np.full(NODES, factor), damping, HERTZ)
+
+
+def linear_law(factor: float, mean: float, largest: float, loss_time: float) -> ContactLawTable:
+    """Spring k d with Hertz' stiffness k at the mean load [N] of the loaded contacts."""
+    stiffness = HERTZ * factor ** (2.0 / 3.0) * mean ** (1.0 / 3.0)
+    grid = np.geomspace(SPAN[0], SPAN[1], NODES) * largest / stiffness
+    damping = np.full(NODES, loss_time * stiffness)
+    return law_table(grid, np.full(NODES, stiffness), damping, 1.0)
+
+
+def law_table(approach: Array, factor: Array, damping: Array, exponent: float) -> ContactLawTable:
+    """Law from its factor [N/m^n] and damping [N s/m] at approaches even in their logarithm [m];
+    the energy is the force's integral.
+    """
+    logs = np.log(approach)
+    power = exponent + 1.0
+    slope = np.diff(factor) / np.diff(logs)
+    edges = approach**power
+    # integral of (f + s (u - u_0)) e^(p u) du = [(f/p - s/p^2) e^(p u)]
+    upper = (factor[1:] / power - slope / power**2) * edges[1:]
+    lower = (factor[:-1] / power - slope / power**2) * edges[:-1]
+    energy = factor[0] / power * edges[0] + np.concatenate([[0.0], np.cumsum(upper - lower)])
+    return ContactLawTable(
+        first=float(logs[0]),
+        step=float(logs[1] - logs[0]),
+        table=np.ascontiguousarray(np.stack([factor, damping, energy / edges], axis=1)),
+        exponent=exponent,
+    )

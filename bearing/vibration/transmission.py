@@ -1,0 +1,79 @@
+r"""What of a wave on a surface enters the bearing: the contact is as long as a short wave.
+
+A small height g(x, y) under a contact moves the bodies apart, under the same load, by
+
+.. math:: \Delta = \iint g\, \frac{\partial p}{\partial F}\, dx\, dy
+
+(reciprocity). The dry contact of Hertz has dp/dF = 1/(2 pi a b sqrt(1 - x^2/a^2 - y^2/b^2)), whose
+integral across is even over the contact's length 2a, so of a wave of the wavelength l along the
+rolling direction sin(k a)/(k a), k = 2 pi/l, is left: the mean of the height over the contact.
+
+With a film the same part follows from the derivative of the discrete equations at the solved
+contact, for the wave that passes at the speed of rolling, the film squeezed and carried with it
+(`ehl.traction.response`). The amplitude that is left in the film itself (Venner and Lubrecht, 2000)
+is another number: a long wave leaves none in the film and moves the bodies by all of it.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
+
+from ehl.conditions import ContactConditions
+from ehl.options import SolverOptions
+from ehl.traction.response.normal import wave_transmission
+
+from ..geometry import Array
+
+STEP = 0.8  # of k a at most, between waves that are solved; splines between them
+LEAST = 3  # waves that are solved at least
+FASTEST = 4.0  # k a beyond which the dry part counts: less than a quarter of a wave is left there
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Transmission:
+    """Part of waves that enters the bearing, complex, over k a; without samples the dry one."""
+
+    semi_axis: float  # a, along the rolling direction [m]
+    numbers: Array  # k a, from zero [-]
+    parts: NDArray[np.complex128]  # [-]
+
+    def of(self, orders: Array, radius: float) -> NDArray[np.complex128]:
+        """Of orders around a track of a radius [m], shape as the orders [-]."""
+        number = orders * self.semi_axis / radius
+        dry = np.sinc(number / np.pi) + 0.0j
+        if self.numbers.size < 2:
+            return dry
+        spline = CubicSpline(self.numbers, self.parts)
+        last = self.numbers[-1]
+        return np.where(number <= last, spline(np.minimum(number, last)), dry)
+
+
+def dry_transmission(semi_axis: float) -> Transmission:
+    """Of Hertz' contact; semi_axis: along the rolling direction [m]."""
+    return Transmission(
+        semi_axis=semi_axis, numbers=np.zeros(0), parts=np.zeros(0, dtype=np.complex128)
+    )
+
+
+def film_transmission(
+    conditions: ContactConditions, semi_axis: float, largest: float, options: SolverOptions
+) -> Transmission:
+    """Of a lubricated contact, solved on the points of the options.
+
+    semi_axis: along the rolling direction [m]; largest: k a of the shortest wave [-].
+    """
+    top = min(max(largest, STEP), FASTEST)
+    numbers = np.linspace(0.0, top, max(int(np.ceil(top / STEP)), LEAST) + 1)
+    parts = wave_transmission(conditions, options, numbers[1:].tolist())
+    return Transmission(
+        semi_axis=semi_axis, numbers=numbers, parts=np.concatenate([[1.0 + 0.0j], parts])
+    )
+
+
+def filtered(profile: Array, part: Transmission, radius: float) -> Array:
+    """Heights over a turn [m] that enter the bearing, order by order; radius: of the track [m]."""
+    spectrum = np.fft.rfft(profile)
+    orders = np.arange(spectrum.size, dtype=np.float64)
+    return np.asarray(np.fft.irfft(spectrum * part.of(orders, radius), profile.size))

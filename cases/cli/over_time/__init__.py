@@ -1,0 +1,5 @@
+"""Commands that compute over time.
+
+transient - one contact over time
+vibration - vibration of a bearing
+"""

@@ -1,0 +1,340 @@
+"""[form], [support] and [vibration]: surfaces that are not even, rings that move, what is heard."""
+
+from collections.abc import Iterator
+from math import radians
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+import numpy as np
+
+from bearing.geometry import Array
+from bearing.vibration.form import Defect, DefectKind, Place, SurfaceForm, Wave
+from bearing.vibration.inputs import (
+    ContactLaw,
+    Direction,
+    Sensor,
+    Support,
+    VibrationModel,
+    VibrationOptions,
+    WaveFilter,
+)
+from ehl.units import MICROMETRE, RPM
+
+from ..fields import OneOf, Table, above, between, checked, described, numbers, within
+from ..problems import MISSING, CaseFault, UnfitKey, shown
+from ..rules import CaseValues, Needs, OnlyWith, Relation, Where
+
+DEFECTS_MAXIMUM = 20
+WAVES_MAXIMUM = 2000
+BALLS_MAXIMUM = 1000
+REFERENCE = 1e-6  # of levels of acceleration, ISO 1683 [m/s^2]
+END_TIME = 0.5  # [s]
+
+
+def _differences(value: object) -> tuple[float, ...] | None:
+    entries = list(value) if isinstance(value, list | tuple) else []
+    return numbers(entries, len(entries), 1e3) or None
+
+
+def _ends(value: object) -> tuple[float, ...] | None:
+    ends = numbers(value, 2, 1e6)
+    return ends if ends is not None and 0.0 <= ends[0] < ends[1] else None
+
+
+Differences = Annotated[
+    tuple[float, ...], checked(_differences, "a list of numbers from -1000 to 1000, one a ball")
+]
+Band = Annotated[tuple[float, ...], checked(_ends, "two numbers, 0 <= first < last <= 1e6")]
+
+
+class WaveTable(Table):
+    """One order of a waviness."""
+
+    order: int = between(1, 10000, "waves over a turn", ...)
+    amplitude_um: float = between(0, 1e3, "half from valley to crest", ...)
+    phase_deg: float = within(360, "of its cosine, from the load line at time zero", 0.0)
+
+
+class BallWaveTable(WaveTable):
+    """One order of a waviness of the balls, around the track in which they roll."""
+
+    ball: int = between(0, BALLS_MAXIMUM, "number of the ball, from 1; 0: all, in step", 0)
+
+
+class DefectTable(Table):
+    """A hollow of one track."""
+
+    place: Annotated[str, OneOf(Place)] = described("body it is on", ...)
+    kind: Annotated[str, OneOf(DefectKind)] = described(
+        "spall: flat, sharp edges; pit: round bottom; dent: no edges", ...
+    )
+    width_mm: float = above(0, 100, "along the track", ...)
+    depth_um: float = above(0, 1e4, "at its middle", ...)
+    azimuth_deg: float = within(360, "of its middle, from the load line at time zero", 0.0)
+    ball: int = between(1, BALLS_MAXIMUM, "number of the ball that has it", 1)
+
+
+class FormTable(Table):
+    """Form of the surfaces of the bearing: what they differ by from circles. `oilfilm vibration`."""
+
+    inner_waviness: tuple[WaveTable, ...] = described(
+        "[[form.inner_waviness]], orders of the inner race", (), strict=False, max_length=2000
+    )
+    outer_waviness: tuple[WaveTable, ...] = described(
+        "[[form.outer_waviness]], orders of the outer race", (), strict=False, max_length=2000
+    )
+    ball_waviness: tuple[BallWaveTable, ...] = described(
+        "[[form.ball_waviness]], orders of the balls", (), strict=False, max_length=2000
+    )
+    inner_profile: str | None = described(
+        "text file with columns of angle [deg] and height [um] over a turn of the inner race",
+        min_length=1,
+    )
+    outer_profile: str | None = described("likewise of the outer race", min_length=1)
+    ball_profile: str | None = described("likewise of all balls", min_length=1)
+    ball_diameter_um: Differences | None = described("of each ball over the nominal diameter")
+    defects: tuple[DefectTable, ...] = described(
+        "[[form.defects]], hollows of tracks", (), strict=False, max_length=DEFECTS_MAXIMUM
+    )
+
+
+class SupportTable(Table):
+    """What holds the rings while the bearing vibrates."""
+
+    inner_ring: Literal["free", "held"] = described(
+        "held: on a stiff spindle, where the loads put it", "free"
+    )
+    shaft_mass_kg: float = between(0, 1e6, "that moves with the inner ring", 0.0)
+    seat_stiffness_N_um: float | None = between(
+        0, 1e9, "radial, of the outer ring's seat; 0: loaded against a held inner ring; left out, "
+        "the outer ring stands still"
+    )
+    seat_axial_stiffness_N_um: float | None = between(0, 1e9, "axial; left out, the radial one")
+    seat_damping_N_s_m: float | None = between(0, 1e9, "of the seat, in all directions")
+    outer_ring_mass_kg: float | None = above(0, 1e6, "left out, by its dimensions")
+    housing_mass_kg: float = between(0, 1e6, "that moves with the outer ring", 0.0)
+    sensor_mass_kg: float | None = above(0, 1e6, "oscillator on the outer ring, along y")
+    sensor_frequency_Hz: float | None = above(0, 1e6, "of its resonance on a ring at rest")
+    sensor_damping_ratio: float | None = above(0, 1, "of its critical damping")
+    frequency_response: str | None = described(
+        "text file with columns of frequency [Hz], amplitude ratio and phase [deg], which the "
+        "acceleration goes through",
+        min_length=1,
+    )
+
+
+class VibrationTable(Table):
+    """Vibration over time: `oilfilm vibration`."""
+
+    duration_s: float | None = above(
+        0, 1e3, "of the record; left out, end_time_s of [dynamics], or 0.5"
+    )
+    settling_time_s: float = between(0, 100, "before it, while the form grows", 0.1)
+    sample_rate_Hz: float = between(100, 1e6, "of the record", 51200.0)
+    contact_law: Annotated[str, OneOf(ContactLaw)] = described(
+        "film: stiffness and damping of solved films; dry: Hertz; linear: springs", "film"
+    )
+    wave_filter: Annotated[str, OneOf(WaveFilter)] = described(
+        "what the length of the contact leaves of waves: solved with the film, the mean over a "
+        "dry contact, or all",
+        "film",
+    )
+    loss_time_us: float = between(
+        0, 1e4, "damping over stiffness of dry and linear contacts", 0.0
+    )
+    cage_slip_ratio: float = within(
+        0.5, "part by which the cage is slower than in equilibrium", 0.0
+    )
+    start_speed_rpm: float | None = between(
+        0, 1e6, "run-up: of the inner ring at the start of the record, rising evenly"
+    )
+    direction: Annotated[str, OneOf(Direction)] = described(
+        "of what is looked at: x along the axis, y along the load line", "y"
+    )
+    reference_m_s2: float = above(0, 1e3, "of levels in dB; 1e-6 in ISO 1683", REFERENCE)
+    envelope_band_Hz: Band | None = described(
+        "of the envelope; left out, the high band of ISO 15242 as far as it is sampled"
+    )
+
+
+SENSOR = ("sensor_mass_kg", "sensor_frequency_Hz", "sensor_damping_ratio")
+RELATIONS: tuple[Relation, ...] = (
+    *(
+        Needs(f"support.{name}", Where(f"support.{other}"))
+        for name in SENSOR
+        for other in SENSOR
+        if name != other
+    ),
+    Needs("support.seat_damping_N_s_m", Where("support.seat_stiffness_N_um", nonzero=True)),
+    Needs("support.seat_stiffness_N_um", Where("support.sensor_mass_kg")),
+    *(
+        OnlyWith(f"support.{name}", (Where("support.seat_stiffness_N_um"),))
+        for name in ("seat_axial_stiffness_N_um", "seat_damping_N_s_m", "outer_ring_mass_kg")
+    ),
+    OnlyWith(
+        "support.housing_mass_kg", (Where("support.seat_stiffness_N_um"),), default=0.0
+    ),
+)
+
+
+def faults(values: CaseValues) -> Iterator[CaseFault]:
+    """Rings without a hold; a run-up from more than the speed; what belongs to other laws."""
+    held = values.get("support", "inner_ring") == "held"
+    if values.get("support", "seat_stiffness_N_um") == 0.0 and not held:
+        path = ("support", "seat_stiffness_N_um")
+        yield CaseFault(path, "found 0, which leaves both rings without a hold", 'allowed: with inner_ring = "held", or a stiffness')
+    start = values.get("vibration", "start_speed_rpm")
+    speed = values.get("operation", "inner_speed_rpm")
+    if start is not None:
+        path = ("vibration", "start_speed_rpm")
+        if values.get("operation", "outer_speed_rpm"):
+            yield CaseFault(path, "found with outer_speed_rpm", "allowed: an outer ring at rest")
+        elif speed is not None and not 0.0 <= start < speed:
+            yield CaseFault(path, f"found {shown(start)}", f"allowed: below inner_speed_rpm, {shown(speed)}")
+    law = values.get("vibration", "contact_law") or "film"
+    if law == "film" and values.get("vibration", "loss_time_us"):
+        path = ("vibration", "loss_time_us")
+        yield CaseFault(path, 'found with contact_law = "film"', "allowed: with dry or linear contacts")
+    yield from _ball_faults(values)
+
+
+def _ball_faults(values: CaseValues) -> Iterator[CaseFault]:
+    """Balls that the bearing does not have."""
+    balls = values.get("bearing", "balls")
+    given = values.get("form", "ball_diameter_um")
+    if balls is None or given is None:
+        return
+    if len(given) != balls:
+        yield CaseFault(("form", "ball_diameter_um"), f"found {len(given)} values", f"allowed: {balls}, one a ball")
+
+
+def vibration(
+    form: FormTable | None,
+    support: SupportTable | None,
+    table: VibrationTable | None,
+    speeds: tuple[float, float | None],
+) -> VibrationModel:
+    """Model of the vibration, SI; `UnfitKey` where a profile cannot be read.
+
+    speeds: of the inner ring [rad/s], and the end time of [dynamics] [s].
+    """
+    return VibrationModel(
+        form=SurfaceForm() if form is None else surface_form(form),
+        support=Support() if support is None else _support(support),
+        options=_options(table or VibrationTable(), *speeds),
+    )
+
+
+def surface_form(table: FormTable) -> SurfaceForm:
+    """Form of the surfaces, SI; `UnfitKey` where a profile cannot be read."""
+    waves = {
+        Place.INNER: tuple(map(_wave, table.inner_waviness)),
+        Place.OUTER: tuple(map(_wave, table.outer_waviness)),
+        Place.BALL: tuple(map(_wave, table.ball_waviness)),
+    }
+    files = {
+        Place.INNER: ("inner_profile", table.inner_profile),
+        Place.OUTER: ("outer_profile", table.outer_profile),
+        Place.BALL: ("ball_profile", table.ball_profile),
+    }
+    profiles = {place: _profile(*given) for place, given in files.items() if given[1]}
+    return SurfaceForm(
+        waves=waves,
+        profiles=profiles,
+        ball_diameters=tuple(table.si()["ball_diameter"] or ()),
+        defects=tuple(_defect(one) for one in table.defects),
+    )
+
+
+def _wave(table: WaveTable) -> Wave:
+    si = table.si()
+    ball = table.ball if isinstance(table, BallWaveTable) else 0
+    return Wave(order=table.order, amplitude=si["amplitude"], phase=si["phase"], ball=ball)
+
+
+def _defect(table: DefectTable) -> Defect:
+    si = table.si()
+    return Defect(
+        place=Place(table.place),
+        kind=DefectKind(table.kind),
+        width=si["width"],
+        depth=si["depth"],
+        azimuth=si["azimuth"],
+        ball=table.ball,
+    )
+
+
+def _support(table: SupportTable) -> Support:
+    si = table.si()
+    sensor = None
+    if table.sensor_mass_kg is not None:
+        sensor = Sensor(
+            mass=si["sensor_mass"],
+            frequency=si["sensor_frequency"],
+            damping_ratio=si["sensor_damping_ratio"],
+        )
+    return Support(
+        shaft_mass=si["shaft_mass"],
+        inner_ring_held=table.inner_ring == "held",
+        seat_stiffness=si["seat_stiffness"],
+        seat_axial_stiffness=si["seat_axial_stiffness"],
+        seat_damping=si["seat_damping"] or 0.0,
+        outer_mass=si["outer_ring_mass"],
+        housing_mass=si["housing_mass"],
+        sensor=sensor,
+    )
+
+
+def _options(table: VibrationTable, speed: float, end_time: float | None) -> VibrationOptions:
+    si = table.si()
+    start = table.start_speed_rpm
+    return VibrationOptions(
+        duration=table.duration_s or end_time or END_TIME,
+        settling=si["settling_time"],
+        sample_rate=si["sample_rate"],
+        law=ContactLaw(table.contact_law),
+        wave_filter=WaveFilter(table.wave_filter),
+        loss_time=si["loss_time"],
+        cage_slip=table.cage_slip_ratio,
+        start_speed_ratio=1.0 if start is None else start * RPM / speed,
+    )
+
+
+def _profile(key: str, file: str | None) -> Array:
+    """Heights over a turn, even, of a file [m]."""
+    allowed = "allowed: rows of a rising angle [deg] from 0 and a height [um], at least 4"
+    rows = _rows(("form", key), str(file), 2, allowed)
+    angle, height = rows.T
+    if len(rows) < 4 or angle[0] < 0.0 or angle[-1] > 360.0 or (np.diff(angle) <= 0.0).any():
+        raise UnfitKey(("form", key), f"{file}: angles do not rise from 0 to 360", allowed)
+    even = np.linspace(0.0, 360.0, max(4096, 4 * len(rows)), endpoint=False)
+    values = np.interp(even, angle, height, period=360.0)
+    return np.asarray((values - values.mean()) * MICROMETRE)
+
+
+def frequency_response(table: SupportTable | None) -> Array | None:
+    """Rows of frequency [Hz], amplitude ratio [-], phase [rad]; `UnfitKey` where the file cannot
+    be read.
+    """
+    if table is None or table.frequency_response is None:
+        return None
+    path = ("support", "frequency_response")
+    allowed = "allowed: rows of a rising frequency [Hz], an amplitude ratio and a phase [deg]"
+    rows = _rows(path, table.frequency_response, 3, allowed)
+    if len(rows) < 2 or (np.diff(rows[:, 0]) <= 0.0).any() or (rows[:, 1] < 0.0).any():
+        raise UnfitKey(path, f"{table.frequency_response}: no rising frequencies", allowed)
+    return np.column_stack([rows[:, 0], rows[:, 1], radians(1.0) * rows[:, 2]])
+
+
+def _rows(path: tuple[str | int, ...], file: str, columns: int, allowed: str) -> Array:
+    """Numbers of a text file, shape (n, columns)."""
+    try:
+        text = Path(file).read_text(encoding="utf-8").replace(",", " ").replace(";", " ")
+        rows = np.atleast_2d(np.loadtxt(text.splitlines(), comments=["#", "%"]))
+    except OSError as error:
+        raise UnfitKey(path, f"{file} cannot be read: {error.strerror or error}", allowed) from None
+    except ValueError as error:
+        raise UnfitKey(path, f"{file}: {error}", allowed) from None
+    if rows.shape[1] != columns or not np.isfinite(rows).all():
+        raise UnfitKey(path, f"{file} has {rows.shape[1]} columns", allowed)
+    return np.asarray(rows)

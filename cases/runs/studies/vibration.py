@@ -1,0 +1,90 @@
+"""Run the vibration of a bearing case: equilibrium, films, form, time."""
+
+from dataclasses import replace
+from functools import partial
+from time import perf_counter
+
+from bearing.vibration.assembly import assembled
+from bearing.vibration.inputs import Direction
+from bearing.vibration.laws import FilmsNotSolvedError
+from bearing.vibration.simulation import pieces, vibration_run
+from ehl.multigrid.bordered import LinearSolverError
+from postprocess.vibration.results import VibrationResults
+
+from ...format.case import Case
+from ...format.over_time.vibration import VibrationTable, frequency_response, vibration
+from ...format.problems import CaseError, UnfitKey
+from ...version import version
+from ..equilibrium import case_equilibrium
+from ..films import Progress
+from ..interrupt import interruptible
+
+
+class NotSolvedError(RuntimeError):
+    """No equilibrium, or a film that is not solved: there is nothing to vibrate."""
+
+
+def run_vibration(case: Case, name: str, progress: Progress | None = None) -> VibrationResults:
+    """Compute the vibration of a case; `name` of it in messages.
+
+    progress : callable, optional
+        Called with per mille done, 1000, and a word on the state.
+
+    Raises
+    ------
+    CaseError
+        If the case cannot be computed.
+    NotSolvedError
+        If there is no equilibrium, or a film is not solved.
+    """
+    notify = progress or (lambda done, total, state: None)
+    began = perf_counter()
+    file = case.file
+    end_time = None if file.dynamics is None else file.dynamics.end_time_s
+    table = file.vibration or VibrationTable()
+    try:
+        times = (case.operation.inner_speed, end_time)
+        model = vibration(file.form, file.support, file.vibration, times)
+        response = frequency_response(file.support)
+        notify(0, 1000, "equilibrium and films")
+        state = interruptible(partial(case_equilibrium, case))
+        if not state.converged:
+            raise NotSolvedError(state.message)
+        equations = interruptible(partial(assembled, state, case.lubricant, model))
+        run = vibration_run(state, model, equations)
+    except UnfitKey as error:
+        raise CaseError(f"{name}: {error.fault.text(name, {})}") from error
+    except ValueError as error:
+        raise CaseError(f"{name}: {error}") from error
+    except (FilmsNotSolvedError, LinearSolverError) as error:
+        raise NotSolvedError(f'{error}; contact_law and wave_filter = "dry" take none') from error
+    films = perf_counter() - began
+    steps = pieces(run)
+    while True:
+        done = interruptible(partial(next, steps, None))
+        if done is None:
+            break
+        notify(round(1000.0 * done / run.steps), 1000, "vibration over time")
+    results = VibrationResults(
+        version=version(),
+        case=case.document,
+        messages=case.warnings,
+        run=run,
+        direction=Direction(table.direction),
+        reference=table.reference_m_s2,
+        envelope_band=_band(table),
+        response=response,
+    )
+    wall = perf_counter() - began
+    return replace(results, timing={"films": films, "vibration": wall - films, "total": wall})
+
+
+def _band(table: VibrationTable) -> tuple[float, float] | None:
+    """Of the envelope [Hz]; CaseError beyond half the sample rate."""
+    if table.envelope_band_Hz is None:
+        return None
+    low, high = table.envelope_band_Hz
+    if high > 0.5 * table.sample_rate_Hz:
+        limit = 0.5 * table.sample_rate_Hz
+        raise CaseError(f"vibration.envelope_band_Hz: up to {limit:g}, half of the sample rate")
+    return low, high

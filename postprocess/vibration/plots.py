@@ -1,0 +1,212 @@
+"""Pictures of a vibration."""
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from bearing.vibration.inputs import VibrationOptions
+from ehl.units import from_si
+
+from ..plot_style import (
+    BALL_COLOUR,
+    INK,
+    INNER_COLOUR,
+    OUTER_COLOUR,
+    PAGE_WIDTH,
+    REFERENCE,
+    write_figures,
+)
+from .measured import Measured, envelope_band, shaft_frequency
+from .results import VibrationResults
+from .signals import Spectrum, by_order, envelope, spectrum, waterfall
+
+FLOOR = 1e-6  # of the largest line, below which nothing is drawn [-]
+DEPTH = 60.0  # of the colours of a waterfall [dB]
+SHOWN_TURNS = 4.0  # of the shaft, in the picture over time
+SHOWN_PASSES = 8.0  # highest frequency of an envelope, over that of the inner ring's passes [-]
+MARKERS = {
+    "cage": REFERENCE,
+    "ball_pass_outer": OUTER_COLOUR,
+    "ball_pass_inner": INNER_COLOUR,
+    "ball_spin": BALL_COLOUR,
+}
+
+
+def write_vibration_plots(
+    results: VibrationResults,
+    seen: Measured,
+    document: dict[str, Any],
+    directory: Path,
+    hurried: Callable[[], bool],
+) -> tuple[str, ...]:
+    """Write the pictures; those that failed are messages."""
+    given = {"results": results, "seen": seen, "document": document}
+    pictures = {
+        "time": draw_time,
+        "spectrum": draw_spectrum,
+        "orders": draw_orders,
+        "envelope": draw_envelope,
+        "waterfall": draw_waterfall,
+        "ball_loads": draw_loads,
+    }
+    folder = directory / "plots"
+    folder.mkdir(exist_ok=True)
+    drawings = [(name, partial(draw, **given)) for name, draw in pictures.items()]
+    return write_figures(folder, drawings, hurried)
+
+
+def draw_time(figure: Figure, results: VibrationResults, seen: Measured, document: Any) -> None:
+    """Acceleration [m/s^2], velocity [um/s] and displacement [um] over the last turns [ms]."""
+    figure.set_size_inches(PAGE_WIDTH, 4.6)
+    figure.suptitle(f"{results.title}: {document['vibration']['measured']}", fontsize=8.5)
+    rows = figure.subplots(3, 1, sharex=True)
+    span = SHOWN_TURNS / shaft_frequency(results.run)
+    shown = seen.time >= seen.time[-1] - span
+    time = from_si("x_ms", seen.time[shown])
+    for axes, values, label in (
+        (rows[0], seen.acceleration, "acceleration [m/s²]"),
+        (rows[1], from_si("x_um_s", seen.velocity), "velocity [µm/s]"),
+        (rows[2], from_si("x_um", seen.displacement - seen.displacement.mean()), "shift [µm]"),
+    ):
+        axes.plot(time, values[shown], color=INK, linewidth=0.7)
+        axes.set_ylabel(label)
+        axes.grid(linewidth=0.3, alpha=0.5)
+    rows[2].set_xlabel("time [ms]")
+    rows[2].set_xlim(time[0], time[-1])
+
+
+def draw_spectrum(
+    figure: Figure, results: VibrationResults, seen: Measured, document: Any
+) -> None:
+    """Velocity [um/s] over frequency [Hz], with bands and the lines that are expected."""
+    figure.set_size_inches(PAGE_WIDTH, 3.4)
+    figure.suptitle(f"{results.title}: {document['vibration']['measured']}", fontsize=8.5)
+    axes = figure.subplots()
+    found = spectrum(seen.velocity, seen.rate)
+    top = _decades(axes, found, "x_um_s")
+    axes.set_xscale("log")
+    axes.set_xlim(max(found.frequency[1], 1.0), 0.5 * seen.rate)
+    steady = results.run.model.options.start_speed_ratio == 1.0
+    lines = document["vibration"]["lines"] if steady else []
+    shown = [line for line in lines if (line["velocity_um_s"] or 0.0) > 1e-4 * top]
+    for line in shown:
+        axes.plot(line["frequency_Hz"], line["velocity_um_s"], "o", color=OUTER_COLOUR, ms=3)
+    for low, high in document["vibration"]["bands_Hz"].values():
+        axes.axvline(low, color=REFERENCE, linewidth=0.5, linestyle=":")
+        axes.axvline(high, color=REFERENCE, linewidth=0.5, linestyle=":")
+    note = "dots: lines expected from the form of the surfaces; dotted: bands of ISO 15242-2"
+    axes.set_title(f"{note}, scaled with the speed", fontsize=7)
+    axes.set_xlabel("frequency [Hz]")
+    axes.set_ylabel("velocity [µm/s]")
+
+
+def draw_orders(figure: Figure, results: VibrationResults, seen: Measured, document: Any) -> None:
+    """Velocity [um/s] over the order of the shaft, with the passing balls."""
+    figure.set_size_inches(PAGE_WIDTH, 3.2)
+    figure.suptitle(f"{results.title}: orders of the shaft", fontsize=8.5)
+    axes = figure.subplots()
+    found = by_order(seen.velocity, seen.turned, results.run.solution.operation.shaft_speed)
+    _decades(axes, found, "x_um_s")
+    shaft = shaft_frequency(results.run)
+    passes = document["frequencies_Hz"]["with_slip"]
+    axes.set_xlim(0.0, min(found.frequency[-1], 6.0 * passes["ball_pass_inner"] / shaft))
+    _mark(axes, {name: f / shaft for name, f in passes.items()}, "-")
+    axes.legend(ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1.0))
+    axes.set_xlabel("order [-]")
+    axes.set_ylabel("velocity [µm/s]")
+
+
+def draw_envelope(
+    figure: Figure, results: VibrationResults, seen: Measured, document: Any
+) -> None:
+    """Envelope of the acceleration [m/s^2] over frequency [Hz], kinematic markers and with slip."""
+    figure.set_size_inches(PAGE_WIDTH, 3.2)
+    band = envelope_band(results)
+    title = f"{results.title}: envelope of {band[0]:.0f} to {band[1]:.0f} Hz"
+    figure.suptitle(title, fontsize=8.5)
+    axes = figure.subplots()
+    size = envelope(seen.acceleration, seen.rate, band)
+    found = spectrum(size, seen.rate)
+    axes.plot(found.frequency, found.amplitude, color=INK, linewidth=0.7)
+    kinds = document["frequencies_Hz"]
+    _mark(axes, kinds["with_slip"], "-")
+    _mark(axes, kinds["kinematic"], ":", named=False)
+    axes.set_xlim(0.0, min(SHOWN_PASSES * kinds["with_slip"]["ball_pass_inner"], 0.5 * seen.rate))
+    axes.set_ylim(bottom=0.0)
+    axes.legend(ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1.0))
+    axes.set_xlabel("frequency [Hz]; lines: with the cage speed of the run, dotted: kinematic")
+    axes.set_ylabel("envelope [m/s²]")
+
+
+def draw_waterfall(
+    figure: Figure, results: VibrationResults, seen: Measured, document: Any
+) -> None:
+    """Acceleration [dB] over time [s], in a run-up over speed [r/min], and frequency [Hz]."""
+    figure.set_size_inches(PAGE_WIDTH, 3.8)
+    figure.suptitle(f"{results.title}: {document['vibration']['measured']}", fontsize=8.5)
+    axes = figure.subplots()
+    time, frequency, size = waterfall(seen.acceleration, seen.rate)
+    options = results.run.model.options
+    inside = (time >= 0.0) & (time <= options.duration)
+    levels = 20.0 * np.log10(np.maximum(size[:, inside], 1e-300) / results.reference)
+    label = "time [s]"
+    place = time[inside]
+    if options.start_speed_ratio != 1.0:
+        label = "speed of the shaft [r/min]"
+        place = _speed(options, place) * shaft_frequency(results.run) * 60.0
+    top = float(levels.max())
+    mesh = axes.pcolormesh(place, frequency, levels, vmin=top - DEPTH, vmax=top, rasterized=True)
+    bar = figure.colorbar(mesh, ax=axes)
+    bar.set_label(f"acceleration [dB re {results.reference:g} m/s²]")
+    axes.set_xlabel(label)
+    axes.set_ylabel("frequency [Hz]")
+    axes.set_ylim(0.0, 0.45 * seen.rate)
+
+
+def draw_loads(figure: Figure, results: VibrationResults, seen: Measured, document: Any) -> None:
+    """Loads of all balls at the outer race [N] over the last turns [ms]."""
+    figure.set_size_inches(PAGE_WIDTH, 3.2)
+    figure.suptitle(f"{results.title}: loads of the balls", fontsize=8.5)
+    axes = figure.subplots()
+    run = results.run
+    balls = run.assembled.arrays.balls
+    time = np.arange(len(run.loads)) * (run.model.options.duration / len(run.loads))
+    shown = time >= time[-1] - SHOWN_TURNS / shaft_frequency(run)
+    for j in range(balls):
+        colour = INK if j == 0 else BALL_COLOUR
+        values = run.loads[shown, balls + j]
+        axes.plot(from_si("x_ms", time[shown]), values, color=colour, linewidth=0.6)
+    axes.set_xlabel("time [ms]; ball 1 in black")
+    axes.set_ylabel("load at the outer race [N]")
+    axes.grid(linewidth=0.3, alpha=0.5)
+    axes.set_ylim(bottom=0.0)
+
+
+def _speed(options: VibrationOptions, time: Any) -> Any:
+    """Speed over that at the end [-] at times [s]."""
+    start = options.start_speed_ratio
+    return start + (1.0 - start) * time / options.duration
+
+
+def _decades(axes: Any, found: Spectrum, key: str) -> float:
+    """Amplitudes on a logarithmic axis, down to `FLOOR` of the largest, which is returned."""
+    values = from_si(key, found.amplitude)
+    top = float(values[1:].max())
+    axes.set_yscale("log")
+    axes.plot(found.frequency, np.maximum(values, FLOOR * top), color=INK, linewidth=0.6)
+    if top > 0.0:
+        axes.set_ylim(FLOOR * top, 3.0 * top)
+    axes.grid(linewidth=0.3, alpha=0.5)
+    return top
+
+
+def _mark(axes: Any, places: dict[str, float], style: str, *, named: bool = True) -> None:
+    """Vertical lines at the passing frequencies."""
+    for name, place in places.items():
+        label = name.replace("_", " ") if named else None
+        colour = MARKERS[name]
+        axes.axvline(place, color=colour, linewidth=0.8, linestyle=style, alpha=0.7, label=label)

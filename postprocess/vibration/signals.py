@@ -1,0 +1,122 @@
+"""Levels, lines and spectra of a vibration, evenly sampled."""
+
+from dataclasses import dataclass
+from math import log2, pi, sqrt
+
+import numpy as np
+from scipy.signal import ShortTimeFFT, get_window, hilbert, resample_poly
+
+from bearing.geometry import Array
+from ehl.units import RPM
+
+# of ISO 15242-2 at 1800 r/min [Hz]; they scale with the speed
+BANDS = {"low": (50.0, 300.0), "medium": (300.0, 1800.0), "high": (1800.0, 10000.0)}
+BAND_SPEED = 1800.0 * RPM  # [rad/s]
+ANDERON = 7.5e-6  # for each square root of an octave [m/s]
+EDGE = 0.45  # of the sample rate, up to which the filter against aliasing passes [-]
+COLUMNS = 160  # of a waterfall
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Spectrum:
+    """Amplitudes (half from trough to crest) over frequency."""
+
+    frequency: Array  # [Hz], or the order [-]
+    amplitude: Array  # in the unit of the signal
+
+
+def sampled(fine: Array, factor: int) -> Array:
+    """Every factor-th value of columns [any unit], what is too fast for that filtered out."""
+    mean = fine.mean(axis=0)
+    return np.asarray(resample_poly(fine - mean, 1, factor, axis=0) + mean)
+
+
+def spectrum(signal: Array, rate: float) -> Spectrum:
+    """Amplitudes of a signal [any unit] without its mean, Hann's window; rate: [Hz]."""
+    window = get_window("hann", signal.size)
+    values = np.fft.rfft((signal - signal.mean()) * window)
+    return Spectrum(
+        frequency=np.fft.rfftfreq(signal.size, 1.0 / rate),
+        amplitude=2.0 * abs(values) / window.sum(),
+    )
+
+
+def band_rms(signal: Array, rate: float, band: tuple[float, float]) -> float:
+    """Root mean square of a signal [any unit] within a band [Hz], Hann's window."""
+    window = get_window("hann", signal.size)
+    values = np.fft.rfft((signal - signal.mean()) * window)
+    frequency = np.fft.rfftfreq(signal.size, 1.0 / rate)
+    inside = (frequency >= band[0]) & (frequency < band[1])
+    power = 2.0 * (abs(values[inside]) ** 2).sum() / (signal.size * (window**2).sum())
+    return float(sqrt(power))
+
+
+def speed_bands(speed: float) -> dict[str, tuple[float, float]]:
+    """Bands of ISO 15242-2 at a speed [rad/s], in proportion to it [Hz]."""
+    scale = abs(speed) / BAND_SPEED
+    return {name: (low * scale, high * scale) for name, (low, high) in BANDS.items()}
+
+
+def anderon(velocity: float, band: tuple[float, float]) -> float:
+    """Velocity [m/s] within a band [Hz] in anderon: 7.5 um/s for each root of an octave."""
+    return velocity / (ANDERON * sqrt(log2(band[1] / band[0])))
+
+
+def amplitude_at(signal: Array, turned: Array, frequency: float) -> float:
+    """Amplitude of a signal [any unit] at a frequency [Hz] of the end's speeds; turned: time that
+    would have turned the rings as far at these [s].
+    """
+    window = get_window("hann", signal.size)
+    wave = np.exp(-2j * pi * frequency * turned)
+    size = abs(np.sum(window * (signal - signal.mean()) * wave))
+    return float(2.0 * size / window.sum())
+
+
+def by_order(signal: Array, turned: Array, speed: float) -> Spectrum:
+    """Amplitudes of a signal [any unit] over the order of the shaft, evenly sampled by its angle.
+
+    turned: see `amplitude_at` [s]; speed: of the shaft at the end [rad/s].
+    """
+    even = np.linspace(turned[0], turned[-1], signal.size)
+    found = spectrum(np.interp(even, turned, signal), 1.0 / (even[1] - even[0]))
+    orders = found.frequency * 2.0 * pi / abs(speed)
+    return Spectrum(frequency=orders, amplitude=found.amplitude)
+
+
+def envelope(signal: Array, rate: float, band: tuple[float, float]) -> Array:
+    """Size of a signal [any unit] that is limited to a band [Hz] (Hilbert)."""
+    values = np.fft.rfft(signal)
+    frequency = np.fft.rfftfreq(signal.size, 1.0 / rate)
+    values[(frequency < band[0]) | (frequency > band[1])] = 0.0
+    return np.asarray(abs(hilbert(np.fft.irfft(values, signal.size))))
+
+
+def kurtosis(signal: Array) -> float | None:
+    """Fourth moment over the square of the second, 3 of noise [-]; None of a still signal."""
+    part = signal - signal.mean()
+    square = float((part**2).mean())
+    return float((part**4).mean()) / square**2 if square > 0.0 else None
+
+
+def waterfall(signal: Array, rate: float) -> tuple[Array, Array, Array]:
+    """Amplitudes of short pieces over their time: time [s], frequency [Hz], amplitude, shape
+    (frequency, time).
+    """
+    size = max(64, 2 * (signal.size // COLUMNS))
+    window = get_window("hann", size)
+    hop = max(1, (signal.size - size) // COLUMNS)
+    transform = ShortTimeFFT(window, hop, rate, scale_to="magnitude")
+    values = 2.0 * abs(transform.stft(signal - signal.mean()))
+    return transform.t(signal.size), transform.f, values
+
+
+def answered(signal: Array, rate: float, response: Array) -> Array:
+    """A signal [any unit] through a given frequency response: rows of frequency [Hz], amplitude
+    ratio [-], phase [rad]; zero outside of its frequencies.
+    """
+    values = np.fft.rfft(signal - signal.mean())
+    frequency = np.fft.rfftfreq(signal.size, 1.0 / rate)
+    at, size, phase = response.T
+    gain = np.interp(frequency, at, size, left=0.0, right=0.0)
+    turn = np.interp(frequency, at, np.unwrap(phase))
+    return np.asarray(np.fft.irfft(values * gain * np.exp(1j * turn), signal.size))

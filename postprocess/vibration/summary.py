@@ -1,0 +1,251 @@
+"""Summary of a vibration."""
+
+from collections.abc import Iterator
+from dataclasses import asdict
+from math import log10
+from typing import Any
+
+import numpy as np
+
+from bearing.vibration.arrays import BALLS
+from bearing.vibration.inputs import ContactLaw, WaveFilter
+from bearing.vibration.lines import expected_lines, kinematic, passing
+from bearing.vibration.simulation import VibrationRun
+from ehl.units import from_si
+
+from ..files import plain
+from .measured import Measured, envelope_band, measured
+from .results import ENERGY_LIMIT, VibrationResults
+from .signals import (
+    EDGE,
+    amplitude_at,
+    anderon,
+    band_rms,
+    envelope,
+    kurtosis,
+    speed_bands,
+    spectrum,
+)
+
+PEAKS = 12  # largest of a spectrum that are listed
+
+
+def vibration_summary(results: VibrationResults) -> dict[str, Any]:
+    """The vibration as plain JSON: levels, bands, lines; what does not apply is None with the
+    reason in `messages`. Keys end in their units.
+    """
+    run = results.run
+    seen = measured(results)
+    document = {
+        "simulated_s": run.model.options.duration,
+        "steps": run.steps,
+        "step_us": from_si("step_us", run.step),
+        "equations": int(run.assembled.arrays.free.sum()) + 2 * run.assembled.arrays.balls,
+        "energy_balance_error": run.energy_balance_error,
+        "cage_speed_rpm": from_si("cage_speed_rpm", run.assembled.cage_speed),
+        "cage_speed_ratio": _cage_ratio(run),
+        "frequencies_Hz": {
+            "kinematic": asdict(kinematic(run.solution)),
+            "with_slip": asdict(passing(run.solution, run.assembled)),
+        },
+        "vibration": _vibration(results, seen),
+        "balls": _balls(run),
+        "films": _films(run),
+        "wall_s": results.timing.get("vibration"),
+        "timing_s": results.timing,
+    }
+    head = results.head(results.converged, _messages(results))
+    return head | dict(plain(document))
+
+
+def _cage_ratio(run: VibrationRun) -> float | None:
+    """Cage speed over that of rolling at the mean contact angle."""
+    rolling = kinematic(run.solution).cage
+    found = passing(run.solution, run.assembled).cage
+    return found / rolling if rolling > 0.0 else None
+
+
+def _vibration(results: VibrationResults, seen: Measured) -> dict[str, Any]:
+    rms = float(np.sqrt(np.mean((seen.acceleration - seen.acceleration.mean()) ** 2)))
+    peak = float(abs(seen.acceleration - seen.acceleration.mean()).max())
+    return {
+        "measured": f"{seen.body}, {seen.direction.value}",
+        "sample_rate_Hz": seen.rate,
+        "displacement_um": from_si("displacement_um", float(seen.displacement.std())),
+        "velocity_um_s": from_si("velocity_um_s", float(seen.velocity.std())),
+        "acceleration_m_s2": rms,
+        "acceleration_peak_m_s2": peak,
+        "acceleration_dB": 20.0 * log10(rms / results.reference) if rms > 0.0 else None,
+        "reference_m_s2": results.reference,
+        "crest_factor": peak / rms if rms > 0.0 else None,
+        "kurtosis_number": kurtosis(seen.acceleration),
+        **_bands(results.run, seen),
+        "lines": _lines(results.run, seen),
+        "peaks": _peaks(results.run, seen),
+        "envelope_band_Hz": envelope_band(results),
+        "envelope_lines": _envelope_lines(results, seen),
+    }
+
+
+def _bands(run: VibrationRun, seen: Measured) -> dict[str, Any]:
+    """Velocity within the bands; None where one is beyond the record, or in a run-up."""
+    bands = speed_bands(run.solution.operation.shaft_speed)
+    steady = run.model.options.start_speed_ratio == 1.0
+    levels = {
+        name: band_rms(seen.velocity, seen.rate, band)
+        if steady and _is_covered(run, band)
+        else None
+        for name, band in bands.items()
+    }
+    return {
+        "bands_Hz": bands,
+        "bands_um_s": {name: from_si("x_um_s", level) for name, level in levels.items()},
+        "anderon": {
+            name: None if level is None else anderon(level, bands[name])
+            for name, level in levels.items()
+        },
+    }
+
+
+def _is_covered(run: VibrationRun, band: tuple[float, float]) -> bool:
+    """Whether the record is long and fine enough for a band [Hz]."""
+    options = run.model.options
+    return band[0] * options.duration >= 2.0 and band[1] <= EDGE * options.sample_rate
+
+
+def _lines(run: VibrationRun, seen: Measured) -> list[dict[str, Any]]:
+    """Amplitudes at the frequencies that the form of the surfaces makes one expect."""
+    rows = []
+    for line in expected_lines(run.solution, run.assembled, run.model.form):
+        sizes = [
+            amplitude_at(signal, seen.turned, line.frequency)
+            for signal in (seen.displacement, seen.velocity, seen.acceleration)
+        ]
+        sampled = line.frequency <= EDGE * seen.rate
+        rows.append(
+            {
+                "source": line.source,
+                "order_number": line.order,
+                "direction": line.direction,
+                "frequency_Hz": line.frequency,
+                "displacement_um": from_si("x_um", sizes[0]) if sampled else None,
+                "velocity_um_s": from_si("x_um_s", sizes[1]) if sampled else None,
+                "acceleration_m_s2": sizes[2] if sampled else None,
+            }
+        )
+    return rows
+
+
+def _peaks(run: VibrationRun, seen: Measured) -> list[dict[str, Any]]:
+    """Largest lines of the velocity's spectrum, and the nearest expected one within its width."""
+    if run.model.options.start_speed_ratio != 1.0:
+        return []
+    found = spectrum(seen.velocity, seen.rate)
+    size = found.amplitude
+    inner = size[1:-1]
+    tops = 1 + np.flatnonzero((inner > size[:-2]) & (inner >= size[2:]) & (inner > 0.0))
+    largest = tops[np.argsort(-size[tops])][:PEAKS]
+    width = 2.0 * seen.rate / seen.velocity.size
+    known = expected_lines(run.solution, run.assembled, run.model.form)
+    rows = []
+    for k in largest:
+        frequency = float(found.frequency[k])
+        near = [line for line in known if abs(line.frequency - frequency) <= width]
+        name = min(near, key=lambda line: abs(line.frequency - frequency)).source if near else None
+        rows.append(
+            {
+                "frequency_Hz": frequency,
+                "velocity_um_s": from_si("x_um_s", float(size[k])),
+                "source": name,
+            }
+        )
+    return rows
+
+
+def _envelope_lines(results: VibrationResults, seen: Measured) -> dict[str, Any]:
+    """Amplitude of the envelope at the passing frequencies, kinematic and with the cage's slip."""
+    size = envelope(seen.acceleration, seen.rate, envelope_band(results))
+    run = results.run
+    kinds = {"kinematic": kinematic(run.solution)}
+    kinds["with_slip"] = passing(run.solution, run.assembled)
+    return {
+        kind: {
+            f"{name}_m_s2": amplitude_at(size, seen.turned, frequency)
+            for name, frequency in asdict(frequencies).items()
+        }
+        for kind, frequencies in kinds.items()
+    }
+
+
+def _balls(run: VibrationRun) -> list[dict[str, Any]]:
+    """Loads of each ball over the record."""
+    balls = run.assembled.arrays.balls
+    inner, outer = run.loads[:, :balls], run.loads[:, balls:]
+    return [
+        {
+            "ball": j + 1,
+            "inner_load_mean_N": float(inner[:, j].mean()),
+            "inner_load_maximum_N": float(inner[:, j].max()),
+            "inner_loose_share": float((inner[:, j] == 0.0).mean()),
+            "outer_load_mean_N": float(outer[:, j].mean()),
+            "outer_load_maximum_N": float(outer[:, j].max()),
+            "outer_loose_share": float((outer[:, j] == 0.0).mean()),
+        }
+        for j in range(balls)
+    ]
+
+
+def _films(run: VibrationRun) -> list[dict[str, Any]]:
+    """Response of the films that the law of the contacts is made of."""
+    return [
+        {
+            "race": race.value,
+            "load_N": float(films.loads[k]),
+            "frequency_Hz": films.frequency,
+            "stiffness_over_hertz_ratio": float(films.stiffness_ratio[k]),
+            "damping_N_s_m": float(films.damping[k]),
+            "damping_uncertainty_N_s_m": float(films.damping_uncertainty[k]),
+        }
+        for race, films in run.assembled.films.items()
+        for k in range(films.loads.size)
+    ]
+
+
+def _messages(results: VibrationResults) -> Iterator[str]:
+    run = results.run
+    options = run.model.options
+    if not np.isfinite(run.motion[:, :BALLS]).all():
+        yield "vibration: not converged: the motion grew without limit"
+    elif not results.converged:
+        error = f"{run.energy_balance_error:.2g}"
+        yield (
+            f"vibration: not converged: energies are off by {error} of what is stored and done, "
+            f"more than {ENERGY_LIMIT:g}"
+        )
+    if options.law is ContactLaw.FILM:
+        yield (
+            "vibration: films at the speed of the case; their damping at one frequency, "
+            f"{min(f.frequency for f in run.assembled.films.values()):.0f} Hz, or below"
+        )
+    elif options.law is ContactLaw.DRY:
+        yield f"vibration: dry contacts with a loss of {options.loss_time:.3g} s, as given"
+    else:
+        yield "vibration: linear springs, to compare with closed forms; no bearing has them"
+    if options.wave_filter is WaveFilter.NONE and not _smooth(run):
+        yield "vibration: waves enter unfiltered, as through a contact without length"
+    bands = speed_bands(run.solution.operation.shaft_speed)
+    lost = [name for name, band in bands.items() if not _is_covered(run, band)]
+    if options.start_speed_ratio != 1.0:
+        yield "bands_um_s, anderon: null, the speed changes"
+    elif lost:
+        yield (
+            f"bands_um_s, anderon: null of {', '.join(lost)}: the record is too short or too "
+            "coarse for the band at this speed; lengthen duration_s or raise sample_rate_Hz"
+        )
+    if _smooth(run):
+        yield "vibration: no form of the surfaces is given: what is left is varying compliance"
+
+
+def _smooth(run: VibrationRun) -> bool:
+    form = run.model.form
+    return not (any(form.waves.values()) or form.profiles or form.defects or form.ball_diameters)

@@ -1,0 +1,49 @@
+"""Levels and lines of a vibration in the terminal."""
+
+from typing import Any
+
+from rich.console import Group
+from rich.text import Text
+
+from ..table import facts_table, number_table
+from ..text import number
+
+SHOWN = 14  # lines at most
+HEADERS = ("line", "order", "direction", "Hz", "nm", "µm/s", "m/s²")
+
+
+def vibration_table(document: dict[str, Any]) -> Group:
+    """What of a summary is looked at first: levels with their reference, bands, largest lines."""
+    found = document["vibration"]
+    bands = found["bands_Hz"]
+    facts = {
+        "measured": found["measured"],
+        "acceleration": (
+            f"{number(found['acceleration_m_s2'])} m/s² rms, {number(found['acceleration_dB'])} dB "
+            f"re {found['reference_m_s2']:g} m/s²"
+        ),
+        "velocity": f"{number(found['velocity_um_s'])} µm/s rms",
+        "displacement": f"{number(found['displacement_um'])} µm rms",
+    }
+    for name, level in found["bands_um_s"].items():
+        low, high = bands[name]
+        facts[f"{name} {low:.4g}-{high:.4g} Hz"] = (
+            f"{number(level)} µm/s, {number(found['anderon'][name])} anderon"
+        )
+    cage = document["cage_speed_rpm"]
+    facts["cage"] = f"{cage:.1f} r/min, {number(document['cage_speed_ratio'], '.5f')} of rolling"
+    lines = sorted(found["lines"], key=lambda line: -(line["displacement_um"] or 0.0))[:SHOWN]
+    rows = [
+        [
+            line["source"],
+            str(line["order_number"]),
+            line["direction"],
+            f"{line['frequency_Hz']:.1f}",
+            number(None if line["displacement_um"] is None else 1e3 * line["displacement_um"]),
+            number(line["velocity_um_s"]),
+            number(line["acceleration_m_s2"]),
+        ]
+        for line in lines
+    ]
+    title = Text(document["case"].get("title", ""), style="bold")
+    return Group(title, facts_table(facts), number_table(HEADERS, rows, ("line", "direction")))
