@@ -21,7 +21,6 @@ summaries    - the summary of a run, of a bearing or of a single contact
 table        - tables of results for a terminal of 80 columns
 text         - numbers and lists as text
 traction     - results of traction tables
-vibration    - results of a vibration
 writer       - all output of a run into one directory
 """
 

@@ -117,7 +117,8 @@ def race_contact(c, race, j, q, v, about):
     turn = c.speeds[2] * ratio
     cx, cr, wx, wr, tx, tr = groove_motion(c, race, q, v, (cosine, sine, turn))
     place = BALLS + 2 * j
-    dx, dr = cx - q[place], cr - q[place + 1]
+    dx = cx - q[place]
+    dr = cr - q[place + 1]
     distance = np.sqrt(dx * dx + dr * dr)
     ex, er = dx / distance, dr / distance
     height, rate = form_at(c, race, j, psi, time)
@@ -246,8 +247,8 @@ def advance(c, clock, share, state, record):
     written before every stride-th step; none with a stride of zero.
 
     clock: time [s], step [s], steps, stride; share: of the form at the start, its gain [1/s],
-    damping of all bodies [1/s]; record: displacements, speeds and accelerations of rings and sensor
-    (n, 27), loads (n, 2 Z), energy and works (n, 4).
+    damping of all bodies [1/s]; record: displacements, speeds and accelerations of rings and
+    sensor (n, 27), loads (n, 2 Z), energy and works (n, 4).
     """
     start, step, steps, stride = clock
     q, v, work = state

@@ -1,4 +1,4 @@
-"""Numbers of the equations of motion from a bearing in equilibrium and a model of its vibration."""
+"""Numbers of the equations of motion from a bearing in equilibrium and what makes it vibrate."""
 
 from dataclasses import dataclass
 from math import pi, sqrt
@@ -69,7 +69,6 @@ def assembled(
     FilmsNotSolvedError
         If a film is not solved.
     """
-    bearing = solution.bearing
     _check(solution, model)
     films: dict[Race, SolvedFilms] = {}
     laws: dict[Race, ContactLawTable] = {}
@@ -126,7 +125,8 @@ def _check(solution: QuasistaticSolution, model: VibrationModel) -> None:
         raise ValueError("inner_speed: nothing turns, so nothing vibrates")
     limit = 0.5 * model.options.sample_rate
     fastest = operation.shaft_speed / (2.0 * pi)
-    numbers = [one.ball for one in (*model.form.waves.get(Place.BALL, ()), *model.form.defects)]
+    numbers = [wave.ball for wave in model.form.waves.get(Place.BALL, ())]
+    numbers += [defect.ball for defect in model.form.defects_of(Place.BALL)]
     balls = solution.bearing.balls
     if max(numbers, default=0) > balls:
         raise ValueError(f"ball: {max(numbers)} is given a form, but there are {balls} balls")

@@ -1,7 +1,7 @@
 """Form of the surfaces of rings and balls: waviness, profiles, defects, diameters of the balls.
 
-Heights count outwards from the material, against the other body, over the angle around a ring (from
-the load line at time zero, turning with it) or around a ball in the plane in which it rolls.
+Heights count outwards from the material, against the other body, over the angle around a ring
+(from the load line at time zero, turning with it) or around a ball in the plane of its rolling.
 """
 
 from dataclasses import dataclass, field
@@ -126,8 +126,8 @@ def hollow(defect: Defect, radius: float) -> Array:
 def rolled(profile: Array, radius: float, reduced_radius: float) -> Array:
     """Path of a rigid body that rolls over a profile, max over s of z(x + s) - s^2/(2 R_x) [m].
 
-    Over a gap of the width w it drops by u^2/(2 R_x) at the distance u from the nearer edge, w^2/(8
-    R_x) at most, or onto the bottom where that is less deep.
+    Over a gap of the width w it drops by u^2/(2 R_x) at the distance u from the nearer edge,
+    w^2/(8 R_x) at most, or onto the bottom where that is less deep.
 
     profile: heights over a turn [m], shape (n,); radius: of the track [m]; reduced_radius: R_x of
     ball and race [m].
@@ -138,5 +138,5 @@ def rolled(profile: Array, radius: float, reduced_radius: float) -> Array:
     cell = 2.0 * pi * radius / profile.size
     half = min(int(np.ceil((2.0 * reduced_radius * deepest) ** 0.5 / cell)), profile.size // 2 - 1)
     s = cell * np.arange(-half, half + 1)
-    structure = -(s**2) / (2.0 * reduced_radius)
+    structure = (-(s**2) / (2.0 * reduced_radius)).tolist()
     return np.asarray(grey_dilation(profile, structure=structure, mode="wrap"))

@@ -1,6 +1,6 @@
 """What the vibration of a bearing is computed from, in SI."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import Enum
 from math import isfinite
 
@@ -40,7 +40,7 @@ class Direction(Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sensor:
-    """One oscillator on the outer ring (housing, or a sensor's mount), where the motion is felt."""
+    """One oscillator on the outer ring (housing, mount of a sensor), where the motion is felt."""
 
     mass: float  # [kg]
     frequency: float  # of its resonance on a ring at rest [Hz]
@@ -56,7 +56,7 @@ class Support:
     # of the outer ring's seat, radial and axial [N/m]; None: it stands still; zero: it is loaded
     # against an inner ring that is held
     seat_stiffness: float | None = None
-    seat_axial_stiffness: float | None = None  # None: the radial one
+    seat_axial_stiffness: float | None = None  # None: the radial one [N/m]
     seat_damping: float = 0.0  # [N s/m]
     outer_mass: float | None = None  # of the outer ring [kg]; None: by its dimensions
     housing_mass: float = 0.0  # that moves with the outer ring [kg]
@@ -92,8 +92,8 @@ class VibrationOptions:
     # damping over stiffness of contacts that are not solved films [s]
     loss_time: float = 0.0
     cage_slip: float = 0.0  # part by which the balls lag behind the equilibrium's cage speed [-]
-    # of the inner ring's and outer ring's speeds at the start of the record, over those at its end
-    start_speed_ratio: float = 1.0
+    # speed at the start of the record over that at its end, of all that turns
+    start_speed_ratio: float = 1.0  # [-]
 
     def __post_init__(self) -> None:
         if not self.duration > 0.0:
@@ -106,6 +106,6 @@ class VibrationOptions:
 class VibrationModel:
     """Form of the surfaces, what holds the rings, and how it is computed."""
 
-    form: SurfaceForm = SurfaceForm()
-    support: Support = Support()
-    options: VibrationOptions = VibrationOptions()
+    form: SurfaceForm = field(default_factory=SurfaceForm)
+    support: Support = field(default_factory=Support)
+    options: VibrationOptions = field(default_factory=VibrationOptions)

@@ -1,4 +1,4 @@
-"""Laws of ball and race as the equations of motion take them: Hertz, solved films, linear springs."""
+"""Laws of ball and race in the equations of motion: Hertz, solved films, linear springs."""
 
 from dataclasses import dataclass, replace
 

@@ -15,14 +15,15 @@ from math import pi
 
 import numpy as np
 
+from ..geometry import Race
 from ..operation import Operation
 from ..quasistatic.solution import QuasistaticSolution
 from ..rating.frequencies import Frequencies, kinematic_frequencies
-from ..geometry import Race
 from .assembly import Assembled, mean_angle
 from .form import Place, SurfaceForm
 
-HARMONICS = 3  # of what repeats with each ball
+HARMONICS = 3  # of what repeats with each ball, smoothly
+SHARP_HARMONICS = 12  # of a defect
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,9 +59,10 @@ def expected_lines(
         Place.BALL: 2.0 * slipped.ball_spin,
     }
     for place in dict.fromkeys(defect.place for defect in form.defects):
-        lines += _multiples(f"defect of the {place.value}", passes[place])
+        name = f"defect of the {place.value}"
+        lines += _multiples(name, passes[place], SHARP_HARMONICS)
     if np.hypot(*solution.ring_force[1:]) > 0.0:
-        lines += _multiples("varying compliance", slipped.ball_pass_outer)
+        lines += _multiples("varying compliance", slipped.ball_pass_outer, HARMONICS)
     unique = {(line.source, line.order, round(line.frequency, 6)): line for line in lines}
     return tuple(unique.values())
 
@@ -84,9 +86,7 @@ def kinematic(solution: QuasistaticSolution) -> Frequencies:
     return kinematic_frequencies(solution.bearing, operation, angle)
 
 
-def _ring_lines(
-    place: Place, order: int, balls: int, speeds: tuple[float, float]
-) -> list[Line]:
+def _ring_lines(place: Place, order: int, balls: int, speeds: tuple[float, float]) -> list[Line]:
     """Lines of a wave of a ring. speeds: of the ring and of the cage [Hz]."""
     near = range(order // balls, order // balls + 2)
     offsets = {k: order - k * balls for k in near}
@@ -119,8 +119,8 @@ def _ball_lines(order: int, spin: float, cage: float) -> list[Line]:
     ]
 
 
-def _multiples(source: str, frequency: float) -> list[Line]:
+def _multiples(source: str, frequency: float, count: int) -> list[Line]:
     return [
         Line(source=source, order=k, direction="any", frequency=k * frequency)
-        for k in range(1, HARMONICS + 1)
+        for k in range(1, count + 1)
     ]

@@ -1,4 +1,4 @@
-"""Vibration of a bearing over time: from its equilibrium to a record of rings, sensor and loads."""
+"""Vibration of a bearing over time, from its equilibrium: motion of rings and sensor, loads."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -173,5 +173,3 @@ def computed(run: VibrationRun) -> VibrationRun:
     for _ in pieces(run):
         pass
     return run
-
-

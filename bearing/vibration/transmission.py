@@ -10,8 +10,8 @@ rolling direction sin(k a)/(k a), k = 2 pi/l, is left: the mean of the height ov
 
 With a film the same part follows from the derivative of the discrete equations at the solved
 contact, for the wave that passes at the speed of rolling, the film squeezed and carried with it
-(`ehl.traction.response`). The amplitude that is left in the film itself (Venner and Lubrecht, 2000)
-is another number: a long wave leaves none in the film and moves the bodies by all of it.
+(`ehl.traction.response`). The amplitude that is left in the film itself (Venner and Lubrecht,
+2000) is another number: a long wave leaves none in the film and moves the bodies by all of it.
 """
 
 from dataclasses import dataclass
@@ -42,12 +42,15 @@ class Transmission:
     def of(self, orders: Array, radius: float) -> NDArray[np.complex128]:
         """Of orders around a track of a radius [m], shape as the orders [-]."""
         number = orders * self.semi_axis / radius
-        dry = np.sinc(number / np.pi) + 0.0j
+        dry: NDArray[np.complex128] = np.sinc(number / np.pi).astype(np.complex128)
         if self.numbers.size < 2:
             return dry
         spline = CubicSpline(self.numbers, self.parts)
         last = self.numbers[-1]
-        return np.where(number <= last, spline(np.minimum(number, last)), dry)
+        inside = number <= last
+        found = dry.copy()
+        found[inside] = spline(number[inside])
+        return found
 
 
 def dry_transmission(semi_axis: float) -> Transmission:

@@ -25,7 +25,7 @@ PLANAR_SECONDS = 1.0  # with the equations of a plane
 AXIAL_SECONDS = 9.0  # of one ball for all, with ring and cage; not for each ball
 # of a step in time on 257 nodes along x, of y >= 0, measured likewise on waviness_ball_on_disc
 STEP_SECONDS = 0.05
-# of a vibration for each ball and simulated second, and of its films; measured likewise on the 6208
+# of a vibration for each ball and simulated second, and of its films; likewise, 6208_waviness
 VIBRATION_SECONDS = 3.0
 VIBRATION_FILMS = 5.0
 TORQUE_SECONDS = 1.0  # of equilibrium, torque by every model and self-heating without films

@@ -19,6 +19,7 @@ from ..runs.output_lock import TEMPORARY, home, scratch_folder
 from .app import CaseName, Json, Output, Quiet, app
 from .cost import dynamics_cost, tell_cost
 from .output import load_bearing, report, results_directory, save_with
+from .over_time.vibration import run_and_report
 from .progress import progress_bar
 from .terminal import guarded
 
@@ -59,6 +60,11 @@ def dynamics(
 ) -> int:
     """Simulate a bearing over time: balls, cage and inner ring."""
     loaded = load_bearing(case, "a simulation needs a bearing")
+    if loaded.file.form is not None or loaded.file.support is not None:
+        if any(option is not None for option in (restart, table, animation)):
+            raise CaseError(f"{case}: --restart, --table, --animate: not with [form] or [support]")
+        say("oilfilm: with [form] or [support] as 'oilfilm vibration': the cage turns the balls")
+        return run_and_report(case, output, as_json=as_json, quiet=quiet)
     directory = results_directory(case, output, as_json)
     if animation is not None and (directory is None or animation.suffix.lower() != ".gif"):
         allowed = "allowed: a .gif file, and results that are written (-o)"

@@ -11,17 +11,7 @@ from typing import Any
 
 from pydantic import PrivateAttr, TypeAdapter, ValidationError
 
-from . import (
-    bearing,
-    contact,
-    dynamics,
-    fits,
-    friction,
-    load_cases,
-    lubricant,
-    operation,
-    rows,
-)
+from . import bearing, contact, dynamics, fits, friction, load_cases, lubricant, operation, rows
 from .bearing import BearingTable, SurfaceTable
 from .contact import ContactEhlTable, ContactTable, EhlTable
 from .dynamics import RENAMED, CageTable, DynamicsTable

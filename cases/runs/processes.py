@@ -18,6 +18,14 @@ THREADS = (
 )
 
 
+def one_thread() -> None:
+    """One thread for libraries that are not loaded yet, unless the user gives a number: vectors of
+    some thousand numbers are handed between threads more slowly than they are added.
+    """
+    for name in THREADS:
+        os.environ.setdefault(name, "1")
+
+
 def prepare_worker() -> None:
     """In a new process: one thread each; Ctrl-C is left to the parent; ends with the parent."""
     os.environ.update(dict.fromkeys(THREADS, "1"))

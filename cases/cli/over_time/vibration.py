@@ -5,6 +5,7 @@ from __future__ import annotations
 from threading import Event
 
 from ...runs.interrupt import say
+from ...runs.processes import one_thread
 from ..app import CaseName, Json, Output, Quiet, app
 from ..cost import tell_cost, vibration_cost
 from ..output import load_bearing, report, results_directory, save_with
@@ -23,6 +24,7 @@ def vibration(
 
 def run_and_report(case: CaseName, output: Output, *, as_json: bool, quiet: bool) -> int:
     """Compute the vibration of a case, write and print it; returns the exit code."""
+    one_thread()
     loaded = load_bearing(case, "vibration needs a bearing")
     directory = results_directory(case, output, as_json)
     from ...runs.studies.vibration import NotSolvedError, run_vibration
@@ -37,9 +39,9 @@ def run_and_report(case: CaseName, output: Output, *, as_json: bool, quiet: bool
     except KeyboardInterrupt:
         say("oilfilm: of an unfinished vibration nothing is kept")
         raise
-    from postprocess.vibration.summary import vibration_summary
-    from postprocess.vibration.table import vibration_table
-    from postprocess.vibration.write import write_vibration
+    from postprocess.dynamics.vibration.summary import vibration_summary
+    from postprocess.dynamics.vibration.table import vibration_table
+    from postprocess.dynamics.vibration.write import write_vibration
 
     hurry = Event()
     save_with(lambda folder: write_vibration(results, folder, hurry.is_set), directory, hurry.set)

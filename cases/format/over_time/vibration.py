@@ -1,9 +1,9 @@
-"""[form], [support] and [vibration]: surfaces that are not even, rings that move, what is heard."""
+"""[form], [support], [vibration]: surfaces that are not even, rings that move, what is heard."""
 
 from collections.abc import Iterator
 from math import radians
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 import numpy as np
 
@@ -21,7 +21,7 @@ from bearing.vibration.inputs import (
 from ehl.units import MICROMETRE, RPM
 
 from ..fields import OneOf, Table, above, between, checked, described, numbers, within
-from ..problems import MISSING, CaseFault, UnfitKey, shown
+from ..problems import CaseFault, UnfitKey, shown
 from ..rules import CaseValues, Needs, OnlyWith, Relation, Where
 
 DEFECTS_MAXIMUM = 20
@@ -75,7 +75,7 @@ class DefectTable(Table):
 
 
 class FormTable(Table):
-    """Form of the surfaces of the bearing: what they differ by from circles. `oilfilm vibration`."""
+    """Form of the surfaces: what they differ by from circles; `oilfilm vibration`."""
 
     inner_waviness: tuple[WaveTable, ...] = described(
         "[[form.inner_waviness]], orders of the inner race", (), strict=False, max_length=2000
@@ -106,8 +106,10 @@ class SupportTable(Table):
     )
     shaft_mass_kg: float = between(0, 1e6, "that moves with the inner ring", 0.0)
     seat_stiffness_N_um: float | None = between(
-        0, 1e9, "radial, of the outer ring's seat; 0: loaded against a held inner ring; left out, "
-        "the outer ring stands still"
+        0,
+        1e9,
+        "radial, of the outer ring's seat; 0: loaded against a held inner ring; left out, "
+        "the outer ring stands still",
     )
     seat_axial_stiffness_N_um: float | None = between(0, 1e9, "axial; left out, the radial one")
     seat_damping_N_s_m: float | None = between(0, 1e9, "of the seat, in all directions")
@@ -139,9 +141,7 @@ class VibrationTable(Table):
         "dry contact, or all",
         "film",
     )
-    loss_time_us: float = between(
-        0, 1e4, "damping over stiffness of dry and linear contacts", 0.0
-    )
+    loss_time_us: float = between(0, 1e4, "damping over stiffness of dry and linear contacts", 0.0)
     cage_slip_ratio: float = within(
         0.5, "part by which the cage is slower than in equilibrium", 0.0
     )
@@ -171,9 +171,7 @@ RELATIONS: tuple[Relation, ...] = (
         OnlyWith(f"support.{name}", (Where("support.seat_stiffness_N_um"),))
         for name in ("seat_axial_stiffness_N_um", "seat_damping_N_s_m", "outer_ring_mass_kg")
     ),
-    OnlyWith(
-        "support.housing_mass_kg", (Where("support.seat_stiffness_N_um"),), default=0.0
-    ),
+    OnlyWith("support.housing_mass_kg", (Where("support.seat_stiffness_N_um"),), default=0.0),
 )
 
 
@@ -182,7 +180,11 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     held = values.get("support", "inner_ring") == "held"
     if values.get("support", "seat_stiffness_N_um") == 0.0 and not held:
         path = ("support", "seat_stiffness_N_um")
-        yield CaseFault(path, "found 0, which leaves both rings without a hold", 'allowed: with inner_ring = "held", or a stiffness')
+        yield CaseFault(
+            path,
+            "found 0, which leaves both rings without a hold",
+            'allowed: with inner_ring = "held", or a stiffness',
+        )
     start = values.get("vibration", "start_speed_rpm")
     speed = values.get("operation", "inner_speed_rpm")
     if start is not None:
@@ -190,11 +192,15 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
         if values.get("operation", "outer_speed_rpm"):
             yield CaseFault(path, "found with outer_speed_rpm", "allowed: an outer ring at rest")
         elif speed is not None and not 0.0 <= start < speed:
-            yield CaseFault(path, f"found {shown(start)}", f"allowed: below inner_speed_rpm, {shown(speed)}")
+            yield CaseFault(
+                path, f"found {shown(start)}", f"allowed: below inner_speed_rpm, {shown(speed)}"
+            )
     law = values.get("vibration", "contact_law") or "film"
     if law == "film" and values.get("vibration", "loss_time_us"):
         path = ("vibration", "loss_time_us")
-        yield CaseFault(path, 'found with contact_law = "film"', "allowed: with dry or linear contacts")
+        yield CaseFault(
+            path, 'found with contact_law = "film"', "allowed: with dry or linear contacts"
+        )
     yield from _ball_faults(values)
 
 
@@ -205,7 +211,11 @@ def _ball_faults(values: CaseValues) -> Iterator[CaseFault]:
     if balls is None or given is None:
         return
     if len(given) != balls:
-        yield CaseFault(("form", "ball_diameter_um"), f"found {len(given)} values", f"allowed: {balls}, one a ball")
+        yield CaseFault(
+            ("form", "ball_diameter_um"),
+            f"found {len(given)} values",
+            f"allowed: {balls}, one a ball",
+        )
 
 
 def vibration(
@@ -332,7 +342,9 @@ def _rows(path: tuple[str | int, ...], file: str, columns: int, allowed: str) ->
         text = Path(file).read_text(encoding="utf-8").replace(",", " ").replace(";", " ")
         rows = np.atleast_2d(np.loadtxt(text.splitlines(), comments=["#", "%"]))
     except OSError as error:
-        raise UnfitKey(path, f"{file} cannot be read: {error.strerror or error}", allowed) from None
+        raise UnfitKey(
+            path, f"{file} cannot be read: {error.strerror or error}", allowed
+        ) from None
     except ValueError as error:
         raise UnfitKey(path, f"{file}: {error}", allowed) from None
     if rows.shape[1] != columns or not np.isfinite(rows).all():

@@ -9,7 +9,7 @@ from bearing.vibration.inputs import Direction
 from bearing.vibration.laws import FilmsNotSolvedError
 from bearing.vibration.simulation import pieces, vibration_run
 from ehl.multigrid.bordered import LinearSolverError
-from postprocess.vibration.results import VibrationResults
+from postprocess.dynamics.vibration.results import VibrationResults
 
 from ...format.case import Case
 from ...format.over_time.vibration import VibrationTable, frequency_response, vibration

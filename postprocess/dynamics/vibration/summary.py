@@ -13,7 +13,7 @@ from bearing.vibration.lines import expected_lines, kinematic, passing
 from bearing.vibration.simulation import VibrationRun
 from ehl.units import from_si
 
-from ..files import plain
+from ...files import plain
 from .measured import Measured, envelope_band, measured
 from .results import ENERGY_LIMIT, VibrationResults
 from .signals import (
@@ -23,8 +23,8 @@ from .signals import (
     band_rms,
     envelope,
     kurtosis,
-    speed_bands,
     spectrum,
+    speed_bands,
 )
 
 PEAKS = 12  # largest of a spectrum that are listed

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from bearing.vibration.inputs import VibrationOptions
 from ehl.units import from_si
 
-from ..plot_style import (
+from ...plot_style import (
     BALL_COLOUR,
     INK,
     INNER_COLOUR,
@@ -44,7 +44,7 @@ def write_vibration_plots(
     hurried: Callable[[], bool],
 ) -> tuple[str, ...]:
     """Write the pictures; those that failed are messages."""
-    given = {"results": results, "seen": seen, "document": document}
+    given: dict[str, Any] = {"results": results, "seen": seen, "document": document}
     pictures = {
         "time": draw_time,
         "spectrum": draw_spectrum,
@@ -123,7 +123,7 @@ def draw_orders(figure: Figure, results: VibrationResults, seen: Measured, docum
 def draw_envelope(
     figure: Figure, results: VibrationResults, seen: Measured, document: Any
 ) -> None:
-    """Envelope of the acceleration [m/s^2] over frequency [Hz], kinematic markers and with slip."""
+    """Envelope of the acceleration [m/s^2] over frequency [Hz], marks kinematic and with slip."""
     figure.set_size_inches(PAGE_WIDTH, 3.2)
     band = envelope_band(results)
     title = f"{results.title}: envelope of {band[0]:.0f} to {band[1]:.0f} Hz"
@@ -164,7 +164,8 @@ def draw_waterfall(
     bar.set_label(f"acceleration [dB re {results.reference:g} m/s²]")
     axes.set_xlabel(label)
     axes.set_ylabel("frequency [Hz]")
-    axes.set_ylim(0.0, 0.45 * seen.rate)
+    loud = frequency[levels.max(axis=1) > top - DEPTH]
+    axes.set_ylim(0.0, min(1.1 * loud[-1], 0.5 * seen.rate))
 
 
 def draw_loads(figure: Figure, results: VibrationResults, seen: Measured, document: Any) -> None:

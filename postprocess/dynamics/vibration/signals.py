@@ -14,7 +14,8 @@ BANDS = {"low": (50.0, 300.0), "medium": (300.0, 1800.0), "high": (1800.0, 10000
 BAND_SPEED = 1800.0 * RPM  # [rad/s]
 ANDERON = 7.5e-6  # for each square root of an octave [m/s]
 EDGE = 0.45  # of the sample rate, up to which the filter against aliasing passes [-]
-COLUMNS = 160  # of a waterfall
+PIECES = 60  # of a waterfall, one beside the other
+COLUMNS = 200  # of its picture
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,7 +37,7 @@ def spectrum(signal: Array, rate: float) -> Spectrum:
     window = get_window("hann", signal.size)
     values = np.fft.rfft((signal - signal.mean()) * window)
     return Spectrum(
-        frequency=np.fft.rfftfreq(signal.size, 1.0 / rate),
+        frequency=np.asarray(np.fft.rfftfreq(signal.size, 1.0 / rate), dtype=np.float64),
         amplitude=2.0 * abs(values) / window.sum(),
     )
 
@@ -102,12 +103,12 @@ def waterfall(signal: Array, rate: float) -> tuple[Array, Array, Array]:
     """Amplitudes of short pieces over their time: time [s], frequency [Hz], amplitude, shape
     (frequency, time).
     """
-    size = max(64, 2 * (signal.size // COLUMNS))
+    size = max(64, signal.size // PIECES)
     window = get_window("hann", size)
     hop = max(1, (signal.size - size) // COLUMNS)
     transform = ShortTimeFFT(window, hop, rate, scale_to="magnitude")
     values = 2.0 * abs(transform.stft(signal - signal.mean()))
-    return transform.t(signal.size), transform.f, values
+    return transform.t(signal.size), transform.f, np.asarray(values, dtype=np.float64)
 
 
 def answered(signal: Array, rate: float, response: Array) -> Array:

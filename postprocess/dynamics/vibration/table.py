@@ -5,8 +5,8 @@ from typing import Any
 from rich.console import Group
 from rich.text import Text
 
-from ..table import facts_table, number_table
-from ..text import number
+from ...table import facts_table, number_table
+from ...text import number
 
 SHOWN = 14  # lines at most
 HEADERS = ("line", "order", "direction", "Hz", "nm", "µm/s", "m/s²")
@@ -19,8 +19,8 @@ def vibration_table(document: dict[str, Any]) -> Group:
     facts = {
         "measured": found["measured"],
         "acceleration": (
-            f"{number(found['acceleration_m_s2'])} m/s² rms, {number(found['acceleration_dB'])} dB "
-            f"re {found['reference_m_s2']:g} m/s²"
+            f"{number(found['acceleration_m_s2'])} m/s² rms, "
+            f"{number(found['acceleration_dB'])} dB re {found['reference_m_s2']:g} m/s²"
         ),
         "velocity": f"{number(found['velocity_um_s'])} µm/s rms",
         "displacement": f"{number(found['displacement_um'])} µm rms",
