@@ -22,6 +22,7 @@ from ..rating.frequencies import Frequencies, kinematic_frequencies
 from .assembly import Assembled, mean_angle
 from .form import Place, SurfaceForm
 
+LEAST_FORCE = 1e-6  # across the axis, over the heaviest load, that counts as one [-]
 HARMONICS = 3  # of what repeats with each ball, smoothly
 SHARP_HARMONICS = 12  # of a defect
 
@@ -61,7 +62,7 @@ def expected_lines(
     for place in dict.fromkeys(defect.place for defect in form.defects):
         name = f"defect of the {place.value}"
         lines += _multiples(name, passes[place], SHARP_HARMONICS)
-    if np.hypot(*solution.ring_force[1:]) > 0.0:
+    if np.hypot(*solution.ring_force[1:]) > LEAST_FORCE * solution.inner_load.max():
         lines += _multiples("varying compliance", slipped.ball_pass_outer, HARMONICS)
     unique = {(line.source, line.order, round(line.frequency, 6)): line for line in lines}
     return tuple(unique.values())

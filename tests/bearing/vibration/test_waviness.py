@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing.library.typical_geometry import typical_geometry
 from bearing.operation import Operation
 from bearing.quasistatic.solver import solve_quasistatic
 from bearing.vibration.assembly import assembled
@@ -16,7 +15,9 @@ from bearing.vibration.inputs import ContactLaw, Support, VibrationModel, Vibrat
 from bearing.vibration.lines import expected_lines, passing
 from bearing.vibration.simulation import computed, vibration_run
 from cases.format.case import load_case
+from postprocess.dynamics.vibration.signals import amplitude_at
 
+SLOW = pytest.mark.slow
 AMPLITUDE = 1e-8  # [m]: small against the approach, 2 um
 INTERFERENCE = -8e-6  # of clearance [m]: all balls pressed alike without any load
 
@@ -31,11 +32,11 @@ def bearing(balls=9):
     return replace(case().bearing, balls=balls, diametral_clearance=INTERFERENCE)
 
 
-def run(waves, geometry, axial=0.0, rpm=1800.0, **options):
+def run(waves, geometry, axial=0.0, rpm=6000.0, **options):
     """A vibration with linear springs, and its equilibrium."""
     state = solve_quasistatic(geometry, Operation(inner_speed=rpm * np.pi / 30.0, force=(axial, 0.0, 0.0)))
     assert state.converged
-    given = {"duration": 0.1, "settling": 0.03, "sample_rate": 20480.0, "law": ContactLaw.LINEAR}
+    given = {"duration": 0.04, "settling": 0.015, "sample_rate": 20480.0, "law": ContactLaw.LINEAR}
     settings = VibrationOptions(**(given | {"wave_filter": WaveFilter.NONE} | options))
     model = VibrationModel(form=SurfaceForm(waves=waves), options=settings)
     equations = assembled(state, case().lubricant, model)
@@ -47,6 +48,12 @@ def sizes(found):
     return np.sqrt(2.0) * found.motion[:, :3].std(axis=0)
 
 
+def amplitudes(found, frequency, first=0):
+    """Amplitudes at a frequency [Hz] along x, y, z of a ring [m]."""
+    time = np.linspace(0.0, found.model.options.duration, len(found.motion), endpoint=False)
+    return np.array([amplitude_at(found.motion[:, k], time, frequency) for k in range(first, first + 3)])
+
+
 def closed_form(found, frequency, mass):
     """Amplitude of a ring on Z springs in a plane, driven by a wave of a suited order [m]: A/(1 - w^2 m/(Z k/2))."""
     arrays = found.assembled.arrays
@@ -55,7 +62,7 @@ def closed_form(found, frequency, mass):
     return AMPLITUDE / (1.0 - (2.0 * np.pi * frequency) ** 2 * mass / stiffness)
 
 
-@pytest.mark.parametrize("order", [1, 8, 10, 28])
+@pytest.mark.parametrize("order", [1, 10, pytest.param(8, marks=SLOW), pytest.param(28, marks=SLOW)])
 def test_one_wave_on_the_inner_ring_shows_with_the_amplitude_of_springs(order):
     """Of a 6208, to 1 %: half of the 2 % that the ball's own mass and the finite record may take."""
     state, found = run({Place.INNER: (Wave(order=order, amplitude=AMPLITUDE),)}, bearing())
@@ -64,14 +71,14 @@ def test_one_wave_on_the_inner_ring_shows_with_the_amplitude_of_springs(order):
     k = round(order / 9)
     assert_allclose(line.frequency, abs(order * speeds[0] - 9 * k * speeds[2]), rtol=1e-12)
     wanted = closed_form(found, line.frequency, found.assembled.arrays.mass[1])
-    assert_allclose(sizes(found)[1:], wanted, rtol=0.01)
+    assert_allclose(amplitudes(found, line.frequency)[1:], wanted, rtol=0.01)
     spectrum = abs(np.fft.rfft(found.motion[:, 1] - found.motion[:, 1].mean()))
-    highest = np.fft.rfftfreq(len(found.motion), 0.1 / len(found.motion))[spectrum.argmax()]
-    assert abs(highest - line.frequency) <= 10.0  # a line of a record of 0.1 s
+    highest = np.fft.rfftfreq(len(found.motion), 0.04 / len(found.motion))[spectrum.argmax()]
+    assert abs(highest - line.frequency) <= 25.0  # a line of a record of 0.04 s
     assert found.energy_balance_error < 1e-6
 
 
-@pytest.mark.parametrize("seed", [731, 9017])
+@pytest.mark.parametrize("seed", [731, pytest.param(9017, marks=SLOW), pytest.param(55021, marks=SLOW)])
 def test_orders_move_what_the_rule_says_and_nothing_else(seed):
     """Random numbers of balls and orders: kZ the ring along its axis, kZ +- 1 across, others nothing."""
     random = np.random.default_rng(seed)
@@ -82,19 +89,19 @@ def test_orders_move_what_the_rule_says_and_nothing_else(seed):
         order = k * balls + offset
         place = (Place.INNER, Place.OUTER)[int(random.integers(0, 2))]
         waves = {place: (Wave(order=order, amplitude=AMPLITUDE, phase=random.uniform(0.0, 6.0)),)}
-        _, found = run(waves, geometry, axial=500.0, duration=0.05, settling=0.02)
+        _, found = run(waves, geometry, axial=500.0, duration=0.015, settling=0.01)
         near = min(order % balls, balls - order % balls)
         x, y, z = sizes(found)
         moved = {"x": x > 1e-3 * AMPLITUDE, "y": y > 1e-3 * AMPLITUDE, "z": z > 1e-3 * AMPLITUDE}
         assert moved == {"x": near == 0, "y": near == 1, "z": near == 1}, (balls, order, place, (x, y, z))
         if near > 1:
-            assert max(x, y, z) < 1e-6 * AMPLITUDE
+            assert max(y, z) < 1e-5 * AMPLITUDE  # what the start leaves in 10 ms
 
 
 @pytest.mark.parametrize(("order", "moves"), [(2, True), (3, False), (4, True), (5, False)])
 def test_a_ball_moves_the_ring_by_its_even_orders_alone(order, moves):
     waves = {Place.BALL: (Wave(order=order, amplitude=AMPLITUDE, ball=1),)}
-    _, found = run(waves, bearing(), duration=0.1)
+    _, found = run(waves, bearing())
     assert (sizes(found)[1] > 0.05 * AMPLITUDE) == moves
     assert moves or sizes(found)[1] < 2e-3 * AMPLITUDE  # what the difference of the two races leaves
 
@@ -102,21 +109,20 @@ def test_a_ball_moves_the_ring_by_its_even_orders_alone(order, moves):
 def test_nothing_moves_without_waves():
     _, found = run({}, bearing())
     assert found.motion[:, 1:3].std() < 1e-15
-    assert expected_lines(*_, found.model.form) if False else True
 
 
 def test_an_outer_ring_that_floats_moves_as_an_inner_one():
     """The inner ring held, the outer one loaded against it: the same springs, another mass."""
-    state = solve_quasistatic(bearing(), Operation(inner_speed=188.5))
+    state = solve_quasistatic(bearing(), Operation(inner_speed=628.3))
     waves = {Place.INNER: (Wave(order=10, amplitude=AMPLITUDE),)}
     options = VibrationOptions(
-        duration=0.1, settling=0.03, sample_rate=20480.0, law=ContactLaw.LINEAR, wave_filter=WaveFilter.NONE
+        duration=0.04, settling=0.015, sample_rate=20480.0, law=ContactLaw.LINEAR, wave_filter=WaveFilter.NONE
     )
     support = Support(inner_ring_held=True, seat_stiffness=0.0, outer_mass=0.4)
     model = VibrationModel(form=SurfaceForm(waves=waves), options=options, support=support)
     found = computed(vibration_run(state, model, assembled(state, case().lubricant, model)))
     (line,) = expected_lines(state, found.assembled, model.form)
-    outer = np.sqrt(2.0) * found.motion[:, 6:8].std(axis=0)
+    outer = amplitudes(found, line.frequency, first=5)[1:]
     assert_allclose(outer, closed_form(found, line.frequency, 0.4), rtol=0.01)
     assert not found.motion[:, :5].std(axis=0).any()
 
@@ -126,7 +132,12 @@ def test_hertz_and_centrifugal_forces_hold_the_works_together():
     geometry = replace(case().bearing, diametral_clearance=13e-6)
     state = solve_quasistatic(geometry, Operation(inner_speed=500.0, force=(100.0, 900.0, 0.0)))
     options = VibrationOptions(
-        duration=0.05, settling=0.03, sample_rate=20480.0, law=ContactLaw.DRY, loss_time=1e-6, wave_filter=WaveFilter.DRY
+        duration=0.03,
+        settling=0.015,
+        sample_rate=20480.0,
+        law=ContactLaw.DRY,
+        loss_time=1e-6,
+        wave_filter=WaveFilter.DRY,
     )
     form = SurfaceForm(waves={Place.OUTER: (Wave(order=9, amplitude=2e-7),)}, ball_diameters=(1e-7,) + (0.0,) * 8)
     model = VibrationModel(form=form, options=options)
@@ -140,11 +151,6 @@ def test_hertz_and_centrifugal_forces_hold_the_works_together():
 
 @pytest.mark.parametrize("rpm", [0.5, 40000.0])
 def test_both_ends_of_the_speed(rpm):
-    state, found = run({Place.INNER: (Wave(order=8, amplitude=AMPLITUDE),)}, bearing(), rpm=rpm, duration=0.02)
+    _, found = run({Place.INNER: (Wave(order=8, amplitude=AMPLITUDE),)}, bearing(), rpm=rpm, duration=0.02)
     assert np.isfinite(found.motion).all()
     assert found.energy_balance_error < 1e-3
-
-
-def test_a_typical_bearing_that_no_case_ships():
-    estimated, _ = typical_geometry("6004"), None
-    assert estimated is not None
