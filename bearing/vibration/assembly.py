@@ -1,13 +1,14 @@
 """Numbers of the equations of motion from a bearing in equilibrium and what makes it vibrate."""
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from math import pi, sqrt
 
 import numpy as np
 
-from ehl.oil.lubricant import Lubricant
 from ehl.options import SolverOptions
 
+from ..contacts.contact import BearingContact
 from ..dynamics.bodies import ring_body
 from ..geometry import Array, Bearing, Race, reduced_radii
 from ..quasistatic.kinematics import ball_mass
@@ -58,9 +59,10 @@ def mean_angle(solution: QuasistaticSolution, race: Race) -> float:
 
 
 def assembled(
-    solution: QuasistaticSolution, lubricant: Lubricant, model: VibrationModel
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact], model: VibrationModel
 ) -> Assembled:
-    """The equations of a bearing, SI, its films solved where the model asks for them.
+    """The equations of a bearing, SI, the films of its contacts solved where the model asks for
+    them; behind a layer of oil where their conditions have one, but for the waves' way through.
 
     Raises
     ------
@@ -77,10 +79,11 @@ def assembled(
     frequency = resonance(solution, model.support)
     for race in RACES:
         factor = stiffness_factor(solution, race)
-        contact = heaviest(solution, lubricant, race)
+        contact = heaviest(contacts, race)
         stiffness[race] = 1.5 * factor ** (2.0 / 3.0) * contact.load ** (1.0 / 3.0)
         if model.options.law is ContactLaw.FILM:
             films[race] = solved_films(contact, factor, frequency)
+            films[race] = replace(films[race], film_share=model.film_shares.get(race, 1.0))
             laws[race] = film_law(factor, films[race])
         else:
             laws[race] = _other_law(solution, race, factor, model)
@@ -93,7 +96,8 @@ def assembled(
                 assert contact.conditions is not None  # its film was solved
                 shortest = _largest_number(solution, model, race, along)
                 grid = SolverOptions(points=POINTS, certify=False)
-                parts[race] = film_transmission(contact.conditions, along, shortest, grid)
+                flooded = replace(contact.conditions, inlet_layer=None)
+                parts[race] = film_transmission(flooded, along, shortest, grid)
     cage = solution.cage_speed
     cage -= model.options.cage_slip * (cage - solution.operation.outer_speed)
     loaded = solution.inner_load > 0.0
@@ -123,6 +127,8 @@ def _check(solution: QuasistaticSolution, model: VibrationModel) -> None:
     operation = solution.operation
     if operation.shaft_speed == 0.0:
         raise ValueError("inner_speed: nothing turns, so nothing vibrates")
+    if not _free(solution, model.support).any():
+        raise ValueError("displacement: is given in all directions, and the outer ring stands still")
     limit = 0.5 * model.options.sample_rate
     fastest = operation.shaft_speed / (2.0 * pi)
     numbers = [wave.ball for wave in model.form.waves.get(Place.BALL, ())]

@@ -4,6 +4,7 @@ from dataclasses import dataclass, field
 from enum import Enum
 from math import isfinite
 
+from ..geometry import Race
 from .form import SurfaceForm
 
 
@@ -73,6 +74,8 @@ class Support:
                 raise ValueError(f"{name} must not be negative, got {getattr(self, name)!r}")
         if self.sensor is not None and not self.outer_moves:
             raise ValueError("sensor: needs an outer ring that moves, hence a seat_stiffness")
+        if self.inner_ring_held and not self.outer_moves:
+            raise ValueError("inner_ring_held: nothing moves; needs a seat_stiffness, or 0")
         if self.seat_stiffness == 0.0 and not self.inner_ring_held:
             raise ValueError(
                 "seat_stiffness: 0 leaves both rings without a hold; allowed with "
@@ -109,3 +112,5 @@ class VibrationModel:
     form: SurfaceForm = field(default_factory=SurfaceForm)
     support: Support = field(default_factory=Support)
     options: VibrationOptions = field(default_factory=VibrationOptions)
+    # part of the heaviest contacts' loads that films carry, the rest is on asperities; else all
+    film_shares: dict[Race, float] = field(default_factory=dict)

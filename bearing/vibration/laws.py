@@ -1,17 +1,16 @@
 """Laws of ball and race in the equations of motion: Hertz, solved films, linear springs."""
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from ehl.closed_form.hertz import contact_stiffness
 from ehl.conditions import ContactConditions
-from ehl.oil.lubricant import Lubricant
 from ehl.options import SolverOptions
 from ehl.traction.response.normal import NormalResponse, highest_frequency, normal_response
 
 from ..contacts.contact import BearingContact
-from ..contacts.contacts import contact_conditions
 from ..geometry import Array, Race, contact_modulus, reduced_radii
 from ..quasistatic.solution import QuasistaticSolution
 from .arrays import ContactLawTable
@@ -23,7 +22,7 @@ HERTZ = 1.5  # exponent of the force
 # damping change by some per cent between them
 SOLVED_LOADS = (0.2, 1.0)
 POINTS = 129  # and half of them; damping of the 6208 within 1.5 % of that from 257
-LEAST_LOAD = 1e-3  # over the largest, of balls that count as loaded [-]
+STARVED_POINTS = 257  # behind a layer, where the damping is small and feels the mesh
 
 
 class FilmsNotSolvedError(RuntimeError):
@@ -39,6 +38,7 @@ class SolvedFilms:
     damping: Array  # [N s/m]
     damping_uncertainty: Array  # [N s/m]
     frequency: float  # [Hz]
+    film_share: float = 1.0  # of the load; the rest is on asperities, which damp nothing [-]
 
 
 def stiffness_factor(solution: QuasistaticSolution, race: Race) -> float:
@@ -52,10 +52,9 @@ def stiffness_factor(solution: QuasistaticSolution, race: Race) -> float:
     return contact_stiffness(*radii, contact_modulus(bearing, race))
 
 
-def heaviest(solution: QuasistaticSolution, lubricant: Lubricant, race: Race) -> BearingContact:
+def heaviest(contacts: Sequence[BearingContact], race: Race) -> BearingContact:
     """The contact of a race with the largest load; ValueError where none is loaded [N]."""
-    contacts = [c for c in contact_conditions(solution, lubricant) if c.race is race]
-    worst = max(contacts, key=lambda contact: contact.load)
+    worst = max((c for c in contacts if c.race is race), key=lambda contact: contact.load)
     if not worst.load > 0.0:
         raise ValueError(f"no ball is loaded at the {race.value} race: nothing to vibrate on")
     return worst
@@ -75,22 +74,23 @@ def solved_films(
     own = contact.conditions
     if own is None:
         raise FilmsNotSolvedError(f"{contact.race.value} race: {contact.note}")
-    grid = options or SolverOptions(points=POINTS)
+    grid = options or SolverOptions(points=POINTS if own.inlet_layer is None else STARVED_POINTS)
     found: list[tuple[float, float, NormalResponse]] = []
     for share in SOLVED_LOADS:
         lighter: ContactConditions = replace(own, load=share * own.load)
         at = min(frequency, highest_frequency(lighter))
         found.append((lighter.load, at, normal_response(lighter, grid, (at,))))
         response = found[-1][2]
-        if not response.converged or not response.dampings[0].value > 0.0:
-            raise FilmsNotSolvedError(
-                f"film at the {contact.race.value} race under {lighter.load:.4g} N: "
-                f"{response.message or 'its damping is not positive'}"
-            )
+        where = f"film at the {contact.race.value} race under {lighter.load:.4g} N"
+        if not response.converged:
+            raise FilmsNotSolvedError(f"{where}: {response.message}")
+        if response.dampings[0].value < -response.dampings[0].uncertainty:
+            raise FilmsNotSolvedError(f"{where}: its damping is negative at {at:.0f} Hz")
     loads = np.array([load for load, _, _ in found])
     hertz = HERTZ * factor ** (2.0 / 3.0) * np.cbrt(loads)
     stiffness = np.array([response.stiffnesses[0].value for _, _, response in found])
-    damping = np.array([response.dampings[0].value for _, _, response in found])
+    # behind a layer it may be negative within its bar, which is zero as far as is known
+    damping = np.array([max(response.dampings[0].value, 0.0) for _, _, response in found])
     bars = np.array([response.dampings[0].uncertainty for _, _, response in found])
     return SolvedFilms(
         loads=loads,
@@ -115,7 +115,7 @@ def film_law(factor: float, films: SolvedFilms) -> ContactLawTable:
     approach = hertz[0] / ratio[0] + np.concatenate([[0.0], np.cumsum(steps)])
     grid = np.geomspace(SPAN[0] * dry, SPAN[1] * dry, NODES)
     load = np.exp(np.interp(np.log(grid), np.log(approach), np.log(loads)))
-    damping = np.interp(np.log(load), np.log(films.loads), films.damping)
+    damping = films.film_share * np.interp(np.log(load), np.log(films.loads), films.damping)
     damping *= np.minimum(load / films.loads[0], 1.0)
     return law_table(grid, load / grid**HERTZ, damping, HERTZ)
 

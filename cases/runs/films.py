@@ -44,7 +44,7 @@ def wanted_contacts(
     chosen = _chosen_balls(case, contacts)
     wanted = [c.conditions if c.ball in chosen else None for c in contacts]
     if case.inlet_layer is not None:
-        layers = _layers(case.inlet_layer, state, contacts)
+        layers = inlet_layers(case.inlet_layer, state, contacts)
         pairs = zip(wanted, layers, strict=True)
         wanted = [own and replace(own, inlet_layer=layer) for own, layer in pairs]
     return wanted, ()
@@ -116,7 +116,7 @@ def _left_by_heat(contact: BearingContact) -> float:
     return max(film_reduction_gupta(ratio, thermal_loading(own), 0.0), 0.0)
 
 
-def _layers(
+def inlet_layers(
     given: InletLayer | Supply, state: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> list[InletLayer | None]:
     """Layer that each contact finds [m], of a flow that of its steady state by the flooded films

@@ -178,6 +178,10 @@ RELATIONS: tuple[Relation, ...] = (
 def faults(values: CaseValues) -> Iterator[CaseFault]:
     """Rings without a hold; a run-up from more than the speed; what belongs to other laws."""
     held = values.get("support", "inner_ring") == "held"
+    if held and not values.given("support", "seat_stiffness_N_um"):
+        path = ("support", "inner_ring")
+        allowed = "needed: seat_stiffness_N_um, which may be 0, for an outer ring that moves"
+        yield CaseFault(path, 'found "held" beside an outer ring that stands still', allowed)
     if values.get("support", "seat_stiffness_N_um") == 0.0 and not held:
         path = ("support", "seat_stiffness_N_um")
         yield CaseFault(

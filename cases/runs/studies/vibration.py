@@ -1,12 +1,19 @@
 """Run the vibration of a bearing case: equilibrium, films, form, time."""
 
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from time import perf_counter
 
+from bearing.contacts.contact import BearingContact
+from bearing.contacts.contacts import contact_conditions
+from bearing.geometry import Race
+from bearing.quasistatic.solution import QuasistaticSolution
+from bearing.supply.starved_films import starved_films
+from bearing.supply.supply import AMPLE
 from bearing.vibration.assembly import assembled
 from bearing.vibration.inputs import Direction
-from bearing.vibration.laws import FilmsNotSolvedError
+from bearing.vibration.laws import FilmsNotSolvedError, heaviest
 from bearing.vibration.simulation import pieces, vibration_run
 from ehl.multigrid.bordered import LinearSolverError
 from postprocess.dynamics.vibration.results import VibrationResults
@@ -16,7 +23,7 @@ from ...format.over_time.vibration import VibrationTable, frequency_response, vi
 from ...format.problems import CaseError, UnfitKey
 from ...version import version
 from ..equilibrium import case_equilibrium
-from ..films import Progress
+from ..films import Progress, inlet_layers
 from ..interrupt import interruptible
 
 
@@ -50,7 +57,9 @@ def run_vibration(case: Case, name: str, progress: Progress | None = None) -> Vi
         state = interruptible(partial(case_equilibrium, case))
         if not state.converged:
             raise NotSolvedError(state.message)
-        equations = interruptible(partial(assembled, state, case.lubricant, model))
+        contacts = _contacts(case, state)
+        model = replace(model, film_shares=_film_shares(case, contacts))
+        equations = interruptible(partial(assembled, state, contacts, model))
         run = vibration_run(state, model, equations)
     except UnfitKey as error:
         raise CaseError(f"{name}: {error.fault.text(name, {})}") from error
@@ -68,7 +77,7 @@ def run_vibration(case: Case, name: str, progress: Progress | None = None) -> Vi
     results = VibrationResults(
         version=version(),
         case=case.document,
-        messages=case.warnings,
+        messages=(*case.warnings, *_notes(case)),
         run=run,
         direction=Direction(table.direction),
         reference=table.reference_m_s2,
@@ -77,6 +86,42 @@ def run_vibration(case: Case, name: str, progress: Progress | None = None) -> Vi
     )
     wall = perf_counter() - began
     return replace(results, timing={"films": films, "vibration": wall - films, "total": wall})
+
+
+def _contacts(case: Case, state: QuasistaticSolution) -> list[BearingContact]:
+    """Contacts of an equilibrium, behind their layers of oil where the case starves them."""
+    contacts = list(contact_conditions(state, case.lubricant))
+    if case.inlet_layer is None:
+        return contacts
+    layers = inlet_layers(case.inlet_layer, state, contacts)
+    return [
+        replace(own, conditions=own.conditions and replace(own.conditions, inlet_layer=layer))
+        for own, layer in zip(contacts, layers, strict=True)
+    ]
+
+
+def _film_shares(case: Case, contacts: Sequence[BearingContact]) -> dict[Race, float]:
+    """Part of the load of the heaviest contact of each race that its film carries [-]."""
+    asperities = None if case.friction is None else case.friction.asperities
+    if asperities is None:
+        return {}
+    assert case.friction is not None  # it has asperities
+    scarce = case.friction.scarce if case.inlet_layer is not None else None
+    shares = {}
+    for race in Race:
+        contact = heaviest(contacts, race)
+        (film,) = starved_films([contact], scarce or AMPLE, case.bearing.balls)
+        if film is not None:
+            shares[race] = 1.0 - asperities.share(contact, film.share * film.flooded_central)
+    return shares
+
+
+def _notes(case: Case) -> Iterator[str]:
+    """What of the oil is left out."""
+    if case.inlet_layer is not None:
+        yield "vibration: waves enter as through flooded films; behind layers it is not known"
+    elif case.friction is not None and case.friction.scarce is not None:
+        yield 'vibration: films are flooded; [ehl] starvation = "solved" takes the supply of oil'
 
 
 def _band(table: VibrationTable) -> tuple[float, float] | None:

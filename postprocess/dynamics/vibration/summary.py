@@ -205,6 +205,7 @@ def _films(run: VibrationRun) -> list[dict[str, Any]]:
             "stiffness_over_hertz_ratio": float(films.stiffness_ratio[k]),
             "damping_N_s_m": float(films.damping[k]),
             "damping_uncertainty_N_s_m": float(films.damping_uncertainty[k]),
+            "film_load_share": films.film_share,
         }
         for race, films in run.assembled.films.items()
         for k in range(films.loads.size)
@@ -223,6 +224,7 @@ def _messages(results: VibrationResults) -> Iterator[str]:
             f"more than {ENERGY_LIMIT:g}"
         )
     if options.law is ContactLaw.FILM:
+        yield from _uncertain_damping(run)
         yield (
             "vibration: films at the speed of the case; their damping at one frequency, "
             f"{min(f.frequency for f in run.assembled.films.values()):.0f} Hz, or below"
@@ -244,6 +246,16 @@ def _messages(results: VibrationResults) -> Iterator[str]:
         )
     if _smooth(run):
         yield "vibration: no form of the surfaces is given: what is left is varying compliance"
+
+
+def _uncertain_damping(run: VibrationRun) -> Iterator[str]:
+    """Where the damping of films is not told from zero."""
+    for race, films in run.assembled.films.items():
+        if (films.damping <= films.damping_uncertainty).any():
+            yield (
+                f"vibration: damping of films at the {race.value} race is zero within its error "
+                f"bar, {films.damping_uncertainty.max():.2g} N s/m"
+            )
 
 
 def _smooth(run: VibrationRun) -> bool:

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from bearing.contacts.contacts import contact_conditions
 from bearing.operation import Operation
 from bearing.quasistatic.solver import solve_quasistatic
 from bearing.vibration.assembly import assembled
@@ -39,7 +40,7 @@ def run(waves, geometry, axial=0.0, rpm=6000.0, **options):
     given = {"duration": 0.04, "settling": 0.015, "sample_rate": 20480.0, "law": ContactLaw.LINEAR}
     settings = VibrationOptions(**(given | {"wave_filter": WaveFilter.NONE} | options))
     model = VibrationModel(form=SurfaceForm(waves=waves), options=settings)
-    equations = assembled(state, case().lubricant, model)
+    equations = assembled(state, contact_conditions(state, case().lubricant), model)
     return state, computed(vibration_run(state, model, equations))
 
 
@@ -120,7 +121,7 @@ def test_an_outer_ring_that_floats_moves_as_an_inner_one():
     )
     support = Support(inner_ring_held=True, seat_stiffness=0.0, outer_mass=0.4)
     model = VibrationModel(form=SurfaceForm(waves=waves), options=options, support=support)
-    found = computed(vibration_run(state, model, assembled(state, case().lubricant, model)))
+    found = computed(vibration_run(state, model, assembled(state, contact_conditions(state, case().lubricant), model)))
     (line,) = expected_lines(state, found.assembled, model.form)
     outer = amplitudes(found, line.frequency, first=5)[1:]
     assert_allclose(outer, closed_form(found, line.frequency, 0.4), rtol=0.01)
@@ -141,7 +142,7 @@ def test_hertz_and_centrifugal_forces_hold_the_works_together():
     )
     form = SurfaceForm(waves={Place.OUTER: (Wave(order=9, amplitude=2e-7),)}, ball_diameters=(1e-7,) + (0.0,) * 8)
     model = VibrationModel(form=form, options=options)
-    found = computed(vibration_run(state, model, assembled(state, case().lubricant, model)))
+    found = computed(vibration_run(state, model, assembled(state, contact_conditions(state, case().lubricant), model)))
     assert found.energy_balance_error < 1e-3
     assert_allclose(found.motion[:, :3].mean(axis=0), state.displacement, atol=3e-7)
     balls = geometry.balls
