@@ -128,9 +128,10 @@ def _check(solution: QuasistaticSolution, model: VibrationModel) -> None:
     if operation.shaft_speed == 0.0:
         raise ValueError("inner_speed: nothing turns, so nothing vibrates")
     if not _free(solution, model.support).any():
-        raise ValueError("displacement: is given in all directions, and the outer ring stands still")
+        raise ValueError(
+            "displacement: is given in all directions, and the outer ring stands still"
+        )
     limit = 0.5 * model.options.sample_rate
-    fastest = operation.shaft_speed / (2.0 * pi)
     numbers = [wave.ball for wave in model.form.waves.get(Place.BALL, ())]
     numbers += [defect.ball for defect in model.form.defects_of(Place.BALL)]
     balls = solution.bearing.balls
@@ -139,12 +140,26 @@ def _check(solution: QuasistaticSolution, model: VibrationModel) -> None:
     if len(model.form.ball_diameters) not in (0, balls):
         given = len(model.form.ball_diameters)
         raise ValueError(f"ball_diameters: {given} values for {balls} balls")
-    order = model.form.highest_order
-    if order * fastest > limit:
-        raise ValueError(
-            f"order: {order} passes at up to {order * fastest:.5g} Hz, more than half of the "
-            f"sample rate, {limit:.5g} Hz"
-        )
+    _check_orders(solution, model, limit)
+
+
+def _check_orders(solution: QuasistaticSolution, model: VibrationModel, limit: float) -> None:
+    """Every wave passes a contact at most at half the sample rate, the limit [Hz]."""
+    operation = solution.operation
+    cage = solution.cage_speed
+    rates = {
+        Place.INNER: abs(operation.inner_speed - cage),
+        Place.OUTER: abs(cage - operation.outer_speed),
+        Place.BALL: float(np.abs(solution.spin_speed).mean()),
+    }
+    for place, waves in model.form.waves.items():
+        order = max((wave.order for wave in waves), default=0)
+        passing = order * rates[place] / (2.0 * pi)
+        if passing > limit:
+            raise ValueError(
+                f"order: {order} of the {place.value} passes at {passing:.5g} Hz, more than half "
+                f"of the sample rate, {limit:.5g} Hz"
+            )
 
 
 def _other_law(

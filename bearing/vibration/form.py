@@ -87,11 +87,6 @@ class SurfaceForm:
         given = self.waves.get(place) or place in self.profiles or self.defects_of(place)
         return not given
 
-    @property
-    def highest_order(self) -> int:
-        """Of the waves given by orders; 0 without."""
-        return max((wave.order for waves in self.waves.values() for wave in waves), default=0)
-
 
 def heights(form: SurfaceForm, place: Place, ball: int = 0) -> Array:
     """Waves and profile of a ring, or of a ball by its number from 1, over a turn [m], shape

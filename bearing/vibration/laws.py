@@ -81,16 +81,14 @@ def solved_films(
         at = min(frequency, highest_frequency(lighter))
         found.append((lighter.load, at, normal_response(lighter, grid, (at,))))
         response = found[-1][2]
-        where = f"film at the {contact.race.value} race under {lighter.load:.4g} N"
         if not response.converged:
+            where = f"film at the {contact.race.value} race under {lighter.load:.4g} N"
             raise FilmsNotSolvedError(f"{where}: {response.message}")
-        if response.dampings[0].value < -response.dampings[0].uncertainty:
-            raise FilmsNotSolvedError(f"{where}: its damping is negative at {at:.0f} Hz")
     loads = np.array([load for load, _, _ in found])
     hertz = HERTZ * factor ** (2.0 / 3.0) * np.cbrt(loads)
     stiffness = np.array([response.stiffnesses[0].value for _, _, response in found])
-    # behind a layer it may be negative within its bar, which is zero as far as is known
-    damping = np.array([max(response.dampings[0].value, 0.0) for _, _, response in found])
+    # behind a layer it may be negative: bodies that close in feed the meniscus
+    damping = np.array([response.dampings[0].value for _, _, response in found])
     bars = np.array([response.dampings[0].uncertainty for _, _, response in found])
     return SolvedFilms(
         loads=loads,
@@ -115,7 +113,9 @@ def film_law(factor: float, films: SolvedFilms) -> ContactLawTable:
     approach = hertz[0] / ratio[0] + np.concatenate([[0.0], np.cumsum(steps)])
     grid = np.geomspace(SPAN[0] * dry, SPAN[1] * dry, NODES)
     load = np.exp(np.interp(np.log(grid), np.log(approach), np.log(loads)))
-    damping = films.film_share * np.interp(np.log(load), np.log(films.loads), films.damping)
+    # what is negative at the one frequency is positive at those of balls: none, over time
+    solved = np.maximum(films.damping, 0.0)
+    damping = films.film_share * np.interp(np.log(load), np.log(films.loads), solved)
     damping *= np.minimum(load / films.loads[0], 1.0)
     return law_table(grid, load / grid**HERTZ, damping, HERTZ)
 

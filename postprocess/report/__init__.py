@@ -4,6 +4,7 @@ page     - the page: which parts it has, warnings, notes
 bearing  - parts of the page of a bearing or a single contact
 cards    - the numbers that are looked at first
 torque   - part of the page on the friction torque
+vibration - part of the page on vibration
 batch    - parts of the page of a batch
 html     - tables, facts, pictures and numbers as HTML
 svg      - bar charts as SVG

@@ -17,7 +17,7 @@ from .torque import torque_section
 PLACED = frozenset(
     "oilfilm case converged messages ring equilibrium cage_speed_rpm balls contacts clearance "
     "life duty_cycle frequencies_Hz kinematic_frequencies_Hz torque_N_mm timing_s kind "
-    "rows".split()
+    "rows vibration".split()
 )
 # input among the results of a rating
 GIVEN = {"nominal_contact_angle_deg", "contamination_factor"}

@@ -13,6 +13,7 @@ from ehl.units import unit_symbol
 from ..files import read_summary, write_text
 from . import batch, bearing, html
 from . import cards as headline
+from .vibration import PICTURES, vibration_section
 
 REPORT_FILE = "report.html"
 GENERATOR = '<meta name="generator" content="oilfilm'
@@ -99,6 +100,7 @@ def _sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str,
     """Anchor, title and content of every part of a single case's page."""
     yield "input", "Input", bearing.input_tables(summary["case"])
     yield from bearing.sections(summary, folder)
+    yield "vibration", "Vibration", vibration_section(summary, folder)
     yield "more", "Further results", further_results(summary)
     yield "pictures", "Further pictures", _further_pictures(summary, folder)
     others = (message for message in summary["messages"] if not is_urgent(str(message)))
@@ -143,9 +145,13 @@ def _rows(name: str, rows: list[Any]) -> str:
     )
 
 
+def _pictures_of_vibration(summary: dict[str, Any]) -> set[str]:
+    return {f"{name}.png" for name in PICTURES} if "vibration" in summary else set()
+
+
 def _further_pictures(summary: dict[str, Any], folder: Path) -> str:
     """Pictures that no part of the page places: slip maps, dynamics, what later versions draw."""
-    placed = bearing.known_pictures(summary)
+    placed = bearing.known_pictures(summary) | _pictures_of_vibration(summary)
     files = sorted([*folder.glob("*.png"), *folder.glob("plots/*.png")])
     pictures = [html.picture(f, f.stem.replace("_", " ")) for f in files if f.name not in placed]
     return html.side_by_side(*pictures, kind="gallery")

@@ -30,7 +30,12 @@ HOMES = {
     "typer": ("cases/cli/*.py", "cases/cli/over_time/*.py"),
     "pydantic": ("cases/format/*.py", "cases/batch/*.py", "cases/batch/planning/*.py", "cases/optimise/*.py"),
     "pydantic_core": ("cases/format/*.py",),
-    "rich": ("cases/cli/*.py", "postprocess/*table.py", "postprocess/*/*.py", "postprocess/dynamics/vibration/table.py"),
+    "rich": (
+        "cases/cli/*.py",
+        "postprocess/*table.py",
+        "postprocess/*/*.py",
+        "postprocess/dynamics/vibration/table.py",
+    ),
     "PIL": ("postprocess/scene/*.py",),
     "trame_pyvista": ("postprocess/scene/*.py",),
     "xlsxwriter": ("postprocess/report/*.py",),

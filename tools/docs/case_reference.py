@@ -34,6 +34,12 @@ SPECIAL = {
     "load_over_time_N": "rows of time in s and a number",
     "speed_over_time_m_s": "rows of time in s and a number",
     "gravity_m_s2": "three numbers",
+    "inner_waviness": "tables of `order` 1 to 10000, `amplitude_um` 0 to 1000, `phase_deg` ±360",
+    "outer_waviness": "likewise",
+    "ball_waviness": "likewise, and `ball`, its number from 1; 0: all, in step",
+    "ball_diameter_um": "a number a ball, ±1000",
+    "defects": "tables of `place`, `kind`, `width_mm`, `depth_um`, `azimuth_deg`, `ball`",
+    "envelope_band_Hz": "two numbers, 0 <= first < last <= 1e6",
     "assumed": "list of `table.key`",
 }
 ORDER = (
@@ -50,6 +56,9 @@ ORDER = (
     "friction",
     "cage",
     "dynamics",
+    "form",
+    "support",
+    "vibration",
     "transient",
     "features",
     "rows",

@@ -251,7 +251,13 @@ def _messages(results: VibrationResults) -> Iterator[str]:
 def _uncertain_damping(run: VibrationRun) -> Iterator[str]:
     """Where the damping of films is not told from zero."""
     for race, films in run.assembled.films.items():
-        if (films.damping <= films.damping_uncertainty).any():
+        if (films.damping < -films.damping_uncertainty).any():
+            yield (
+                f"vibration: damping of films at the {race.value} race is negative, "
+                f"{films.damping.min():.2g} N s/m: oil fills their inlets as bodies close in; it "
+                "counts as none, as it is positive where balls vibrate"
+            )
+        elif (films.damping <= films.damping_uncertainty).any():
             yield (
                 f"vibration: damping of films at the {race.value} race is zero within its error "
                 f"bar, {films.damping_uncertainty.max():.2g} N s/m"

@@ -1,0 +1,168 @@
+"""Command vibration: a whole run, its files, and input that cannot be computed."""
+
+from __future__ import annotations
+
+import json
+import wave
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from typer.testing import CliRunner
+
+from cases.cli.main import app
+from postprocess import open_results
+
+CASE = """
+schema_version = 1
+title = "6205, pit on the inner race"
+[bearing]
+name = "6205"
+diametral_clearance_um = 8.0
+[lubricant]
+name = "iso vg 100"
+[operation]
+inner_speed_rpm = 6000.0
+radial_load_N = 200.0
+axial_load_N = 100.0
+temperature_C = 40.0
+[form]
+inner_waviness = [{ order = 10, amplitude_um = 0.05 }]
+outer_waviness = [{ order = 300, amplitude_um = 0.01 }]
+ball_waviness = [{ order = 2, amplitude_um = 0.02, ball = 2 }]
+ball_diameter_um = [0.2, 0, 0, 0, 0, 0, 0, 0, -0.1]
+defects = [{ place = "inner ring", kind = "pit", width_mm = 0.4, depth_um = 10.0, azimuth_deg = 10.0 }]
+[support]
+shaft_mass_kg = 1.0
+seat_stiffness_N_um = 80.0
+seat_damping_N_s_m = 400.0
+sensor_mass_kg = 0.01
+sensor_frequency_Hz = 4000.0
+sensor_damping_ratio = 0.05
+[vibration]
+duration_s = 0.05
+settling_time_s = 0.03
+sample_rate_Hz = 25600.0
+contact_law = "dry"
+wave_filter = "dry"
+loss_time_us = 2.0
+"""
+
+
+def run(*arguments, command="vibration"):
+    return CliRunner().invoke(app, [command, *arguments])
+
+
+def written(folder, text):
+    path = folder / "case.toml"
+    path.write_text(text, encoding="utf-8")
+    return str(path)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("vibration")
+    found = run(written(folder, CASE), "-o", str(folder / "out"), "--quiet")
+    assert found.exit_code == 0, found.output
+    return folder / "out"
+
+
+@pytest.fixture(scope="module")
+def document(folder):
+    return json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+
+
+def test_levels_and_lines_are_those_of_the_record(folder, document):
+    found = document["vibration"]
+    assert found["measured"] == "sensor, y"
+    assert found["reference_m_s2"] == 1e-6
+    assert_allclose(found["acceleration_dB"], 20.0 * np.log10(found["acceleration_m_s2"] / 1e-6))
+    assert list(found["bands_um_s"]) == ["low", "medium", "high"]
+    assert found["bands_Hz"]["low"] == pytest.approx([50.0 / 0.3, 1000.0])
+    sources = {line["source"] for line in found["lines"]}
+    assert {"inner ring waviness", "outer ring waviness", "ball waviness", "ball diameters"} <= sources
+    assert {"defect of the inner ring", "varying compliance"} <= sources
+    passes = document["frequencies_Hz"]["with_slip"]
+    first = next(line for line in found["lines"] if line["source"] == "defect of the inner ring")
+    assert_allclose(first["frequency_Hz"], passes["ball_pass_inner"])
+    with open_results(folder) as tree:
+        assert tree.attrs["kind"] == "vibration"
+        assert_allclose(tree["acceleration"].std(), found["acceleration_m_s2"], rtol=1e-9)
+        assert tree["inner_load"].shape == (1280, 9)
+    assert document["energy_balance_error"] < 1e-3
+
+
+def test_bands_that_a_record_does_not_cover_are_null(document):
+    """The high band reaches 33 kHz at 6000 r/min; 25.6 kHz are sampled."""
+    assert document["vibration"]["bands_um_s"]["high"] is None
+    assert document["vibration"]["bands_um_s"]["medium"] > 0.0
+    assert any("bands_um_s" in message and "high" in message for message in document["messages"])
+
+
+def test_files_for_ears_and_eyes(folder):
+    with wave.open(str(folder / "vibration.wav")) as file:
+        assert (file.getframerate(), file.getnframes()) == (25600, 1280)
+    names = {path.stem for path in (folder / "plots").glob("*.png")}
+    assert names == {"time", "spectrum", "orders", "envelope", "waterfall", "ball_loads"}
+    assert run(str(folder), "--quiet", command="report").exit_code == 0
+    page = (folder / "report.html").read_text(encoding="utf-8")
+    assert "anderon" in page
+    assert "defect of the inner ring" in page
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (("order = 300", "order = 3000"), "half of the"),
+        (("ball = 2", "ball = 12"), "there are 9 balls"),
+        (("0, -0.1]", "-0.1]"), "8 values"),
+        (("shaft_mass_kg = 1.0", 'shaft_mass_kg = 1.0\ninner_ring = "held"\n#'), ""),
+        (("seat_damping_N_s_m = 400.0", ""), "seat_damping_N_s_m: missing"),
+        (("sensor_damping_ratio = 0.05", ""), "sensor_damping_ratio: missing"),
+        (('contact_law = "dry"', ""), 'contact_law = "film"'),
+        (("duration_s = 0.05", "duration_s = 0.001"), "256 samples"),
+        (("inner_speed_rpm = 6000.0", "inner_speed_rpm = 0.0"), "nothing turns"),
+        (("seat_stiffness_N_um = 80.0", "seat_stiffness_N_um = 0.0"), "without a hold"),
+        (('kind = "pit"', 'kind = "hole"'), "kind"),
+        (("loss_time_us = 2.0", "loss_time_us = 2.0\nstart_speed_rpm = 7000.0"), "below inner_speed_rpm"),
+        (("[form]", '[form]\ninner_profile = "none.txt"'), "none.txt cannot be read"),
+    ],
+)
+def test_what_cannot_be_computed_is_told(tmp_path, change, words):
+    text = CASE.replace(*change)
+    assert text != CASE
+    found = run(written(tmp_path, text), "--json", "--quiet")
+    if words:
+        assert found.exit_code == 2, found.output
+        assert words in found.output
+
+
+def test_a_simulation_with_form_is_a_vibration(tmp_path):
+    """Profiles and a given response from files, the time of [dynamics], a run-up."""
+    angles = np.arange(0.0, 360.0, 0.5)
+    profile = np.column_stack([angles, 0.1 * np.cos(np.radians(10 * angles))])
+    np.savetxt(tmp_path / "profile.txt", profile)
+    np.savetxt(tmp_path / "response.txt", [[0.0, 0.0, 0.0], [100.0, 1.0, 0.0], [20000.0, 1.0, 90.0]])
+    head = CASE[: CASE.index("[form]")].replace("radial_load_N = 200.0\n", "")
+    text = f"""{head}
+[form]
+inner_profile = '{tmp_path / "profile.txt"}'
+[support]
+frequency_response = '{tmp_path / "response.txt"}'
+[dynamics]
+end_time_s = 0.04
+[vibration]
+settling_time_s = 0.02
+sample_rate_Hz = 25600.0
+contact_law = "dry"
+wave_filter = "none"
+loss_time_us = 2.0
+start_speed_rpm = 600.0
+"""
+    found = run(written(tmp_path, text), "--json", "--quiet", command="dynamics")
+    assert found.exit_code == 0, found.output
+    document = json.loads(found.stdout)
+    assert document["simulated_s"] == 0.04
+    assert document["vibration"]["measured"] == "inner ring, y"
+    assert document["vibration"]["bands_um_s"] == {"low": None, "medium": None, "high": None}
+    assert document["vibration"]["displacement_um"] > 0.03
