@@ -9,7 +9,7 @@ from enum import Enum
 from math import isfinite, pi
 
 import numpy as np
-from scipy.ndimage import grey_dilation
+import scipy
 
 from ..geometry import Array
 
@@ -134,4 +134,4 @@ def rolled(profile: Array, radius: float, reduced_radius: float) -> Array:
     half = min(int(np.ceil((2.0 * reduced_radius * deepest) ** 0.5 / cell)), profile.size // 2 - 1)
     s = cell * np.arange(-half, half + 1)
     structure = (-(s**2) / (2.0 * reduced_radius)).tolist()
-    return np.asarray(grey_dilation(profile, structure=structure, mode="wrap"))
+    return np.asarray(scipy.ndimage.grey_dilation(profile, structure=structure, mode="wrap"))

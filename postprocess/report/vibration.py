@@ -7,7 +7,7 @@ from typing import Any
 from . import html
 
 PICTURES = {
-    "spectrum": "Velocity over frequency, with the lines that the form of the surfaces makes one expect",
+    "spectrum": "Velocity over frequency, with the lines that one expects of the surfaces",
     "orders": "Velocity over the order of the shaft",
     "envelope": "Envelope of the acceleration, and the passing frequencies",
     "waterfall": "Acceleration over time or speed, and frequency",

@@ -45,7 +45,9 @@ def main(names: list[str]) -> None:
     for path in sorted((ROOT / "cases" / "library").rglob("*.toml")):
         document = tomllib.loads(path.read_text(encoding="utf-8"))
         command = "batch" if path.parent.name == "sweeps" else "run"
-        command = next((word for word in ("transient", "contact", "vibration", "dynamics") if word in document), command)
+        command = next(
+            (word for word in ("transient", "contact", "vibration", "dynamics") if word in document), command
+        )
         wanted = path.stem in names if names else not (IMAGES / f"{path.stem}.png").exists()
         if wanted and "slip" not in document:
             draw(path.stem, command)

@@ -1,14 +1,9 @@
-"""Write docs/validation/measured_bearings.md: frequencies of bearings of public data sets, and the two events of a defect.
+"""Write docs/validation/measured_bearings.md: frequencies of bearings of public data sets, two events of a defect.
 
-Run it with `python tools/docs/measured_bearings.py`; it takes five minutes.
+Run it with `OMP_NUM_THREADS=1 python tools/docs/measured_bearings.py`; it takes five minutes.
 """
 
 from __future__ import annotations
-
-import os
-
-for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
-    os.environ.setdefault(name, "1")
 
 from pathlib import Path
 from typing import Any, NamedTuple
