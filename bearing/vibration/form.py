@@ -105,7 +105,11 @@ def heights(form: SurfaceForm, place: Place, ball: int = 0) -> Array:
 
 
 def hollow(defect: Defect, radius: float) -> Array:
-    """Depth of a defect over a turn of a body [m], shape (POINTS,); radius: of its track [m]."""
+    """Depth of a defect over a turn of a body [m], shape (POINTS,); radius: of its track [m].
+    ValueError for one wider than half of the track.
+    """
+    if defect.width > pi * radius:
+        raise ValueError(f"width: {defect.width:.4g} m is more than half of the track")
     turned = 2.0 * pi / POINTS * np.arange(POINTS) - defect.azimuth
     from_middle = radius * ((turned + pi) % (2.0 * pi) - pi)
     place = 2.0 * from_middle / defect.width  # from -1 to 1 inside

@@ -27,6 +27,7 @@ from .signals import Spectrum, by_order, envelope, spectrum, waterfall
 FLOOR = 1e-6  # of the largest line, below which nothing is drawn [-]
 DEPTH = 60.0  # of the colours of a waterfall [dB]
 SHOWN_TURNS = 4.0  # of the shaft, in the picture over time
+LEAST_ORDER = 0.1  # of the shaft, lowest frequency of a spectrum [-]
 SHOWN_PASSES = 8.0  # highest frequency of an envelope, over that of the inner ring's passes [-]
 MARKERS = {
     "cage": REFERENCE,
@@ -89,17 +90,19 @@ def draw_spectrum(
     found = spectrum(seen.velocity, seen.rate)
     top = _decades(axes, found, "x_um_s")
     axes.set_xscale("log")
-    axes.set_xlim(max(found.frequency[1], 1.0), 0.5 * seen.rate)
+    slowest = LEAST_ORDER * shaft_frequency(results.run)
+    axes.set_xlim(max(found.frequency[1], slowest), 0.5 * seen.rate)
     steady = results.run.model.options.start_speed_ratio == 1.0
     lines = document["vibration"]["lines"] if steady else []
     shown = [line for line in lines if (line["velocity_um_s"] or 0.0) > 1e-4 * top]
     for line in shown:
         axes.plot(line["frequency_Hz"], line["velocity_um_s"], "o", color=OUTER_COLOUR, ms=3)
-    for low, high in document["vibration"]["bands_Hz"].values():
-        axes.axvline(low, color=REFERENCE, linewidth=0.5, linestyle=":")
-        axes.axvline(high, color=REFERENCE, linewidth=0.5, linestyle=":")
-    note = "dots: lines expected from the form of the surfaces; dotted: bands of ISO 15242-2"
-    axes.set_title(f"{note}, scaled with the speed", fontsize=7)
+    if steady:
+        for band in document["vibration"]["bands_Hz"].values():
+            for edge in band:
+                axes.axvline(edge, color=REFERENCE, linewidth=0.5, linestyle=":")
+        note = "dots: lines expected from the form of the surfaces; dotted: bands of ISO 15242-2"
+        axes.set_title(f"{note}, scaled with the speed", fontsize=7)
     axes.set_xlabel("frequency [Hz]")
     axes.set_ylabel("velocity [µm/s]")
 
@@ -151,10 +154,9 @@ def draw_waterfall(
     axes = figure.subplots()
     time, frequency, size = waterfall(seen.acceleration, seen.rate)
     options = results.run.model.options
-    inside = (time >= 0.0) & (time <= options.duration)
-    levels = 20.0 * np.log10(np.maximum(size[:, inside], 1e-300) / results.reference)
+    levels = 20.0 * np.log10(np.maximum(size, 1e-300) / results.reference)
     label = "time [s]"
-    place = time[inside]
+    place = time
     if options.start_speed_ratio != 1.0:
         label = "speed of the shaft [r/min]"
         place = _speed(options, place) * shaft_frequency(results.run) * 60.0

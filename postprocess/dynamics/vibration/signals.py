@@ -100,15 +100,20 @@ def kurtosis(signal: Array) -> float | None:
 
 
 def waterfall(signal: Array, rate: float) -> tuple[Array, Array, Array]:
-    """Amplitudes of short pieces over their time: time [s], frequency [Hz], amplitude, shape
-    (frequency, time).
+    """Amplitudes of short pieces, all inside the signal: time [s], frequency [Hz], amplitude,
+    shape (frequency, time).
     """
     size = max(64, signal.size // PIECES)
     window = get_window("hann", size)
     hop = max(1, (signal.size - size) // COLUMNS)
     transform = ShortTimeFFT(window, hop, rate, scale_to="magnitude")
     values = 2.0 * abs(transform.stft(signal - signal.mean()))
-    return transform.t(signal.size), transform.f, np.asarray(values, dtype=np.float64)
+    whole = slice(
+        transform.lower_border_end[1] - transform.p_min,
+        transform.upper_border_begin(signal.size)[1] - transform.p_min,
+    )
+    time = transform.t(signal.size)[whole]
+    return time, transform.f, np.asarray(values[:, whole], dtype=np.float64)
 
 
 def answered(signal: Array, rate: float, response: Array) -> Array:
