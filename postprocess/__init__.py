@@ -17,10 +17,10 @@ results      - what results of all kinds have in common
 scene        - three-dimensional views, files for ParaView, meshes for other programs
 slip         - results of a slip study
 stiffness    - results of a stiffness study
-summaries    - the summary of a run, of a bearing or of a single contact
 table        - tables of results for a terminal of 80 columns
 text         - numbers and lists as text
 traction     - results of traction tables
+vibration    - results of a vibration
 writer       - all output of a run into one directory
 """
 

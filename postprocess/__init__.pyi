@@ -1,10 +1,10 @@
 from .bearing.results import BearingResults
 from .contact.results import ContactResults
 from .netcdf.reader import open_results
-from .summaries import summary
 from .writer.extras import write_extras
 from .writer.numbers import write_numbers
 from .writer.run import write_results
+from .writer.summaries import summary
 
 __all__ = [
     "BearingResults",

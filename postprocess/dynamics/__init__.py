@@ -7,6 +7,5 @@ results    - a time simulation of one case
 spill      - a file for HDF5 that never fails
 summary    - summary of a time simulation
 table      - a time simulation in the terminal
-vibration  - results of a vibration
 write      - files of a time simulation
 """

@@ -9,7 +9,7 @@ from ..contact.results import ContactResults
 from ..contact.write import write_contact_netcdf
 from ..files import CONTACTS_FILE, SUMMARY_FILE, write_json
 from ..netcdf.groups import FIELDS_FILE
-from ..summaries import summary
+from .summaries import summary
 
 
 def write_numbers(

@@ -19,7 +19,6 @@ HOMES = {
     "matplotlib": (
         "postprocess/plot*.py",
         "postprocess/*/plot*.py",
-        "postprocess/dynamics/vibration/plots.py",
         "postprocess/contact/*.py",
         "postprocess/scene/*.py",
         "verification/plots.py",
@@ -30,12 +29,7 @@ HOMES = {
     "typer": ("cases/cli/*.py", "cases/cli/over_time/*.py"),
     "pydantic": ("cases/format/*.py", "cases/batch/*.py", "cases/batch/planning/*.py", "cases/optimise/*.py"),
     "pydantic_core": ("cases/format/*.py",),
-    "rich": (
-        "cases/cli/*.py",
-        "postprocess/*table.py",
-        "postprocess/*/*.py",
-        "postprocess/dynamics/vibration/table.py",
-    ),
+    "rich": ("cases/cli/*.py", "postprocess/*table.py", "postprocess/*/*.py"),
     "PIL": ("postprocess/scene/*.py",),
     "trame_pyvista": ("postprocess/scene/*.py",),
     "xlsxwriter": ("postprocess/report/*.py",),

@@ -126,9 +126,9 @@ def event_rows() -> str:
         load = run.loads[near, balls + j]
         at = sampled[near]
         least = float(load.min())
-        # second event: the largest force between the middle and twice the width behind it
+        # second event: the fastest rise of the force between the middle and twice the width behind it
         behind = (at > passage) & (at < passage + 2e-3 * width / speed)
-        hit = at[behind][load[behind].argmax()]
+        hit = at[behind][np.gradient(load, at)[behind].argmax()]
         formula = 0.5e-3 * width / speed
         before = float(load[at < entry - 0.5e-3 * width / speed].mean())
         loose = float((load == 0.0).mean() * (at[-1] - at[0]))

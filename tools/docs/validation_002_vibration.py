@@ -14,8 +14,8 @@ from matplotlib.figure import Figure
 
 from cases.format.case import case_of_document, load_case
 from cases.runs.studies.vibration import NotSolvedError, run_vibration
-from postprocess.dynamics.vibration.summary import vibration_summary
 from postprocess.plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, save
+from postprocess.vibration.summary import vibration_summary
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "validation" / "validation_002_vibration.md"
@@ -134,7 +134,7 @@ def draw(points: dict[tuple[float, float, float | None], Point | None]) -> None:
             axes.set_xlabel("oil supply [mL/min]; squares at 2.3: flooded")
             axes.grid(linewidth=0.3, alpha=0.5)
         level.set_yscale("log")
-        level.legend(fontsize=6)
+        figure.legend(*level.get_legend_handles_labels(), loc="outside upper center", ncols=4, fontsize=6)
         save(figure, IMAGE)
 
 

@@ -14,9 +14,9 @@ from bearing.supply.supply import AMPLE
 from bearing.vibration.assembly import assembled
 from bearing.vibration.inputs import Direction
 from bearing.vibration.laws import FilmsNotSolvedError, heaviest
-from bearing.vibration.simulation import pieces, vibration_run
+from bearing.vibration.simulation import VibrationRun, pieces, vibration_run
 from ehl.multigrid.bordered import LinearSolverError
-from postprocess.dynamics.vibration.results import VibrationResults
+from postprocess.vibration.results import VibrationResults
 
 from ...format.case import Case
 from ...format.over_time.vibration import VibrationTable, frequency_response, vibration
@@ -68,12 +68,7 @@ def run_vibration(case: Case, name: str, progress: Progress | None = None) -> Vi
     except (FilmsNotSolvedError, LinearSolverError) as error:
         raise NotSolvedError(f'{error}; contact_law and wave_filter = "dry" take none') from error
     films = perf_counter() - began
-    steps = pieces(run)
-    while True:
-        done = interruptible(partial(next, steps, None))
-        if done is None:
-            break
-        notify(round(1000.0 * done / run.steps), 1000, "vibration over time")
+    _step(run, notify)
     results = VibrationResults(
         version=version(),
         case=case.document,
@@ -86,6 +81,16 @@ def run_vibration(case: Case, name: str, progress: Progress | None = None) -> Vi
     )
     wall = perf_counter() - began
     return replace(results, timing={"films": films, "vibration": wall - films, "total": wall})
+
+
+def _step(run: VibrationRun, notify: Progress) -> None:
+    """Compute the run to its end."""
+    steps = pieces(run)
+    while True:
+        done = interruptible(partial(next, steps, None))
+        if done is None:
+            return
+        notify(round(1000.0 * done / run.steps), 1000, "vibration over time")
 
 
 def _contacts(case: Case, state: QuasistaticSolution) -> list[BearingContact]:

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from bearing.vibration.inputs import VibrationOptions
 from ehl.units import from_si
 
-from ...plot_style import (
+from ..plot_style import (
     BALL_COLOUR,
     INK,
     INNER_COLOUR,

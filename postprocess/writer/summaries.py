@@ -2,10 +2,10 @@
 
 from typing import Any
 
-from .bearing.results import BearingResults
-from .bearing.summary import bearing_summary
-from .contact.results import ContactResults
-from .contact.summary import contact_summary
+from ..bearing.results import BearingResults
+from ..bearing.summary import bearing_summary
+from ..contact.results import ContactResults
+from ..contact.summary import contact_summary
 
 
 def summary(results: BearingResults | ContactResults) -> dict[str, Any]:

@@ -13,7 +13,7 @@ from bearing.vibration.lines import expected_lines, kinematic, passing
 from bearing.vibration.simulation import VibrationRun
 from ehl.units import from_si
 
-from ...files import plain
+from ..files import plain
 from .measured import Measured, envelope_band, measured
 from .results import ENERGY_LIMIT, VibrationResults
 from .signals import (

@@ -6,7 +6,7 @@ from bearing.geometry import Array
 from bearing.vibration.inputs import Direction
 from bearing.vibration.simulation import VibrationRun
 
-from ...results import Results
+from ..results import Results
 
 ENERGY_LIMIT = 1.0e-3  # of stored energy and works: a larger imbalance is flagged [-]
 

@@ -5,8 +5,8 @@ from typing import Any
 from rich.console import Group
 from rich.text import Text
 
-from ...table import facts_table, number_table
-from ...text import number
+from ..table import facts_table, number_table
+from ..text import number
 
 SHOWN = 14  # lines at most
 HEADERS = ("line", "order", "direction", "Hz", "nm", "µm/s", "m/s²")

@@ -8,9 +8,9 @@ import numpy as np
 from bearing.vibration.arrays import INNER, OUTER, SENSOR
 from bearing.vibration.simulation import OVERSAMPLED
 
-from ...files import Table
-from ...netcdf.groups import Variables
-from ...netcdf.study import StudyFiles, write_study
+from ..files import Table
+from ..netcdf.groups import Variables
+from ..netcdf.study import StudyFiles, write_study
 from .audio import write_audio
 from .measured import Measured, measured
 from .plots import write_vibration_plots
