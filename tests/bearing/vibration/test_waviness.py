@@ -155,3 +155,43 @@ def test_both_ends_of_the_speed(rpm):
     _, found = run({Place.INNER: (Wave(order=8, amplitude=AMPLITUDE),)}, bearing(), rpm=rpm, duration=0.02)
     assert np.isfinite(found.motion).all()
     assert found.energy_balance_error < 1e-3
+
+
+def harmonics_left(found, frequency):
+    """What is left of the motion along y without the multiples of a frequency [Hz], over all of it [-]."""
+    part = found.motion[:, 1] - found.motion[:, 1].mean()
+    values = abs(np.fft.rfft(part * np.hanning(part.size))) ** 2
+    lines = np.fft.rfftfreq(part.size, found.model.options.duration / part.size)
+    beside = abs(lines - frequency * np.round(lines / frequency)) * found.model.options.duration
+    return np.sqrt(values[beside > 2.5].sum() / values.sum())
+
+
+def forced(form, force):
+    """Vibration of a 6208 with Hertz' law and a loss, at 30000 r/min."""
+    state = solve_quasistatic(replace(bearing(), diametral_clearance=5e-6), Operation(inner_speed=3141.6, force=force))
+    options = VibrationOptions(
+        duration=0.02,
+        settling=0.03,
+        sample_rate=51200.0,
+        law=ContactLaw.DRY,
+        loss_time=1e-5,
+        wave_filter=WaveFilter.NONE,
+    )
+    model = VibrationModel(form=form, options=options)
+    equations = assembled(state, contact_conditions(state, case().lubricant), model)
+    return passing(state, equations), computed(vibration_run(state, model, equations))
+
+
+def test_passing_balls_show_at_their_multiples_alone():
+    """Varying compliance: nothing but k Z n_c, to what the start leaves of balls outside the load zone."""
+    passes, found = forced(SurfaceForm(), (200.0, 1500.0, 0.0))
+    assert found.motion[:, 1].std() > 1e-9
+    assert harmonics_left(found, passes.ball_pass_outer) < 0.05
+
+
+def test_balls_of_different_size_show_with_the_cage():
+    passes, found = forced(SurfaceForm(ball_diameters=(5e-7, *[0.0] * 8)), (1500.0, 0.0, 0.0))
+    time = np.linspace(0.0, 0.02, len(found.motion), endpoint=False)
+    one = amplitude_at(found.motion[:, 1], time, passes.cage)
+    assert one > 1e-8
+    assert amplitude_at(found.motion[:, 1], time, 4.0 * passes.cage) < 0.05 * one
