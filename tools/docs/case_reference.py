@@ -35,6 +35,9 @@ SPECIAL = {
     "speed_over_time_m_s": "rows of time in s and a number",
     "gravity_m_s2": "three numbers",
     "assumed": "list of `table.key`",
+    "traction": "`films`, `table`, `four constants`, `coulomb`, or the name of a plug-in",
+    "traction_constants": "numbers by name",
+    "torque_plugins": "names of plug-ins",
 }
 ORDER = (
     "bearing",
