@@ -3,8 +3,10 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import isfinite
+from typing import Any
 
 from ehl import ContactSolution, Lubricant
+from ehl.units import from_si, notebook_html
 
 from ..contacts.contact import BearingContact
 from ..library.plugins import Plugin
@@ -13,6 +15,7 @@ from ..supply.starved_films import StarvedFilm, starved_films
 from ..supply.supply import Supply
 from .inlet import InletFactors
 from .models import (
+    ROUND_OFF,
     FrictionInput,
     ModelTorque,
     coulomb_coefficient,
@@ -80,6 +83,28 @@ class TorqueBreakdown:
     def total(self) -> float | None:
         """Torque of the chosen model [N m]."""
         return None if self.chosen is None else self.models[self.chosen].total
+
+    def _repr_html_(self) -> str:
+        """All models side by side, for a notebook."""
+        names = list(self.models)
+        columns: dict[str, Any] = {
+            "model": [f"{name} (taken)" if name == self.chosen else name for name in names],
+            "torque_N_mm": [self.models[name].total for name in names],
+            "parts [N mm] or reason": [_parts_text(self.models[name]) for name in names],
+        }
+        return notebook_html("Friction torque", {"total_N_mm": self.total}, columns)
+
+
+def _parts_text(model: ModelTorque) -> str:
+    """Components of a model [N mm] in words; of one that does not apply why."""
+    if model.total is None:
+        return model.note
+    largest = max(map(abs, model.components.values()), default=0.0)
+    parts = {
+        name: from_si("part_N_mm", value) if abs(value) > ROUND_OFF * largest else 0.0
+        for name, value in model.components.items()
+    }
+    return ", ".join(f"{name} {value:.4g}" for name, value in parts.items())
 
 
 def torque_breakdown(

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
 
+from ehl.units import notebook_html
 from postprocess.batch.records import FAILED, LOST
 from postprocess.batch.store import PointStore, StoredPoints, is_sound, store_files
 
@@ -55,6 +56,17 @@ class Batch:
     directory: Path
     resumed: frozenset[str]
     wall: float
+
+    def _repr_html_(self) -> str:
+        """Where the results are, for a notebook."""
+        points = len(self.sweep.points)
+        facts = {
+            "points": f"{points}, {len(self.resumed)} of them taken over",
+            "varied": ", ".join(self.sweep.keys),
+            "folder": str(self.directory),
+            "wall_s": self.wall,
+        }
+        return notebook_html(self.sweep.title, facts)
 
 
 class ProgressEstimate:

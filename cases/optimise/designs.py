@@ -5,6 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ehl.units import notebook_html
 from postprocess.batch.results import BatchPoint
 from postprocess.batch.summary import point_numbers
 
@@ -33,6 +34,22 @@ class Found:
     proved: tuple[tuple[str, Design], ...] = ()
     # the same on half the nodes, where the proof names how many it takes
     coarse: tuple[tuple[str, Design], ...] = ()
+
+    def _repr_html_(self) -> str:
+        """The front, or the best design, and its proof, for a notebook."""
+        shown = [(f"design {number}", self.designs[number - 1]) for number in self.front]
+        shown += [(f"{name}, proved", design) for name, design in self.proved]
+        columns: dict[str, list[str]] = {"": [name for name, _ in shown]}
+        for key in self.study.keys:
+            columns[key] = [f"{design.values[key]:.5g}" for _, design in shown]
+        for name in shown[0][1].numbers if shown else ():
+            columns[name] = [_text(design.numbers[name]) for _, design in shown]
+        facts = {"designs": str(len(self.designs)), "front": str(len(self.front))}
+        return notebook_html(self.study.title, facts, columns)
+
+
+def _text(value: float | None) -> str:
+    return "–" if value is None else f"{value:.5g}"
 
 
 def designs_of(

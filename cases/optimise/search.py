@@ -49,12 +49,16 @@ def searched(
     places = places if own is None else np.vstack([own, places])
     designs: list[Design] = []
     again = resume
+    each = len(study.deviations)
+
+    def of_all(done: int, _total: int, _state: str) -> None:
+        progress(done, search.designs * each, "points of the search")
+
     while len(designs) < search.designs:
         new = places[len(designs) : search.designs]
         sweep = study.sweep([study.values(place) for place in places[: search.designs]])
-        batch = run_batch(sweep, directory, pool, Choice(resume=again), progress=progress)
+        batch = run_batch(sweep, directory, pool, Choice(resume=again), progress=of_all)
         again = True
-        each = len(study.deviations)
         wanted = range(len(designs) * each, (len(designs) + len(new)) * each)
         points = gathered(batch, wanted).points
         designs += designs_of(study, points, len(designs))
