@@ -5,6 +5,7 @@ The one registry for case files, summaries, tables, netCDF attributes, pictures 
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from html import escape
 from math import ceil, floor, inf, log10, pi
 from typing import Any
@@ -121,6 +122,7 @@ def _split(key: str) -> tuple[list[str], Unit | None]:
     return words, None
 
 
+@lru_cache(maxsize=8192)
 def unit(path: str) -> Unit:
     """Unit of a dotted path: that of the last part that ends in one, `NO_UNIT` if none does.
 

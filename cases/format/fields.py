@@ -40,11 +40,15 @@ class Table(BaseModel):
         unit only keep it.
         """
         chosen = keys or tuple(type(self).model_fields)
-        names = [name_in_si(key) for key in chosen]
-        return {
-            name if names.count(name) == 1 else key: _si(key, getattr(self, key))
-            for name, key in zip(names, chosen, strict=True)
-        }
+        return {name: _si(key, getattr(self, key)) for name, key in names_in_si(chosen)}
+
+
+@cache
+def names_in_si(keys: tuple[str, ...]) -> tuple[tuple[str, str], ...]:
+    """Names without units of keys, and the keys; those that differ in the unit only keep it."""
+    names = [name_in_si(key) for key in keys]
+    pairs = zip(names, keys, strict=True)
+    return tuple((name if names.count(name) == 1 else key, key) for name, key in pairs)
 
 
 @cache

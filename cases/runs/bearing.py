@@ -32,7 +32,15 @@ from ..format.contact import FilmModel
 from ..format.operation import SELF_HEATED
 from ..version import version
 from .equilibrium import case_equilibrium
-from .films import Progress, Solve, film_plan, heat_message, solve_contacts, wanted_contacts
+from .films import (
+    Progress,
+    Solve,
+    film_plan,
+    film_solver,
+    heat_message,
+    solve_contacts,
+    wanted_contacts,
+)
 from .heating import Printed, at_its_balance, at_its_temperature, lost_balance, self_heated
 from .interrupt import interruptible
 from .load_cases import solve_load_cases
@@ -70,7 +78,7 @@ def run_case(
     progress : callable, optional
         Called with the contacts done, the contacts in all, and a word on the state.
     solve : callable, optional
-        Takes the place of `ehl.solve_contact`: a batch looks up what it has solved before.
+        Takes the place of the film model's own: a batch looks up what it has solved before.
     """
     notify = progress or (lambda done, total, state: None)
     how = (workers, notify, solve)
@@ -180,7 +188,7 @@ def _films(
     wanted, messages = wanted_contacts(case, state, contacts)
     messages += heat_message(case, state, contacts) if state.converged else ()
     plan = film_plan(wanted, case.solver)
-    solver = solve if case.films.model is FilmModel.NEWTONIAN else case.films.solve
+    solver = film_solver(solve, case.films)
     solutions, interrupted = solve_contacts(plan.wanted, case.solver, workers, notify, solver)
     bases: tuple[ContactSolution | None, ...] = (None,) * len(contacts)
     if any(plan.bases) and not interrupted:

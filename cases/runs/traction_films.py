@@ -11,9 +11,8 @@ from bearing.operation import BallKinematics
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactConditions, ContactSolution
 
-from ..format.contact import FilmModel
 from ..format.film_model import CaseFilms
-from .films import Progress, Solve, solve_contacts
+from .films import Progress, Solve, film_solver, solve_contacts
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,8 +29,7 @@ class PooledFilms:
         self, conditions: Sequence[ContactConditions | None]
     ) -> Sequence[ContactSolution | None]:
         """Films [m] of the contacts that have conditions; KeyboardInterrupt on Ctrl-C."""
-        films = self.case.films
-        solver = self.solve if films.model is FilmModel.NEWTONIAN else films.solve
+        solver = film_solver(self.solve, self.case.films)
         notify = self.progress or (lambda done, total, state: None)
         solutions, interrupted = solve_contacts(
             conditions, self.case.options, self.workers, notify, solver
