@@ -11,6 +11,13 @@ ROOT = Path(__file__).parents[2]
 IMAGES = ROOT / "docs" / "images"
 
 
+def on_config(config: Any) -> Any:
+    """The footer names the version that the pages belong to."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    config.copyright = f"oilfilm {project['version']}, {project['license']}"
+    return config
+
+
 def on_files(files: Any, config: Any) -> Any:
     """Add the pages that are no files of docs/."""
     from mkdocs.structure.files import File
@@ -67,8 +74,11 @@ def _case(path: Path) -> list[str]:
     return lines
 
 
+COMMANDS = {"sweeps": "batch", "optimisations": "optimise"}  # by the folder of a file
+
+
 def _command(path: Path, document: dict[str, Any]) -> str:
     """What computes a case."""
-    if path.parent.name == "sweeps":
-        return "batch"
-    return next((name for name in ("contact", "slip", "dynamics") if name in document), "run")
+    if path.parent.name in COMMANDS:
+        return COMMANDS[path.parent.name]
+    return next((name for name in ("transient", "contact", "slip", "dynamics") if name in document), "run")
