@@ -9,7 +9,6 @@ from typing import Any, NamedTuple
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.contacts import contact_conditions
 from bearing.contacts.finite_bodies import FiniteBodies, finite_bodies, with_finite_bodies
-from bearing.contacts.traction import ContactTraction, contact_traction
 from bearing.friction.formula_films import FormulaFilm, formula_film
 from bearing.friction.running_films import RunningFilms
 from bearing.friction.sources import FilmTraction, LawTraction
@@ -47,7 +46,7 @@ from .load_cases import solve_load_cases
 from .strength import case_strength, contact_tensions
 from .studies.atlas import unasked_films
 from .studies.supply import beside_supply
-from .traction_films import traction_messages, with_workers
+from .traction_films import contact_tractions, traction_messages, with_workers
 
 WARM_ROUNDS = 5  # of films solved anew at the temperature that their torque asks for
 WARM_TOLERANCE = 0.1  # of that temperature [K]
@@ -271,7 +270,7 @@ def _friction(
     torque = _torque(case, state, contacts, films)
     shear = None if torque is None else torque.shear
     balanced = () if shear is None else shear.tractions
-    tractions = _tractions(case, state, contacts, solutions, balanced)
+    tractions = contact_tractions(case, state, contacts, solutions, balanced)
     timing["torque"] = perf_counter() - start
     tensions = contact_tensions(case, solutions, tractions)
     timing["strength"] = perf_counter() - start - timing["torque"]
@@ -339,26 +338,6 @@ def _printed(
         return None
     seal = torque.models[INTEGRATED].components.get("seal", 0.0)
     return Printed(state, contacts, torque.total, seal, None if case.heating is None else running)
-
-
-def _tractions(
-    case: Case,
-    state: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    solutions: Sequence[ContactSolution | None],
-    balanced: Sequence[ContactTraction],
-) -> tuple[ContactTraction | None, ...]:
-    """Shear of every contact that has a film: as balanced, or at the motion of the equilibrium."""
-    rheology = case.rheology
-    if rheology is None:
-        return (None,) * len(contacts)
-    known = {(t.contact.ball, t.contact.race): t for t in balanced}
-    return tuple(
-        known.get((c.ball, c.race)) or contact_traction(state, c, film, rheology)
-        if film and film.converged
-        else None
-        for c, film in zip(contacts, solutions, strict=True)
-    )
 
 
 def _torque(

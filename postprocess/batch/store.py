@@ -208,11 +208,11 @@ class StoredPoints:
                 if row is None or not _is_whole(row):
                     self.damaged[path] = self.damaged.get(path, 0) + 1
                     continue
-                key, status, files = row[3], row[4], row[-1]
+                key = row[3]
                 if self.status.get(key) != DONE:
-                    self.status[key] = status
+                    self.status[key] = row[4]
                     self._places[key] = (number, place)
-                    if files != "{}":
+                    if row[-1] != "{}":
                         self.with_files.add(key)
 
     def records(self, keys: Sequence[str]) -> list[Record | None]:
