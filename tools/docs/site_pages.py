@@ -28,6 +28,20 @@ def on_files(files: Any, config: Any) -> Any:
     return files
 
 
+def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
+    """A link that shows the name of a file shows the title of its page."""
+    folder = (ROOT / "docs" / page.file.src_uri).parent
+
+    def named(link: re.Match[str]) -> str:
+        target = folder / link[2]
+        if not target.is_file():
+            return link[0]
+        title = target.read_text(encoding="utf-8").partition("\n")[0].removeprefix("# ").strip()
+        return f"[{title}]({link[2]}{link[3] or ''})"
+
+    return re.sub(r"\[([\w/]+\.md)\]\(([\w./]+\.md)(#[\w-]+)?\)", named, markdown)
+
+
 def gallery() -> str:
     """The figures of the validation pages, then every shipped case: source, command, pictures."""
     lines = [
