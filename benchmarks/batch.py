@@ -25,7 +25,7 @@ from pathlib import Path
 
 import numpy as np
 
-from cases.batch.engine import run_batch
+from cases.batch.engine import Choice, run_batch
 from cases.batch.pools import LocalPool
 from cases.batch.results import collected, gathered, write_batch
 from cases.batch.sweep import sweep_from_text
@@ -136,7 +136,7 @@ def records(points: int, folder: Path) -> None:
         store.close()
     with step("resumed, planning included"):
         again = sweep_from_text(text, "sweep.toml")
-        batch = run_batch(again, whole, lambda: LocalPool(1), resume=True)
+        batch = run_batch(again, whole, lambda: LocalPool(1), Choice(resume=True))
     assert len(batch.resumed) == count
     with ExitStack() as stack:
         with step("collected: results.nc, summary"):

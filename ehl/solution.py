@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass, replace
 from math import inf, isfinite
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,6 +12,7 @@ from .closed_form.starvation import Share, StarvationShares
 from .conditions import ContactConditions, MoesConditions
 from .oil.film_state import FilmState
 from .options import SolverOptions
+from .units import notebook_html
 
 Array = NDArray[np.float64]
 
@@ -254,3 +256,27 @@ class ContactSolution:
     def pressure_maximum(self) -> float:
         """Largest nodal pressure [Pa]; at the spike it does not converge with the mesh."""
         return float(self.P.max() * self.hertz_pressure)
+
+    def _repr_html_(self) -> str:
+        """Films, pressures and mesh, for a notebook."""
+        films: dict[str, Any] = {}
+        for name in ("central", "minimum"):
+            film = getattr(self, f"film_{name}_dimensionless")
+            if self.film_scale is None:
+                films[f"film_{name} [a²/Rx]"] = (film.value, film.uncertainty)
+                continue
+            bar = film.uncertainty * self.film_scale
+            films[f"film_{name}_um"] = (film.value * self.film_scale, bar)
+        if not self.converged:
+            films = dict.fromkeys(films)
+        nx, ny = self.P.shape
+        facts = {
+            "M, L": f"{self.moes_load:.4g}, {self.moes_lubricant:.4g}",
+            **films,
+            "Hertz_pressure_GPa": self.hertz_pressure or None,
+            "largest_pressure_GPa": self.pressure_maximum or None,
+            "mesh": f"{nx} x {ny} nodes, {self.record.cycles} cycles",
+            "converged": f"{self.converged}" + ("" if self.converged else f": {self.message}"),
+            "resolved": f"{self.resolved}" + ("" if self.resolved else f": {self.message}"),
+        }
+        return notebook_html("Lubricated contact", facts)

@@ -1,10 +1,13 @@
 """Units of keys by their last words: factor to SI, offset, symbol; for input and output.
 
-The one registry for case files, summaries, tables, netCDF attributes and pictures.
+The one registry for case files, summaries, tables, netCDF attributes, pictures and notebooks.
 """
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import pi
+from functools import lru_cache
+from html import escape
+from math import ceil, floor, inf, log10, pi
 from typing import Any
 
 NANOMETRE = 1e-9  # [m]
@@ -122,6 +125,7 @@ def _split(key: str) -> tuple[list[str], Unit | None]:
     return words, None
 
 
+@lru_cache(maxsize=8192)
 def unit(path: str) -> Unit:
     """Unit of a dotted path: that of the last part that ends in one, `NO_UNIT` if none does.
 
@@ -188,3 +192,65 @@ def to_si(key: str, value: Any) -> Any:
         return None
     own = unit(key)
     return value * own.si + own.zero if own.zero or own.si != 1.0 else value
+
+
+def value_with_error(value: float, error: float, most: int = 5) -> str:
+    """Text of a value and its uncertainty, both in one unit, such as [um].
+
+    To the error's first digit (second after a 1), with at most `most` decimals [-]; a smaller
+    error is rounded up, and left out where the value has no two digits then.
+    """
+    digits = 3
+    if 0.0 < error < inf:
+        exponent = floor(log10(error))
+        wanted = max(-exponent + (error < 1.95 * 10.0**exponent), 0)
+        digits = min(wanted, most)
+        if wanted > most and error < abs(value) < 10.0 ** (1 - most):
+            return f"{value:.2g}"
+        if wanted > most:
+            error = ceil(error * 10.0**most) / 10.0**most
+    return f"{value:.{digits}f} ± {error:.{digits}f}"
+
+
+def notebook_html(
+    title: str, facts: Mapping[str, Any], columns: Mapping[str, Sequence[Any]] | None = None
+) -> str:
+    """A result as a notebook shows it: facts by their keys, and a table of columns [SI].
+
+    A value in SI is shown in the unit of its key, a pair as a value with its error bar, text and
+    None (a dash) as they are.
+    """
+    left = "style='text-align:left'"
+    rows = "".join(
+        f"<tr><th {left}>{escape(without_unit(key))}</th>"
+        f"<td {left}>{_cell(key, value, unit_symbol(key))}</td></tr>"
+        for key, value in facts.items()
+    )
+    table = _columns_html(columns or {})
+    return f"<div><b>{escape(title)}</b></div><table>{rows}</table>{table}"
+
+
+def _columns_html(columns: Mapping[str, Sequence[Any]]) -> str:
+    """A table with a column for each key [SI]; empty without columns."""
+    if not columns:
+        return ""
+    names = [f"{without_unit(key)}<br>{unit_symbol(key)}" for key in columns]
+    head = "".join(f"<th>{name}</th>" for name in names)
+    lines = zip(*columns.values(), strict=True)
+    body = "".join(f"<tr>{''.join(map(_row_cell, columns, line))}</tr>" for line in lines)
+    return f"<table><tr>{head}</tr>{body}</table>"
+
+
+def _row_cell(key: str, value: Any) -> str:
+    return f"<td>{_cell(key, value, '')}</td>"
+
+
+def _cell(key: str, value: Any, symbol: str) -> str:
+    """A value in SI, or a pair of value and error, in the unit of its key."""
+    if isinstance(value, str | bool) or value is None:
+        return escape("–" if value is None else str(value))
+    if isinstance(value, tuple):
+        text = value_with_error(*(from_si(key, part) for part in value))
+    else:
+        text = f"{from_si(key, value):.5g}"
+    return escape(f"{text} {symbol}".strip())

@@ -4,6 +4,8 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
+from ehl.units import notebook_html
+
 STIFFNESS_ORDER = ("x", "y", "z", "ty", "tz")  # directions of a ring
 STIFFNESS_HEADLINES = {"axial stiffness": 0, "radial stiffness": 1}  # place on the diagonal
 STIFFNESS_UNITS = [  # force and moment over shift and tilt
@@ -30,6 +32,17 @@ class Results:
     def pictures(self) -> int:
         """The most that are drawn apart from each other [-]."""
         return 0
+
+    def _repr_html_(self) -> str:
+        """What there is, for a notebook; kinds that show more have their own."""
+        return notebook_html(self.title or type(self).__name__, self._facts())
+
+    def _facts(self) -> dict[str, Any]:
+        """Whether it converged, and what is to be said of it."""
+        facts: dict[str, Any] = {"oilfilm": self.version}
+        if hasattr(self, "converged"):
+            facts["converged"] = str(self.converged)
+        return facts | {f"note {k + 1}": note for k, note in enumerate(self.messages)}
 
     def head(self, converged: bool, messages: Iterable[str]) -> dict[str, Any]:
         """First keys of a summary; the messages of the run stand before those given."""

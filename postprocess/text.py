@@ -1,7 +1,9 @@
 """Numbers and lists as text."""
 
-from math import ceil, floor, inf, isfinite, log10
+from math import isfinite
 from typing import Any, TypeGuard
+
+from ehl.units import value_with_error as value_with_error
 
 NOTHING = "–"
 MOST_LISTED = 8  # balls are listed one by one up to this number
@@ -12,24 +14,6 @@ def number(value: Any, digits: str = ".4g") -> str:
     if value is None or (isinstance(value, float) and not isfinite(value)):
         return NOTHING
     return f"{value + 0.0:{digits}}" if isinstance(value, float) else str(value)
-
-
-def value_with_error(value: float, error: float, most: int = 5) -> str:
-    """Text of a value and its uncertainty, both in one unit, such as [um].
-
-    To the error's first digit (second after a 1), with at most `most` decimals [-]; a smaller
-    error is rounded up, and left out where the value has no two digits then.
-    """
-    digits = 3
-    if 0.0 < error < inf:
-        exponent = floor(log10(error))
-        wanted = max(-exponent + (error < 1.95 * 10.0**exponent), 0)
-        digits = min(wanted, most)
-        if wanted > most and error < abs(value) < 10.0 ** (1 - most):
-            return f"{value:.2g}"
-        if wanted > most:
-            error = ceil(error * 10.0**most) / 10.0**most
-    return f"{value:.{digits}f} ± {error:.{digits}f}"
 
 
 def in_figures(value: float, figures: int) -> str:

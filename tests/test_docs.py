@@ -4,7 +4,11 @@ from __future__ import annotations
 
 import csv
 import importlib
+import json
+import os
 import re
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -95,3 +99,60 @@ def test_the_page_of_commands_names_every_command_and_option():
         assert f"oilfilm {name}" in page
         for parameter in command.params:
             assert parameter.param_type_name == "argument" or any(option in page for option in parameter.opts)
+
+
+INDEX = (DOCS / "index.md").read_text(encoding="utf-8")
+
+
+def test_the_first_page_says_of_quality_what_the_readme_says():
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    head = "| what | measured | command |\n|---|---|---|\n"
+    rows = readme.partition(head)[2].partition("\n\n")[0].splitlines()
+    assert len(rows) >= 3
+    own = INDEX.partition(head)[2].partition("\n\n")[0].splitlines()
+    numbers = [re.findall(r"\d[\d.]*", row) for row in own]
+    for row in rows:
+        assert re.findall(r"\d[\d.]*", row) in numbers, row
+
+
+def test_the_result_of_the_first_page_is_that_of_the_shipped_case():
+    """Films and loads as the regression tests hold them."""
+    text = (ROOT / "tests" / "regression" / "expected.json").read_text(encoding="utf-8")
+    expected = json.loads(text)["6208_full_ceramic"]
+    (block,) = re.findall(r"^```text\n(.*?)^```$", INDEX, re.DOTALL | re.MULTILINE)
+    ball, seen = "", 0
+    for line in block.splitlines():
+        number = re.match(r" +(\d) +\d+ +inner", line)
+        ball = number[1] if number else ball
+        race = re.search(r" (inner|outer) +([\d.]+) +([\d.]+)", line)
+        if race is None:
+            continue
+        place = f"ball {ball} {race[1]}"
+        films = re.findall(r"([\d.]+) ± ([\d.]+)", line)
+        printed = [race[2], race[3], *(film for film, _ in films)]
+        keys = ("load_N", "hertz_pressure_GPa", "film_central_um", "film_minimum_um")
+        for number, key in zip(printed, keys, strict=True):
+            decimals = len(number.partition(".")[2])
+            assert f"{expected[f'{place} {key}']:.{decimals}f}" == number, (place, key)
+        seen += 1
+    assert seen == 5
+    assert f"cage speed         {expected['cage_speed_rpm']:.1f} r/min" in block
+
+
+@pytest.mark.slow
+def test_the_lines_of_the_first_page_are_those_that_the_command_prints(tmp_path):
+    (block,) = re.findall(r"^```text\n(.*?)^```$", INDEX, re.DOTALL | re.MULTILINE)
+    command = [sys.executable, "-m", "cases.cli", "run", "6208_full_ceramic", "-o", "out"]
+    environment = os.environ | {"PYTHONPATH": str(ROOT), "COLUMNS": "100"}
+    run = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stderr
+    printed = {line.strip() for line in run.stdout.splitlines()}
+    assert [line for line in block.splitlines() if line.strip() not in printed] == []
+
+
+def test_pages_are_searched_from_a_folder_with_nothing_from_elsewhere():
+    """The theme's plug-in would load a script from a server, unless it finds its own."""
+    text = (ROOT / "mkdocs.yml").read_text(encoding="utf-8")
+    assert "  - offline" in text
+    (script,) = re.findall(r"polyfills: \[(\S*iframe-worker\S*)\]", text)
+    assert (DOCS / script).is_file()

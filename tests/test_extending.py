@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import json
+import os
 import re
 import subprocess
 import sys
+import tomllib
+from math import hypot
 from pathlib import Path
+
+import pytest
 
 from cases.format.case import Case, case_from_text
 
@@ -38,3 +44,41 @@ def test_files_and_names_that_the_page_speaks_of_exist():
     for name in ("LAW_CODES", "class ShearLaw", "def shear_rate"):
         assert name in source
     assert "class ModelTorque" in (ROOT / "bearing" / "torque" / "models.py").read_text(encoding="utf-8")
+
+
+PLUGINS = ROOT / "docs" / "tutorial" / "plugins.md"
+
+
+def plugin_blocks():
+    text = PLUGINS.read_text(encoding="utf-8")
+    return [body for _, body in re.findall(r"^```(toml|python)\n(.*?)^```$", text, re.DOTALL | re.MULTILINE)]
+
+
+def test_the_plug_ins_of_the_page_are_listed_and_run(tmp_path):
+    """The distribution as pip would install it: module and metadata, entry points as its pyproject.toml has them."""
+    project, module, case = plugin_blocks()
+    document = tomllib.loads(project)["project"]
+    (tmp_path / "maker_oilfilm.py").write_text(module)
+    info = tmp_path / f"maker_oilfilm-{document['version']}.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text(f"Metadata-Version: 2.1\nName: {document['name']}\nVersion: {document['version']}\n")
+    groups = document["entry-points"].items()
+    points = (f"[{group}]\n" + "".join(f"{k} = {v}\n" for k, v in own.items()) for group, own in groups)
+    (info / "entry_points.txt").write_text("".join(points))
+    (tmp_path / "case.toml").write_text(case)
+
+    def oilfilm(*words):
+        paths = os.pathsep.join((str(tmp_path), str(ROOT)))
+        command = [sys.executable, "-m", "cases.cli", *words]
+        run = subprocess.run(
+            command, cwd=tmp_path, env=os.environ | {"PYTHONPATH": paths}, capture_output=True, text=True, check=False
+        )
+        assert run.returncode == 0, run.stderr
+        return run.stdout
+
+    listed = oilfilm("list", "plugins")
+    assert all(name in listed for name in ("Maker Oil 32", "maker ramp", "maker rule"))
+    assert "cannot" not in listed
+    torque = json.loads(oilfilm("run", "case.toml", "--json"))["torque_N_mm"]
+    assert torque["model"] == "integrated"
+    assert torque["models"]["maker rule"]["total"] == pytest.approx(0.0015 * hypot(2000.0, 500.0) * 20.0)

@@ -68,7 +68,12 @@ def problems(python: str, package: Path, exact: list[str], folder: Path, *, quic
     answer = run([own, "-m", "pip", "install", "-q", "--prefer-binary", str(package), *exact], folder)
     if answer.returncode:
         return [f"not installed: {answer.stderr[-800:]}"]
-    oilfilm = [str(folder / "env" / "bin" / "oilfilm")]
+    return failures(own, folder, quick=quick)
+
+
+def failures(own: str, folder: Path, *, quick: bool) -> list[str]:
+    """What does not run with the Python of an environment that has the package."""
+    oilfilm = [str(Path(own).with_name("oilfilm"))]
     wrong = []
     commands = run([*oilfilm, "--help"], folder, PYTHONWARNINGS=WARNINGS)
     names = re.findall(r"^  ([a-z]+)  ", commands.stdout.partition("Commands:")[2], re.MULTILINE)

@@ -2,6 +2,7 @@
 
 import warnings
 from collections.abc import Callable
+from functools import cache
 from itertools import pairwise
 from math import exp, log, log10
 from typing import Any
@@ -27,6 +28,7 @@ from ehl.units import UNITS, ZERO_CELSIUS
 
 from .names import library_data, matching_name
 from .oil_sets import heat_under_pressure, oil_constants
+from .plugins import OILS, PluginError, plugin, plugin_names, plugin_oil
 
 DATA = "lubricants.toml"
 PROPERTIES = ("viscosity", "pressure_viscosity", "density", "conductivity", "specific_heat")
@@ -37,17 +39,47 @@ SCALED_VOLUME = "scaled volume"  # law of the viscosity that takes the volume of
 CUTOFF = 0.7  # added to the kinematic viscosity in mm^2/s, ASTM D341
 
 
-def list_lubricants() -> tuple[str, ...]:
-    """Names of the shipped lubricants, in the order of the data file."""
-    return tuple(library_data(DATA))
+def list_lubricants(name: str | None = None) -> tuple[str, ...]:
+    """Names of the shipped lubricants, in the order of the data file, and of those of plug-ins.
+
+    `name`: the only one that is wanted; where it is shipped, plug-ins are not looked for.
+    """
+    shipped = tuple(library_data(DATA))
+    if name is not None and matching_name(name, shipped):
+        return shipped
+    return tuple(dict.fromkeys((*shipped, *plugin_names(OILS))))
 
 
 def lubricant_data(name: str) -> dict[str, Any]:
-    """What the data file says of one of `list_lubricants()`: `range_C` and, per property of
-    `PROPERTIES`, `law`, its constants with their units, `source`, and `verified` false where the
-    number was not read in a source.
+    """What the data file, or a plug-in, says of one of `list_lubricants()`: `range_C` and, per
+    property of `PROPERTIES`, `law`, its constants with their units, `source`, and `verified` false
+    where the number was not read in a source.
     """
-    return library_data(DATA)[name]
+    shipped = library_data(DATA)
+    return shipped[name] if name in shipped else _of_plugin(name)
+
+
+@cache
+def _of_plugin(name: str) -> dict[str, Any]:
+    """Data of the oil of a plug-in, all of them there and their laws known."""
+    entry = plugin_oil(name)
+    owner = plugin(OILS, name)
+    if entry is None or owner is None:
+        raise KeyError(name)
+    missing = [key for key in ("range_C", *PROPERTIES) if key not in entry]
+    if missing:
+        raise owner.wrong(f"has no {', '.join(missing)}")
+    try:
+        for temperature in (ZERO_CELSIUS + end for end in entry["range_C"]):
+            dynamic_viscosity(entry, temperature)
+            pressure_viscosity(entry, temperature)
+            _thermal(entry, temperature)
+    except PluginError:
+        raise
+    except Exception as error:
+        text = f"{type(error).__name__}: {error}"
+        raise owner.wrong(f"its data cannot be used: {text}") from error
+    return entry
 
 
 def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
@@ -60,13 +92,13 @@ def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
     Raises ValueError if there is none of this name, or the temperature is not of an oil; warns if
     it lies outside the range of the data.
     """
-    table = library_data(DATA)
-    key = matching_name(name, table)
+    names = list_lubricants(name)
+    key = matching_name(name, names)
     if key is None:
-        raise ValueError(f"lubricant {name!r} is unknown; known: {', '.join(table)}")
+        raise ValueError(f"lubricant {name!r} is unknown; known: {', '.join(names)}")
     if not 150.0 < temperature < 700.0:
         raise ValueError(f"temperature must lie between 150 and 700 K, got {temperature!r}")
-    entry = table[key]
+    entry = lubricant_data(key)
     low, high = entry["range_C"]
     if not low <= temperature - ZERO_CELSIUS <= high:
         celsius = f"{temperature - ZERO_CELSIUS:.1f} C"
@@ -129,6 +161,8 @@ def _own_coefficient(
 def dynamic_viscosity(entry: dict[str, Any], temperature: float) -> float:
     """Dynamic viscosity [Pa s] of an oil's data at a temperature [K] and ambient pressure."""
     data = entry["viscosity"]
+    if callable(data["law"]):  # of a plug-in
+        return float(data["law"](temperature))
     return LAWS[data["law"]](entry | data, temperature, oil_density(entry, temperature))
 
 

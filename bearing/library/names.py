@@ -2,7 +2,7 @@
 
 import tomllib
 from collections.abc import Iterable
-from functools import cache
+from functools import cache, lru_cache
 from importlib import resources
 from typing import Any
 
@@ -10,6 +10,7 @@ IGNORED = " -_\t"
 SHORT = {"vg": "isovg"}  # beginnings of names that are left short: VG68 is ISO VG 68
 
 
+@lru_cache(maxsize=4096)
 def plain_name(name: str) -> str:
     """A name without case, spaces, hyphens and underscores: '7208-B' and '7208 b' are one, so are
     'VG68' and 'ISO VG 68'.

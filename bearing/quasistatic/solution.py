@@ -1,9 +1,12 @@
 """Result of the quasi-static equilibrium of a bearing."""
 
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from ehl.units import from_si, notebook_html
 
 from ..geometry import Array, Bearing
 from ..operation import Operation, QuasistaticModel
@@ -86,6 +89,25 @@ class QuasistaticSolution:
             ring_moment=self.row_load[index, 3:],
             cage_speed=_cage_speed(arrays["orbit_speed"], arrays["inner_load"]),
         )
+
+    def _repr_html_(self) -> str:
+        """Ring and balls, for a notebook."""
+        names = ("azimuth", "inner_load", "outer_load", "inner_contact_angle")
+        keys = ("azimuth_deg", "inner_load_N", "outer_load_N", "inner_angle_deg")
+        columns: dict[str, Any] = {"ball": [str(k + 1) for k in range(self.azimuth.size)]}
+        columns |= {key: getattr(self, name) for key, name in zip(keys, names, strict=True)}
+        columns |= {"outer_angle_deg": self.outer_contact_angle, "spin_rpm": self.spin_speed}
+        x, y, z = (from_si("shift_um", self.displacement)).tolist()
+        facts = {
+            "displacement": f"x {x:.4g}, y {y:.4g}, z {z:.4g} µm",
+            "axial_stiffness_N_um": self.stiffness[0, 0],
+            "radial_stiffness_N_um": self.stiffness[1, 1],
+            "cage_speed_rpm": self.cage_speed,
+            "balls loaded": f"{int((self.inner_load > 0.0).sum())} of {self.azimuth.size}",
+            "residual": f"{self.residual:.1e} after {self.iterations} iterations",
+            "converged": f"{self.converged}" + ("" if self.converged else f": {self.message}"),
+        }
+        return notebook_html("Equilibrium of the bearing", facts, columns)
 
 
 BALL_ARRAYS = (

@@ -8,13 +8,13 @@ from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
 
+from ehl.units import notebook_html
 from postprocess.batch.records import FAILED, LOST
 from postprocess.batch.store import PointStore, StoredPoints, is_sound, store_files
 
 from ..format.problems import CaseError
 from ..runs.films import Progress
 from ..runs.output_lock import one_writer
-from .keys import WITHOUT_CONTACTS
 from .points import NO_LIMITS, Limits, Receipt, Sweep, Task
 from .pools import Pool
 from .shards import ALONE, Shard
@@ -47,6 +47,9 @@ class Choice:
     keep_json: bool = False  # also the summary of each point as a file
 
 
+ALL = Choice()
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Batch:
     """What a batch did: points finished before, points left out, and the wall time [s]."""
@@ -55,6 +58,17 @@ class Batch:
     directory: Path
     resumed: frozenset[str]
     wall: float
+
+    def _repr_html_(self) -> str:
+        """Where the results are, for a notebook."""
+        points = len(self.sweep.points)
+        facts = {
+            "points": f"{points}, {len(self.resumed)} of them taken over",
+            "varied": ", ".join(self.sweep.keys),
+            "folder": str(self.directory),
+            "wall_s": self.wall,
+        }
+        return notebook_html(self.sweep.title, facts)
 
 
 class ProgressEstimate:
@@ -94,9 +108,8 @@ def run_batch(
     sweep: Sweep,
     directory: Path,
     pool: Callable[[], Pool],
-    choice: Choice | None = None,
+    choice: Choice = ALL,
     *,
-    resume: bool = False,
     progress: Progress | None = None,
 ) -> Batch:
     """Compute every point of a sweep that is not finished yet, into the folder of the batch.
@@ -106,9 +119,7 @@ def run_batch(
     pool : callable
         Starts the workers; called only if there is something to compute.
     choice : Choice, optional
-        Which points; all of them if left out.
-    resume : bool
-        As in `choice`.
+        Which points; all of them, none of an earlier batch, if left out.
     progress : callable, optional
         Called with the points done, the points in all, and a word on rate and time left.
 
@@ -120,7 +131,6 @@ def run_batch(
         If a finished point cannot be written; all finished before stay.
     """
     start = perf_counter()
-    choice = choice or Choice(resume=resume)
     again = choice.resume or choice.only_failed or choice.shard is not ALONE
     open_folder(directory, resume=again, alone=choice.shard is ALONE)
     path = directory / choice.shard.file
@@ -220,7 +230,6 @@ def _tasks(
 ) -> Iterator[Task]:
     """The points of some names, each once, in the order of the file."""
     left = set(keys)
-    share = any(key.partition(".")[0] in WITHOUT_CONTACTS for key in sweep.keys)
     for point in sweep.points:
         if point.key in left:
             left.remove(point.key)
@@ -230,7 +239,7 @@ def _tasks(
                 document=point.document,
                 compute=sweep.compute,
                 fields=sweep.fields,
-                share=share,
+                share=sweep.share,
                 folder=folder,
                 keys=sweep.keys,
                 tables=None if tables is None else str(tables.resolve()),

@@ -63,6 +63,7 @@ class Sweep:
     plot: tuple[str, ...] = ()
     designs: tuple[Design, ...] = ()
     film_models: tuple[str, ...] = ()  # of the points that were checked
+    share: bool = False  # whether contacts may be equal in several points
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -6,6 +6,8 @@ from functools import cache
 from importlib import metadata
 from pathlib import Path
 
+from bearing.library.plugins import plugin_sources
+
 PACKAGES = ("ehl", "bearing", "postprocess", "cases")
 SUFFIXES = (".py", ".npz", ".csv", ".toml")
 # what no result of a point depends on: commands, pictures, reports, shipped cases
@@ -32,11 +34,12 @@ def _is_left_out(name: str) -> bool:
 
 @cache
 def program_digest() -> str:
-    """Hexadecimal digest of all sources, data and versions of libraries, 16 digits."""
+    """Hexadecimal digest of all sources, data, versions of libraries, and plug-ins, 16 digits."""
     root = Path(__file__).parents[2]
     digest = hashlib.sha256()
     for path in program_sources():
         digest.update(path.relative_to(root).as_posix().encode())
         digest.update(hashlib.sha256(path.read_bytes()).digest())
     digest.update(repr([(name, metadata.version(name)) for name in LIBRARIES]).encode())
+    digest.update(plugin_sources())
     return digest.hexdigest()[:16]

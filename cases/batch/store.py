@@ -5,7 +5,7 @@ points*.sqlite      finished points: case and summary, or the message they faile
 points/KEY.json     the summary of a point, where it is asked for
 points/KEY.nc       its film maps, where the batch writes them
 points/KEY.zip      its traction tables, where the batch computes tables
-contacts/KEY.npz    solved contacts that several points share
+contacts/KEY.contact solved contacts that several points share
 tables/KEY.zip      traction tables that several points share
 """
 

@@ -15,7 +15,7 @@ from ..format.case import Case, ContactCase, case_of_document
 from ..format.document import parse, read_text
 from ..format.problems import CaseError, CaseFault, faults_error, schema_faults
 from ..format.shipped import find_case, find_sweep
-from .keys import digest, value_in
+from .keys import WITHOUT_CONTACTS, digest, value_in
 from .planning.alternatives import PointDocuments, replaced_keys, with_values
 from .planning.blocks import (
     MOST_POINTS,
@@ -119,6 +119,7 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
         plot=file.plot,
         designs=tuple(designs),
         film_models=tuple(sorted({_film_model(case) for _, case in checked.values()})),
+        share=_shares(blocks, keys),
     )
 
 
@@ -135,6 +136,14 @@ def _document(documents: PointDocuments, variation: Variation, *, torque: bool) 
     """A point as a case; one of torque in traction equilibrium."""
     document = documents.of(variation)
     return with_equilibrium(document) if torque else document
+
+
+def _shares(blocks: Sequence[Sequence[Variation]], keys: tuple[str, ...]) -> bool:
+    """Whether contacts may be equal in several points: where values repeat, as those of all balls
+    without load at one speed, or keys vary that leave the contacts as they are.
+    """
+    repeated = any(len(block) > 1 and not isinstance(block, Sampled) for block in blocks)
+    return repeated or any(key.partition(".")[0] in WITHOUT_CONTACTS for key in keys)
 
 
 def _film_model(case: Case | ContactCase) -> str:

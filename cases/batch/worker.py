@@ -4,7 +4,7 @@ import atexit
 import shutil
 import tempfile
 from collections.abc import Sequence
-from functools import cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 from postprocess.batch.records import FAILED, Record, record_of
@@ -15,7 +15,7 @@ from .keys import digest, value_in
 from .limits import limited
 from .points import Receipt, Task
 from .program import program_digest
-from .shared.contact_cache import cached_solver
+from .shared.contact_cache import ContactCache
 from .store import CONTACTS, write_file, write_files
 
 
@@ -67,13 +67,21 @@ def failure(key: str, status: str, message: str) -> Receipt:
 
 def _computed(task: Task, folder: Path | None, content: bytes | None) -> Computed:
     """Summary and files of a point; tables that did not come as a file become one."""
-    shared = cached_solver(folder / CONTACTS) if task.share and folder is not None else None
+    shared = None
+    if task.share and folder is not None:
+        shared = _contacts(folder / CONTACTS).solve
     tables = None if task.tables is None else Path(task.tables)
     if tables is not None and content is not None:
         tables = _temporary_folder() / tables.name
         if not tables.exists():
             write_file(tables, content)
     return compute(case_of_document(task.document), task, tables, shared)
+
+
+@lru_cache(maxsize=4)
+def _contacts(folder: Path) -> ContactCache:
+    """The contacts of a batch, which all its points have in common."""
+    return ContactCache(folder)
 
 
 @cache

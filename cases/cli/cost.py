@@ -46,12 +46,17 @@ def film_seconds(options: SolverOptions) -> float:
 
 def run_cost(case: Case, workers: int) -> tuple[str, float]:
     """What a run solves, and its time [s]; equal contacts are solved once."""
+    films = run_films(case)
+    text = f"at most {films} films on at most {case.solver.most_points} nodes"
+    return f"{text}, {workers} at a time", films * film_seconds(case.solver) / workers
+
+
+def run_films(case: Case) -> int:
+    """Films of a run at most [-]."""
     maps = case.film_maps
     balls = case.bearing.balls * len(case.rows or (None,))
     balls = balls if isinstance(maps, str) else min(balls, len(maps))
-    films = 0 if maps == "none" else 2 * balls
-    text = f"at most {films} films on at most {case.solver.most_points} nodes"
-    return f"{text}, {workers} at a time", films * film_seconds(case.solver) / workers
+    return 0 if maps == "none" else 2 * balls
 
 
 def table_cost(points: int, temperatures: int, workers: int) -> tuple[str, float]:
@@ -131,7 +136,12 @@ def batch_cost(first: Case | ContactCase, points: int, compute: str) -> tuple[st
             "table": table_cost(FILM_POINTS, 1, 1)[1],
         }
         each = costs.get(compute, TORQUE_SECONDS)
-    return f"{points} points, at most {_duration(each)} each on one core", points * each
+    films = 1
+    if isinstance(first, Case):
+        films = run_films(first) if compute == "run" else 0
+    counted = f" with at most {points * films} films" if films else ""
+    text = f"{points} points{counted}, at most {_duration(each)} each on one core"
+    return text, points * each
 
 
 def _duration(seconds: float) -> str:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from bearing.library.plugins import PluginError
 from ehl.units import from_si, to_si
 
 from ..format.problems import CaseError
@@ -21,7 +22,6 @@ from .terminal import BAD_INPUT, guarded, print_json, print_lines
 
 if TYPE_CHECKING:
     from bearing.material import Material
-    from ehl import Lubricant
 
 
 class Listing(StrEnum):
@@ -34,6 +34,7 @@ class Listing(StrEnum):
     LUBRICANTS = "lubricants"
     GREASES = "greases"
     TYPICAL = "typical"
+    PLUGINS = "plugins"
 
 
 @app.command("list")
@@ -42,7 +43,7 @@ def list_names(
     what: Annotated[Listing | None, typer.Argument(help="What to list; all if left out.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
 ) -> None:
-    """List shipped cases, sweeps, bearings, materials, oils, greases, and typical values."""
+    """List shipped cases, bearings, materials, oils, ..., and plug-ins."""
     names = {kind.value: listing(kind.value) for kind in (Listing if what is None else (what,))}
     if as_json:
         print_json(names)
@@ -269,11 +270,26 @@ def listing(kind: str) -> dict[str, str]:
         from bearing.library.names import library_data
 
         return {key: _range(data) for key, data in library_data("typical.toml").items()}
-    from bearing.library.lubricants import library_lubricant, list_lubricants
+    if kind == "plugins":
+        return _plugins()
+    from bearing.library.lubricants import list_lubricants
 
-    return {
-        name: _oil(library_lubricant(name, to_si("oil_C", 40.0))) for name in list_lubricants()
-    }
+    return {name: _oil(name) for name in list_lubricants()}
+
+
+def _plugins() -> dict[str, str]:
+    """What other distributions bring, and what is wrong with it."""
+    from bearing.library.plugins import KINDS, plugins
+
+    found: dict[str, str] = {}
+    for one in (one for kind in KINDS for one in plugins(kind)):
+        remark = f"{one.kind}: {one.distribution}, {one.place}"
+        found[one.name] = f"{found[one.name]}; {remark}" if one.name in found else remark
+        try:
+            one.load()
+        except PluginError as error:
+            found[one.name] += str(error).partition(")")[2].replace(": ", "; ", 1)
+    return found
 
 
 def _dimensions(entry: dict[str, Any]) -> str:
@@ -294,7 +310,14 @@ def _properties(material: Material) -> str:
     return f"E {modulus:.4g} GPa, nu {material.poisson_ratio:.3g}, {material.density:.4g} kg/m3"
 
 
-def _oil(oil: Lubricant) -> str:
+def _oil(name: str) -> str:
+    """Viscosity and its pressure coefficient, or why a plug-in has none."""
+    from bearing.library.lubricants import library_lubricant
+
+    try:
+        oil = library_lubricant(name, to_si("oil_C", 40.0))
+    except PluginError as error:
+        return str(error)
     viscosity = from_si("viscosity_mPa_s", oil.viscosity)
     coefficient = from_si("coefficient_1_GPa", oil.pressure_viscosity)
     return f"{viscosity:.3g} mPa s, {coefficient:.3g} 1/GPa at 40 C"

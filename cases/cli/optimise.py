@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from rich.console import Group
     from rich.table import Table
 
-    from ..optimise.search import Design, Found
+    from ..optimise.designs import Design, Found
     from ..optimise.study import Study
 
 MOST_SHOWN = 4  # designs of a front in the terminal
@@ -96,7 +96,7 @@ def optimisation_table(found: Found) -> Group:
 
     from postprocess.text import evenly_chosen
 
-    from ..optimise.search import improvement
+    from ..optimise.proof import improvement, proof_messages
 
     study = found.study
     names = list(dict.fromkeys([n for n, _ in study.goals] + [one.name for one in study.limits]))
@@ -112,10 +112,18 @@ def optimisation_table(found: Found) -> Group:
         parts += ["proof:", _columns(dict(found.proved), (), names)]
     gain = improvement(found)
     if gain is not None:
-        shown = f"{gain['goal']}: {gain['case']:.4g} to {gain['best']:.4g}"
-        word = "more" if gain["proved"] else "not more"
-        parts.append(f"{shown}, {word} than the error bars ({gain['error']:.2g})")
+        parts.append(_gain(gain))
+    parts += proof_messages(found)
     return Group(*parts)
+
+
+def _gain(gain: dict[str, Any]) -> str:
+    """What is gained, and how far it is known."""
+    shown = f"{gain['goal']}: {gain['case']:.4g} to {gain['best']:.4g} by {gain['design']}"
+    if gain["error"] is None:
+        return shown
+    word = "more" if gain["proved"] else "not more"
+    return f"{shown}, {word} than the error of the difference ({gain['error']:.2g})"
 
 
 def _columns(designs: dict[str, Design], keys: Sequence[str], names: Sequence[str]) -> Table:

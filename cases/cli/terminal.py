@@ -15,6 +15,8 @@ from typing import TYPE_CHECKING, ParamSpec, TypeVar
 
 import typer
 
+from bearing.library.plugins import PluginError
+
 from ..format.problems import CaseError
 from ..runs.interrupt import interrupt, say
 from ..runs.kernel_cache import ensure_kernel_cache
@@ -66,6 +68,9 @@ def exit_code(command: Callable[[], int | None]) -> int:
         return command() or 0
     except CaseError as error:
         _say_errors(error.messages)
+        return BAD_INPUT
+    except PluginError as error:
+        say(f"oilfilm: {error}")
         return BAD_INPUT
     except KeyboardInterrupt:
         say("oilfilm: interrupted")

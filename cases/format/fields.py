@@ -17,6 +17,7 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
+from bearing.library.plugins import GROUP, PluginError, plugin
 from ehl.units import to_si, without_unit
 
 FREE_WORD = "free"
@@ -39,11 +40,15 @@ class Table(BaseModel):
         unit only keep it.
         """
         chosen = keys or tuple(type(self).model_fields)
-        names = [name_in_si(key) for key in chosen]
-        return {
-            name if names.count(name) == 1 else key: _si(key, getattr(self, key))
-            for name, key in zip(names, chosen, strict=True)
-        }
+        return {name: _si(key, getattr(self, key)) for name, key in names_in_si(chosen)}
+
+
+@cache
+def names_in_si(keys: tuple[str, ...]) -> tuple[tuple[str, str], ...]:
+    """Names without units of keys, and the keys; those that differ in the unit only keep it."""
+    names = [name_in_si(key) for key in keys]
+    pairs = zip(names, keys, strict=True)
+    return tuple((name if names.count(name) == 1 else key, key) for name, key in pairs)
 
 
 @cache
@@ -120,6 +125,35 @@ class OneOf:
 
     def __get_pydantic_core_schema__(self, *_: Any) -> CoreSchema:
         return core_schema.literal_schema(self.words)
+
+
+class OrPlugin:
+    """One of these words, or the name of a plug-in of a kind."""
+
+    def __init__(self, kind: str, *words: str) -> None:
+        self.kind = kind
+        self.words = words
+
+    def _check(self, value: object) -> str:
+        if isinstance(value, str):
+            if value in self.words:
+                return value
+            try:
+                found = plugin(self.kind, value)
+            except PluginError as error:
+                raise PydanticCustomError("plugin", "{told}", {"told": str(error)}) from None
+            if found is not None:
+                return found.name
+        names = "".join(f'"{word}", ' for word in self.words)
+        allowed = f"{names}a plug-in of {GROUP}{self.kind} (see 'oilfilm list plugins')"
+        raise PydanticCustomError("choice", "{allowed}", {"allowed": allowed, "words": self.words})
+
+    def __get_pydantic_core_schema__(self, *_: Any) -> CoreSchema:
+        return core_schema.no_info_plain_validator_function(self._check)
+
+    def __get_pydantic_json_schema__(self, *_: Any) -> dict[str, Any]:
+        named = {"type": "string", "description": f"a plug-in of {GROUP}{self.kind}"}
+        return {"anyOf": [{"enum": list(self.words)}, named]} if self.words else named
 
 
 def _list_schema(length: int, *, free: bool = False) -> WithJsonSchema:
@@ -214,6 +248,16 @@ def _azimuths(value: object) -> tuple[float, ...] | None:
     return numbers(azimuths, len(azimuths), 360.0) if azimuths else None
 
 
+def _constants(value: object) -> object:
+    named = isinstance(value, dict) and all(map(is_number, value.values()))
+    return value if named else None
+
+
+Constants = Annotated[
+    Any,
+    checked(_constants, "a table of numbers by name"),
+    WithJsonSchema({"type": "object", "additionalProperties": {"type": "number"}}),
+]
 Name = Annotated[str, StringConstraints(min_length=1, max_length=200)]
 Points = Annotated[
     int,

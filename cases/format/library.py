@@ -94,7 +94,9 @@ def _names(document: dict[str, Any]) -> Iterator[tuple[str, str, tuple[str, ...]
     for table in OF_MATERIALS:
         yield from ((table, key, materials) for key in own(table) if "material" in key)
     if "name" in own("lubricant"):  # the library of oils needs NumPy, most cases do not
-        yield "lubricant", "name", (*own("lubricants"), *list_lubricants())
+        given = own("lubricant")["name"]
+        library = list_lubricants(given if isinstance(given, str) else None)
+        yield "lubricant", "name", (*own("lubricants"), *library)
     if "grease" in own("lubricant"):
         yield "lubricant", "grease", list_greases()
 

@@ -5,6 +5,7 @@ A rule looks only at values that are valid by themselves: all errors are reporte
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 from .problems import MISSING, CaseFault, Path, shown
@@ -162,6 +163,7 @@ def bounded(
         yield CaseFault(_path(key), f"found {shown(value)}", f"allowed: {allowed}")
 
 
+@cache
 def _path(key: str) -> tuple[str, ...]:
     return tuple(key.split("."))
 

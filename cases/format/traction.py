@@ -13,9 +13,11 @@ from bearing.friction.sources import (
     CoulombTraction,
     FilmTraction,
     LawTraction,
+    plugin_traction,
 )
 from bearing.friction.table_files import load_tables
 from bearing.geometry import Bearing, contact_modulus, reduced_radii
+from bearing.library.plugins import FRICTION, PluginError, plugin
 from bearing.torque.inlet import InletFactors
 from bearing.torque.inputs import FrictionInput
 from ehl import Lubricant
@@ -25,7 +27,7 @@ from ehl.traction.table.table import TractionTable
 from ehl.traction.table.temperature import TemperatureTable
 
 from .film_model import CaseFilms, FilmPhysics
-from .friction import FrictionTable
+from .friction import OWN_LAWS, FrictionTable
 from .problems import UnfitKey
 
 # along x of the films that traction is taken from, at most [-]; friction of the inner race of a
@@ -77,7 +79,21 @@ def _law(
         except ValueError as error:
             raise UnfitKey(("friction", "traction_table"), str(error)) from None
         return LawTraction(laws=dict(tables))
-    return coefficient_source(table.traction, dict(table))
+    source = coefficient_source(table.traction, dict(table))
+    return source or _of_plugin(table)
+
+
+def _of_plugin(table: FrictionTable) -> TractionLaw | None:
+    """The law of a plug-in that [friction] names, with its constants; None where it names none."""
+    name = table.traction
+    found = None if name in (None, *OWN_LAWS) else plugin(FRICTION, str(name))
+    if found is None:
+        return None
+    try:
+        law = found.call(found.load(), **(table.traction_constants or {}))
+        return plugin_traction(found, law)
+    except PluginError as error:
+        raise UnfitKey(("friction", "traction"), str(error)) from None
 
 
 def coefficient_source(

@@ -5,6 +5,8 @@
 | study | an optimisation file read: keys, goals, constraints, scatter |
 | surrogate | Gaussian process of one number over the keys |
 | ask | which designs are computed next |
+| designs | designs and their numbers, from the points of the batch |
+| proof | the case and the best designs with solved films: what is gained |
 | results | summary, table and picture of an optimisation |
-| search | designs computed by the batch, best ones proved |
+| search | designs computed by the batch until there are enough |
 """

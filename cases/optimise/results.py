@@ -12,7 +12,8 @@ from postprocess.files import write_csv, write_json
 
 from ..runs.integrity import write_digests
 from ..version import version
-from .search import Design, Found, improvement
+from .designs import Design, Found
+from .proof import improvement, proof_messages
 
 SUMMARY = "summary.json"
 TABLE = "designs.csv"
@@ -22,7 +23,6 @@ PICTURE = "plots/front.png"
 def optimisation_summary(found: Found) -> dict[str, Any]:
     """The document of an optimisation; `converged`: whether a design meets the constraints."""
     study = found.study
-    gain = improvement(found)
     return {
         "oilfilm": version(),
         "kind": "optimisation",
@@ -30,7 +30,7 @@ def optimisation_summary(found: Found) -> dict[str, Any]:
         "case": study.case,
         "study": study.text,
         "converged": bool(found.front),
-        "messages": list(_messages(found, gain)),
+        "messages": list(_messages(found)),
         "keys": list(study.keys),
         "goals": [
             {"name": name, "wanted": "small" if sign > 0 else "large"}
@@ -40,21 +40,17 @@ def optimisation_summary(found: Found) -> dict[str, Any]:
         "front": list(found.front),
         "designs": [asdict(design) for design in found.designs],
         "proof": [{"name": name} | asdict(design) for name, design in found.proved],
-        "improvement": gain,
+        "coarse_proof": [{"name": name} | asdict(design) for name, design in found.coarse],
+        "improvement": improvement(found),
     }
 
 
-def _messages(found: Found, gain: dict[str, Any] | None) -> list[str]:
+def _messages(found: Found) -> list[str]:
     study = found.study
     told = []
     if not found.front:
         told.append("not converged: no design meets the constraints; widen ranges or limits")
-    if study.place_of_case() is None:
-        told.append("the case itself is outside the ranges and is not compared")
-    elif found.proved and gain is None:
-        told.append("improvement: null, the case or the best design has no proved goal")
-    elif not study.proof:
-        told.append("improvement: null, there is no table [proof]")
+    told += proof_messages(found)
     if len(study.deviations) > 1:
         points = len(study.deviations)
         told.append(f"goals and constraints: quantile {study.quantile:g} of {points} points each")

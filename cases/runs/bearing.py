@@ -9,7 +9,6 @@ from typing import Any, NamedTuple
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.contacts import contact_conditions
 from bearing.contacts.finite_bodies import FiniteBodies, finite_bodies, with_finite_bodies
-from bearing.contacts.traction import ContactTraction, contact_traction
 from bearing.friction.formula_films import FormulaFilm, formula_film
 from bearing.friction.running_films import RunningFilms
 from bearing.friction.sources import FilmTraction, LawTraction
@@ -32,14 +31,22 @@ from ..format.contact import FilmModel
 from ..format.operation import SELF_HEATED
 from ..version import version
 from .equilibrium import case_equilibrium
-from .films import Progress, Solve, film_plan, heat_message, solve_contacts, wanted_contacts
+from .films import (
+    Progress,
+    Solve,
+    film_plan,
+    film_solver,
+    heat_message,
+    solve_contacts,
+    wanted_contacts,
+)
 from .heating import Printed, at_its_balance, at_its_temperature, lost_balance, self_heated
 from .interrupt import interruptible
 from .load_cases import solve_load_cases
 from .strength import case_strength, contact_tensions
 from .studies.atlas import unasked_films
 from .studies.supply import beside_supply
-from .traction_films import traction_messages, with_workers
+from .traction_films import contact_tractions, traction_messages, with_workers
 
 WARM_ROUNDS = 5  # of films solved anew at the temperature that their torque asks for
 WARM_TOLERANCE = 0.1  # of that temperature [K]
@@ -70,7 +77,7 @@ def run_case(
     progress : callable, optional
         Called with the contacts done, the contacts in all, and a word on the state.
     solve : callable, optional
-        Takes the place of `ehl.solve_contact`: a batch looks up what it has solved before.
+        Takes the place of the film model's own: a batch looks up what it has solved before.
     """
     notify = progress or (lambda done, total, state: None)
     how = (workers, notify, solve)
@@ -180,7 +187,7 @@ def _films(
     wanted, messages = wanted_contacts(case, state, contacts)
     messages += heat_message(case, state, contacts) if state.converged else ()
     plan = film_plan(wanted, case.solver)
-    solver = solve if case.films.model is FilmModel.NEWTONIAN else case.films.solve
+    solver = film_solver(solve, case.films)
     solutions, interrupted = solve_contacts(plan.wanted, case.solver, workers, notify, solver)
     bases: tuple[ContactSolution | None, ...] = (None,) * len(contacts)
     if any(plan.bases) and not interrupted:
@@ -263,7 +270,7 @@ def _friction(
     torque = _torque(case, state, contacts, films)
     shear = None if torque is None else torque.shear
     balanced = () if shear is None else shear.tractions
-    tractions = _tractions(case, state, contacts, solutions, balanced)
+    tractions = contact_tractions(case, state, contacts, solutions, balanced)
     timing["torque"] = perf_counter() - start
     tensions = contact_tensions(case, solutions, tractions)
     timing["strength"] = perf_counter() - start - timing["torque"]
@@ -331,26 +338,6 @@ def _printed(
         return None
     seal = torque.models[INTEGRATED].components.get("seal", 0.0)
     return Printed(state, contacts, torque.total, seal, None if case.heating is None else running)
-
-
-def _tractions(
-    case: Case,
-    state: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    solutions: Sequence[ContactSolution | None],
-    balanced: Sequence[ContactTraction],
-) -> tuple[ContactTraction | None, ...]:
-    """Shear of every contact that has a film: as balanced, or at the motion of the equilibrium."""
-    rheology = case.rheology
-    if rheology is None:
-        return (None,) * len(contacts)
-    known = {(t.contact.ball, t.contact.race): t for t in balanced}
-    return tuple(
-        known.get((c.ball, c.race)) or contact_traction(state, c, film, rheology)
-        if film and film.converged
-        else None
-        for c, film in zip(contacts, solutions, strict=True)
-    )
 
 
 def _torque(

@@ -20,9 +20,12 @@ from ehl.units import MILLIMETRE, MILLION, RPM
 from ..format.case import Case
 from ..format.contact import FilmModel
 from ..format.fields import rounded
+from ..format.film_model import FilmPhysics
 from ..format.rows import ball_at
 
-Solve = Callable[[ContactConditions, SolverOptions], ContactSolution]
+SolveOne = Callable[[ContactConditions, SolverOptions], ContactSolution]
+# with the film model of the case, too
+Solve = Callable[[ContactConditions, SolverOptions, FilmPhysics], ContactSolution]
 Progress = Callable[[int, int, str], None]  # done, in all, what is being done
 
 HEAT_SPEED_FACTOR = 5.0e5  # n d_m from which heat in the inlets is told [mm/min]
@@ -185,12 +188,21 @@ def shared_options(options: SolverOptions, threads: int) -> SolverOptions:
     return replace(options, threads=threads) if shared else options
 
 
+def film_solver(solve: Solve | None, films: FilmPhysics) -> SolveOne | None:
+    """What solves one film by the film model of a case: `solve` where it is given, None for
+    `ehl.solve_contact`.
+    """
+    if solve is not None:
+        return lambda conditions, options: solve(conditions, options, films)
+    return None if films.model is FilmModel.NEWTONIAN else films.solve
+
+
 def solve_contacts(
     conditions: Sequence[ContactConditions | None],
     options: SolverOptions,
     workers: int | None,
     notify: Progress,
-    solve: Solve | None,
+    solve: SolveOne | None,
 ) -> tuple[tuple[ContactSolution | None, ...], bool]:
     """Films of the distinct contacts, several at a time; True with those finished before Ctrl-C.
 

@@ -5,15 +5,16 @@ from dataclasses import dataclass, replace
 
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.motion import bearing_kinematics
+from bearing.contacts.traction import ContactTraction, contact_traction
 from bearing.friction.law import BallTraction
 from bearing.friction.sources import FilmTraction, LawTraction
 from bearing.operation import BallKinematics
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactConditions, ContactSolution
 
-from ..format.contact import FilmModel
+from ..format.case import Case
 from ..format.film_model import CaseFilms
-from .films import Progress, Solve, solve_contacts
+from .films import Progress, Solve, film_solver, solve_contacts
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -30,8 +31,7 @@ class PooledFilms:
         self, conditions: Sequence[ContactConditions | None]
     ) -> Sequence[ContactSolution | None]:
         """Films [m] of the contacts that have conditions; KeyboardInterrupt on Ctrl-C."""
-        films = self.case.films
-        solver = self.solve if films.model is FilmModel.NEWTONIAN else films.solve
+        solver = film_solver(self.solve, self.case.films)
         notify = self.progress or (lambda done, total, state: None)
         solutions, interrupted = solve_contacts(
             conditions, self.case.options, self.workers, notify, solver
@@ -102,4 +102,24 @@ def _outside(
     return (
         f"{places_outside}first the {first} ({places[first]}); the nearest place counts, in "
         "proportion to the load",
+    )
+
+
+def contact_tractions(
+    case: Case,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    solutions: Sequence[ContactSolution | None],
+    balanced: Sequence[ContactTraction],
+) -> tuple[ContactTraction | None, ...]:
+    """Shear of every contact that has a film: as balanced, or at the motion of the equilibrium."""
+    rheology = case.rheology
+    if rheology is None:
+        return (None,) * len(contacts)
+    known = {(t.contact.ball, t.contact.race): t for t in balanced}
+    return tuple(
+        known.get((c.ball, c.race)) or contact_traction(state, c, film, rheology)
+        if film and film.converged
+        else None
+        for c, film in zip(contacts, solutions, strict=True)
     )

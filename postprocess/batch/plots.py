@@ -16,7 +16,7 @@ from matplotlib.lines import Line2D
 from ehl.solution import Array
 from ehl.units import unit_of, unit_symbol, without_unit
 
-from ..bearing.quantities import TORQUE_MODELS, TORQUE_PARTS
+from ..bearing.quantities import TORQUE_PARTS, torque_model
 from ..main_results import BATCH_PANELS, MAIN_QUANTITY
 from ..plot_style import INK, PAGE_WIDTH, REFERENCE, write_figure
 from ..text import evenly_chosen
@@ -184,7 +184,7 @@ def draw_together(
     panels[0].set_ylim(1.1 * min(least, 0.0) - margin, 1.05 * top)
     film = "film" if shown[0].startswith("film") else "value"
     quantity = "torque" if all("torque_N_mm" in name for name in shown) else film
-    quantity = f"{TORQUE_MODELS[model].title}: torque" if model else quantity
+    quantity = f"{torque_model(model).title}: torque" if model else quantity
     panels[0].set_ylabel(f"{quantity} [{quantity_unit(shown[0])}]")
     handles, labels = panels[0].get_legend_handles_labels()
     figure.legend(handles, labels, ncols=min(len(labels), 4), loc="outside lower center")
@@ -220,7 +220,7 @@ def quantity_label(name: str, model: str | None = None) -> str:
         part_title = TORQUE_PARTS.get(part, part)
         if own == model:
             return part_title
-        return TORQUE_MODELS[own].title + ("" if part == "total" else f", {part_title}")
+        return torque_model(own).title + ("" if part == "total" else f", {part_title}")
     main = MAIN_QUANTITY.get(name.removesuffix(".total"))
     return without_unit(name.rpartition(".")[2]) if main is None else main.title
 

@@ -40,10 +40,17 @@ class Record:
     def digest(self) -> bytes:
         """Hash of the whole content."""
         texts = (self.key, self.status, self.message, self.values, self.files)
-        known = blake2b("\0".join(texts).encode(), digest_size=16, key=_layout_key(self.layout))
-        known.update(self.numbers)
-        known.update(self.summary)
-        return known.digest()
+        return content_digest(texts, self.layout, self.numbers, self.summary)
+
+
+def content_digest(
+    texts: tuple[str, str, str, str, str], layout: str, numbers: bytes, summary: bytes
+) -> bytes:
+    """Hash of what a record holds; texts: key, status, message, values, files."""
+    known = blake2b("\0".join(texts).encode(), digest_size=16, key=_layout_key(layout))
+    known.update(numbers)
+    known.update(summary)
+    return known.digest()
 
 
 @lru_cache(maxsize=256)

@@ -3,6 +3,12 @@
 from dataclasses import dataclass, field
 from typing import Any
 
+from ehl.units import notebook_html
+
+from ..main_results import BATCH_COLUMNS, main_results
+
+MOST_SHOWN = 20  # points in a notebook; the files have all
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BatchPoint:
@@ -84,3 +90,28 @@ class BatchResults:
         if self.counts is not None:
             return self.counts.converged == self.counts.points
         return all(point.converged for point in self.points)
+
+    def _repr_html_(self) -> str:
+        """How the points ended, and main results of the first ones, for a notebook."""
+        first = self.points[:MOST_SHOWN]
+        main = [main_results(point.summary) for point in first]
+        names = [name for name in BATCH_COLUMNS if any(row.get(name) is not None for row in main)]
+        columns = {"point": [str(point.number) for point in first]}
+        columns |= {key: [_text(point.values.get(key)) for point in first] for key in self.keys}
+        columns |= {name: [_text(row.get(name)) for row in main] for name in names}
+        columns["ended"] = [_ended(point) for point in first]
+        count = len(self.points) if self.counts is None else self.counts.points
+        facts = {"points": str(count), "converged": str(self.converged)}
+        if count > len(first):
+            facts["shown"] = f"the first {len(first)}"
+        return notebook_html(self.title or "Batch", facts, columns)
+
+
+def _text(value: Any) -> str:
+    return "–" if value is None else f"{value:.5g}" if isinstance(value, float) else str(value)
+
+
+def _ended(point: BatchPoint) -> str:
+    if point.summary is None:
+        return f"{point.status}: {point.message}"
+    return "converged" if point.converged else "not converged"

@@ -14,7 +14,7 @@ from pathlib import Path
 from time import monotonic
 from typing import Any
 
-from .records import DONE, Record
+from .records import DONE, Record, content_digest
 
 PATTERN = "points*.sqlite"
 FORMAT = 1  # of the tables below
@@ -129,6 +129,12 @@ def store_files(directory: Path) -> list[Path]:
 
 def whole_records(path: Path) -> Iterator[tuple[int, Record | None]]:
     """Number of each row of a file, and its record, None where the row is damaged."""
+    for number, row in _rows(path):
+        yield number, None if row is None else _record(row)
+
+
+def _rows(path: Path) -> Iterator[tuple[int, tuple[Any, ...] | None]]:
+    """Number of each row of a file, and its columns, None where the row cannot be read."""
     try:
         with closing(_for_reading(path)) as file:
             last = 0
@@ -136,14 +142,14 @@ def whole_records(path: Path) -> Iterator[tuple[int, Record | None]]:
                 try:
                     for row in file.execute(f"{SELECT} WHERE points.id > ? ORDER BY 1", (last,)):
                         last = row[0]
-                        yield last, _record(row)
+                        yield last, row
                     return
                 except sqlite3.DatabaseError:
                     (most,) = file.execute("SELECT max(id) FROM points").fetchone()
                     if most is None or last >= most:
                         return
                     last += 1
-                    yield last, None  # the row cannot be read
+                    yield last, None
     except sqlite3.DatabaseError:  # nothing of the file can be
         return
 
@@ -158,15 +164,23 @@ def _for_reading(path: Path) -> sqlite3.Connection:
         return sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True)
 
 
+def _is_whole(row: tuple[Any, ...]) -> bool:
+    """Whether a row is as it was written."""
+    _, digest, layout, key, status, message, values, numbers, summary, files = row
+    try:
+        texts = (key, status, message, values, files)
+        return bool(content_digest(texts, layout or "[]", numbers, summary) == digest)
+    except (TypeError, ValueError):
+        return False
+
+
 def _record(row: tuple[Any, ...]) -> Record | None:
-    digest, layout = row[1:3]
+    """The record of a row; None of a damaged one."""
+    if not _is_whole(row):
+        return None
     fields = dict(zip(COLUMNS, row[3:], strict=True))
     fields["values"] = fields.pop("vals")
-    try:
-        record = Record(layout=layout or "[]", **fields)
-        return record if record.digest == digest else None
-    except (TypeError, ValueError):
-        return None
+    return Record(layout=row[2] or "[]", **fields)
 
 
 def is_sound(path: Path) -> bool:
@@ -190,14 +204,16 @@ class StoredPoints:
         self.with_files: set[str] = set()
         self._places: dict[str, tuple[int, int]] = {}
         for number, path in enumerate(self.paths):
-            for row, record in whole_records(path):
-                if record is None:
+            for place, row in _rows(path):
+                if row is None or not _is_whole(row):
                     self.damaged[path] = self.damaged.get(path, 0) + 1
-                elif self.status.get(record.key) != DONE:
-                    self.status[record.key] = record.status
-                    self._places[record.key] = (number, row)
-                    if record.files != "{}":
-                        self.with_files.add(record.key)
+                    continue
+                key = row[3]
+                if self.status.get(key) != DONE:
+                    self.status[key] = row[4]
+                    self._places[key] = (number, place)
+                    if row[-1] != "{}":
+                        self.with_files.add(key)
 
     def records(self, keys: Sequence[str]) -> list[Record | None]:
         """The records of points; None where there is none."""

@@ -2,6 +2,7 @@
 every ball.
 """
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -23,6 +24,7 @@ ROTATION = "#f0dcae"
 ORBIT = "#8c6bb1"
 DRAG = "#79b7c9"
 SEAL = "#9a9a9a"
+OTHER_PARTS = "#5f9e6e"
 ASPERITY = "#4d3b2f"
 LOAD = "#a65e7d"
 KINDS = (  # what one colour stands for, and the components of the models that are of this kind
@@ -64,7 +66,8 @@ def draw_models(axes: Axes, models: dict[str, ModelTorque], chosen: str | None =
     """Horizontal stacked bars of models [N mm], the chosen one in bold."""
     sizes = [sum(map(abs, model.components.values())) for model in models.values()]
     visible = VISIBLE * max(sizes, default=0.0)
-    names = [name for name in TORQUE_MODELS if name in models]
+    own = [name for name in TORQUE_MODELS if name in models]
+    names = [*own, *(name for name in models if name not in own)]
     for row, name in enumerate(names):
         _draw_bar(axes, row, models[name], visible)
     titles = shown_titles({name: models[name] for name in names})
@@ -80,14 +83,21 @@ def draw_models(axes: Axes, models: dict[str, ModelTorque], chosen: str | None =
     axes.spines[["top", "right"]].set_visible(False)
     parts = [item for model in models.values() for item in model.components.items()]
     used = {part for part, value in parts if abs(value) > visible}
-    shown = [(label, colour) for label, colour, members in KINDS if used & set(members)]
+    kinds = [*KINDS, _others(used)]
+    shown = [(label, colour) for label, colour, members in kinds if used & set(members)]
     handles = [axes.barh(0.0, 0.0, color=colour, label=label) for label, colour in shown]
     axes.legend(handles=handles, ncols=4, loc="lower center", bbox_to_anchor=(0.42, 1.0))
 
 
+def _others(components: Iterable[str]) -> tuple[str, str, tuple[str, ...]]:
+    """Components of plug-ins, which are of no kind here."""
+    known = {part for _, _, members in KINDS for part in members}
+    return "other parts", OTHER_PARTS, tuple(part for part in components if part not in known)
+
+
 def _draw_bar(axes: Axes, row: int, model: ModelTorque, visible: float) -> None:
     right = left = 0.0
-    for _, colour, members in KINDS:
+    for _, colour, members in [*KINDS, _others(model.components)]:
         value = TORQUE.in_unit(sum(model.components.get(part, 0.0) for part in members))
         if abs(value) <= TORQUE.in_unit(visible):
             continue

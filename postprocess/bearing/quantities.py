@@ -1,5 +1,6 @@
 """Quantities of a bearing beside those of its contacts (`contacts`), each declared once."""
 
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from ..quantities import Quantity, by_key, quantities
@@ -292,6 +293,13 @@ TORQUE_MODELS = {
     "starved": TorqueModel("by oil supply", ("rolling", "film", "asperity", "cage", "drag")),
     AS_PRINTED: TorqueModel("SKF, as printed", ("sliding",)),
 }
+
+
+def torque_model(name: str, parts: Iterable[str] = ()) -> TorqueModel:
+    """Title and components of a model; one of a plug-in has its own name and the given `parts`."""
+    return TORQUE_MODELS.get(name) or TorqueModel(name.replace("_", " "), tuple(parts))
+
+
 TORQUE_PARTS = {  # titles of components, where the name is no word
     "total": "sum",
     "ME": "$M_E$ hysteresis",

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 from functools import cached_property
 from math import degrees
+from typing import Any
 
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.finite_bodies import FiniteBodies
@@ -26,7 +27,7 @@ from bearing.torque.supply_band import SupplyBand, SupplyTorque
 from ehl import ContactSolution, Lubricant
 from ehl.traction.instruments import FilmInstruments, film_instruments
 from ehl.traction.rolling_moment import RollingMoment
-from ehl.units import from_si
+from ehl.units import from_si, notebook_html
 
 from ..contact.quantities import oil_permittivity
 from ..results import Results
@@ -128,10 +129,54 @@ class BearingResults(Results):
             and (self.duty_cycle is None or self.duty_cycle.converged)
         )
 
+    def _repr_html_(self) -> str:
+        """Equilibrium, torque, life, and the films of all contacts, for a notebook."""
+        torque = None if self.torque is None else self.torque.total
+        life = None if self.life is None else self.life.modified_life_time
+        facts = {
+            "cage_speed_rpm": self.quasistatic.cage_speed,
+            "friction_torque_N_mm": torque,
+            "modified_rating_life_h": life,
+            **self._facts(),
+        }
+        films = [film_bars(film) for film in self.films]
+        columns: dict[str, Any] = {
+            "ball": [str(contact.ball) for contact in self.contacts],
+            "azimuth_deg": [contact.azimuth for contact in self.contacts],
+            "race": [contact.race.value for contact in self.contacts],
+            "load_N": [contact.load for contact in self.contacts],
+            "angle_deg": [contact.contact_angle for contact in self.contacts],
+            "Hertz_GPa": [c.hertz.pressure if c.hertz else None for c in self.contacts],
+            "central_film_um": [central for central, _ in films],
+            "minimum_film_um": [minimum for _, minimum in films],
+        }
+        return notebook_html(self.title or "Bearing", facts, columns)
+
     @property
     def pictures(self) -> int:
         """The most that are drawn [-]: six of the bearing, one of each distinct contact."""
         return 6 + len(distinct_contacts(self))
+
+
+Bar = tuple[float, float] | None  # a film and its error bar [m]
+
+
+def film_bars(film: ContactSolution | FormulaFilm | None) -> tuple[Bar, Bar]:
+    """Central and minimum film of a contact with their error bars [m]; None where there is none,
+    or it did not converge.
+    """
+    if film is None:
+        return None, None
+    if isinstance(film, FormulaFilm):
+        return (film.central, film.uncertainty), _bar(film.minimum, film.minimum_uncertainty)
+    return (
+        _bar(film.film_central, film.film_central_uncertainty),
+        _bar(film.film_minimum, film.film_minimum_uncertainty),
+    )
+
+
+def _bar(value: float | None, error: float | None) -> Bar:
+    return None if value is None or error is None else (value, error)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

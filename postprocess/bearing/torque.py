@@ -10,7 +10,7 @@ from bearing.torque.shear_torque import SolvedShear
 from ehl.units import from_si
 
 from ..quantities import values_of
-from .quantities import AS_PRINTED, POWER_BALANCE, ROLLING_EXTENT, TORQUE, TORQUE_MODELS
+from .quantities import AS_PRINTED, POWER_BALANCE, ROLLING_EXTENT, TORQUE, torque_model
 from .results import BearingResults
 
 WITHOUT_SEALS = ", without seals"
@@ -27,8 +27,9 @@ def shown_models(results: BearingResults) -> tuple[str, ...]:
     them with `[friction] models = "all"`.
     """
     torque = results.torque
-    asked = results.case.get("friction", {}).get("models", "main")
-    names: tuple[str, ...] = NAMES if asked == "all" else MAIN
+    friction = results.case.get("friction", {})
+    names: tuple[str, ...] = NAMES if friction.get("models") == "all" else MAIN
+    names += tuple(friction.get("torque_plugins", ()))
     if torque is None:
         return names
     more = (torque.chosen, "starved" if torque.films else None, AS_PRINTED)
@@ -51,7 +52,7 @@ def shown_titles(models: Mapping[str, ModelTorque]) -> list[str]:
     """Titles of models side by side: where some count contact seals, those that do not say so."""
     sealed = [bool(model.components.get("seal")) for model in models.values()]
     return [
-        TORQUE_MODELS[name].title + (WITHOUT_SEALS if any(sealed) and not counts else "")
+        torque_model(name).title + (WITHOUT_SEALS if any(sealed) and not counts else "")
         for name, counts in zip(models, sealed, strict=True)
     ]
 
@@ -97,10 +98,8 @@ def _parts(torque: TorqueBreakdown | None) -> dict[str, float | None] | None:
 
 
 def _model(torque: TorqueBreakdown | None, name: str) -> dict[str, float | None]:
-    parts = (*TORQUE_MODELS[name].parts, "total")
-    if torque is None:
-        return dict.fromkeys(parts)
-    model = torque.models[name]
+    model = ModelTorque() if torque is None else torque.models[name]
+    parts = (*torque_model(name, model.components).parts, "total")
     values = model.components | {"total": model.total}
     return {part: TORQUE.in_unit(values.get(part)) for part in parts}
 
@@ -251,7 +250,7 @@ def torque_rows(results: BearingResults) -> dict[str, str]:
         for (name, model), title in zip(models.items(), shown_titles(models), strict=True)
         if name != torque.chosen
     ]
-    chosen = TORQUE_MODELS[torque.chosen].title
+    chosen = torque_model(torque.chosen).title
     rows = {"friction torque": f"{TORQUE.value(torque):.4g} N mm ({chosen})"}
     if share := _churning_share(torque):
         rows["friction torque"] += f", {share:.0%} of it churning"

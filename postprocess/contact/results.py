@@ -6,6 +6,7 @@ from bearing.supply.solved_track import SolvedPass
 from ehl import ContactSolution
 from ehl.traction import NormalResponse
 from ehl.traction.shear import TractionResult
+from ehl.units import notebook_html
 
 from ..results import Results
 
@@ -24,6 +25,13 @@ class ContactResults(Results):
     def converged(self) -> bool:
         """Whether the film converged, and those of all passes."""
         return self.solution.converged and all(one.solution.converged for one in self.passes)
+
+    def _repr_html_(self) -> str:
+        """The contact, its traction and stiffness, for a notebook."""
+        facts = self._facts()
+        if self.traction is not None:
+            facts["traction coefficient"] = f"{self.traction.coefficient:.4g}"
+        return notebook_html(self.title or "Contact", facts) + self.solution._repr_html_()
 
     @property
     def pictures(self) -> int:

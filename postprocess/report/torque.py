@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from ..bearing.plots_torque import KINDS
-from ..bearing.quantities import TORQUE_MODELS
+from ..bearing.quantities import torque_model
 from ..bearing.torque import CHURNING_SHARE, WITHOUT_SEALS
 from . import html
 from .svg import stacked_bars
@@ -79,5 +79,4 @@ def _parts(model: dict[str, Any]) -> dict[str, float]:
 
 
 def _title(name: str) -> str:
-    model = TORQUE_MODELS.get(name)
-    return name.replace("_", " ") if model is None else model.title
+    return torque_model(name).title

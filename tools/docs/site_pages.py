@@ -11,6 +11,13 @@ ROOT = Path(__file__).parents[2]
 IMAGES = ROOT / "docs" / "images"
 
 
+def on_config(config: Any) -> Any:
+    """The footer names the version that the pages belong to."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    config.copyright = f"oilfilm {project['version']}, {project['license']}"
+    return config
+
+
 def on_files(files: Any, config: Any) -> Any:
     """Add the pages that are no files of docs/."""
     from mkdocs.structure.files import File
@@ -19,6 +26,20 @@ def on_files(files: Any, config: Any) -> Any:
     files.append(File.generated(config, "gallery.md", content=gallery()))
     files.append(File.generated(config, "reference/changelog.md", content=changelog))
     return files
+
+
+def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
+    """A link that shows the name of a file shows the title of its page."""
+    folder = (ROOT / "docs" / page.file.src_uri).parent
+
+    def named(link: re.Match[str]) -> str:
+        target = folder / link[2]
+        if not target.is_file():
+            return link[0]
+        title = target.read_text(encoding="utf-8").partition("\n")[0].removeprefix("# ").strip()
+        return f"[{title}]({link[2]}{link[3] or ''})"
+
+    return re.sub(r"\[([\w/]+\.md)\]\(([\w./]+\.md)(#[\w-]+)?\)", named, markdown)
 
 
 def gallery() -> str:
@@ -67,8 +88,11 @@ def _case(path: Path) -> list[str]:
     return lines
 
 
+COMMANDS = {"sweeps": "batch", "optimisations": "optimise"}  # by the folder of a file
+
+
 def _command(path: Path, document: dict[str, Any]) -> str:
     """What computes a case."""
-    if path.parent.name == "sweeps":
-        return "batch"
-    return next((name for name in ("contact", "slip", "dynamics") if name in document), "run")
+    if path.parent.name in COMMANDS:
+        return COMMANDS[path.parent.name]
+    return next((name for name in ("transient", "contact", "slip", "dynamics") if name in document), "run")

@@ -25,7 +25,8 @@ from pathlib import Path
 import numpy as np
 
 ROOT = Path(__file__).resolve().parents[2]
-HANG = 600.0  # [s]
+HANG = 900.0  # of a shard, beside other computations [s]
+WITHIN = 5.0  # from a signal to the end, beside other computations; 2 s with none [s]
 SWEEP = """case = "6208_full_ceramic"
 [fixed]
 "ehl.film_maps" = "none"
@@ -54,9 +55,16 @@ def oilfilm(words: str, folder: Path, room: int | None = None) -> subprocess.Pop
     )
 
 
-def ended(process: subprocess.Popen[str], allowed: tuple[int, ...], what: str) -> list[str]:
-    """What is wrong with an end."""
-    errors = process.communicate(timeout=HANG)[1]
+def ended(
+    process: subprocess.Popen[str], allowed: tuple[int, ...], what: str, longest: float | None = HANG
+) -> list[str]:
+    """What is wrong with an end, after at most `longest` [s]."""
+    try:
+        errors = process.communicate(timeout=longest)[1]
+    except subprocess.TimeoutExpired:
+        process.kill()
+        process.communicate()
+        return [f"{what}: did not end within {longest:g} s"]
     wrong = [f"{what}: exit code {process.returncode}: {errors[-500:]}"] * (process.returncode not in allowed)
     return wrong + [f"{what}: {errors[-1500:]}"] * ("Traceback" in errors or "internal error" in errors)
 
@@ -93,7 +101,10 @@ def disturbed(kind: str, words: str, folder: Path, rng: random.Random, longest: 
             process.wait(rng.uniform(0.05, 1.0) * longest)
         except subprocess.TimeoutExpired:
             process.send_signal(numbers[kind])
-        return ended(process, (0, 3, -signal.SIGKILL), kind)
+        sent = time.monotonic()
+        wrong = ended(process, (0, 3, -signal.SIGKILL), kind)
+        late = time.monotonic() - sent
+        return wrong + [f"{kind}: took {late:.1f} s to end"] * (late > WITHIN)
     wrong = ended(process, (0,), "undisturbed")
     damage(kind, folder / "out", rng)
     return wrong
@@ -115,7 +126,7 @@ def main() -> int:
         (folder / "sweep.toml").write_text(SWEEP.format(speeds=speeds, loads=loads))
         words = f"batch sweep.toml -q --workers {chosen.workers}"
         start = time.monotonic()
-        faults = ended(oilfilm(f"{words} -o calm", folder), (0,), "the undisturbed batch")
+        faults = ended(oilfilm(f"{words} -o calm", folder), (0,), "the undisturbed batch", None)
         longest = max(3.0, (time.monotonic() - start) / chosen.shards + 3.0)
         print(f"undisturbed: {time.monotonic() - start:.0f} s", flush=True)
         counts: dict[str, int] = {}

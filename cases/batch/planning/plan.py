@@ -15,10 +15,10 @@ from ..program import program_digest
 from ..sweep_file import SweepFile
 from .blocks import Variation
 
-FORMAT = 3  # of what a point leaves on disk
+FORMAT = 4  # of what a point leaves on disk
 INPUT_FILES = (("friction", "traction_table"),)  # table and key of files that a case reads
 
-SIMPLE = (float, str, bool)
+SIMPLE = frozenset((float, int, str))  # a truth value equals a number
 BITS = 256  # of the sum of hashes
 
 Document = dict[str, Any]
@@ -82,49 +82,87 @@ class Plan(Sequence[Point]):
 class PointName:
     """Names of points: hashes of all that their results depend on, the program included.
 
-    A name holds the sum of the hashes of all tables, so that only those have to be read again that
-    a point changes.
+    A name holds the sum of the hashes of all keys of all tables, so that only those have to be
+    read again that a point changes.
     """
 
     def __init__(self, file: SweepFile, base: Document) -> None:
         whole: Document = {"compute": file.compute, "fields": file.fields, "format": FORMAT}
         if file.compute == "table":
             whole["table_points"] = file.table_points
-        self.head = document_text(whole | {"program": program_digest()}).encode()
+        text = document_text(whole | {"program": program_digest()})
+        self.head = hashlib.sha256(text.encode())
         self.without = frozenset(BESIDE_TRACTION_TABLES if file.compute == "table" else DESCRIBING)
         self.base = base
-        self.hashes = {name: self._hash(name, value) for name, value in base.items()}
-        self.total = sum(self.hashes.values())
+        self.hashes = {name: self._hashes(name, value) for name, value in base.items()}
+        self.totals = {name: sum(own.values()) for name, own in self.hashes.items()}
+        self.total = sum(self.totals.values())
 
     def of(self, document: Document) -> str:
         """The name of a point."""
         total = self.total
         for name, value in document.items():
-            if value is not self.base.get(name):
-                total += self._hash(name, value) - self.hashes.get(name, 0)
-        for name in self.hashes.keys() - document.keys():
-            total -= self.hashes[name]
-        known = hashlib.sha256(self.head)
+            before = self.base.get(name)
+            if value is before or name in self.without:
+                continue
+            if isinstance(value, dict) and isinstance(before, dict):
+                total += self._change(name, value, before)
+            else:
+                total += sum(self._hashes(name, value).values()) - self.totals.get(name, 0)
+        if not self.base.keys() <= document.keys():
+            total -= sum(self.totals[name] for name in self.base.keys() - document.keys())
+        known = self.head.copy()
         known.update((total % 2**BITS).to_bytes(BITS // 8, "big"))
         for content in input_files(document):
             known.update(content.encode())
         return known.hexdigest()[:20]
 
-    def _hash(self, name: str, value: Any) -> int:
-        """A table as a number; 0 of what does not count."""
+    def _change(self, name: str, table: Document, before: Document) -> int:
+        """What a table adds to the sum where it differs from that of the case."""
+        known = self.hashes[name]
+        change = 0
+        for key, value in table.items():
+            if key not in before:
+                change += _hash(name, key, value)
+            elif value is not before[key]:
+                change += _hash(name, key, value) - known[key]
+        if not before.keys() <= table.keys():
+            change -= sum(known[key] for key in before.keys() - table.keys())
+        return change
+
+    def _hashes(self, name: str, value: Any) -> dict[str, int]:
+        """Numbers of the keys of a table, that it is there among them; empty of what does not
+        count.
+        """
         if name in self.without:
-            return 0
-        text = f"{name}={json.dumps(_plain(value), sort_keys=True, default=str)}"
-        return int.from_bytes(hashlib.sha256(text.encode()).digest(), "big")
+            return {}
+        if not isinstance(value, dict):
+            return {"": _hash(name, "", value)}
+        return {"": _hash(name, "", None)} | {k: _hash(name, k, v) for k, v in value.items()}
+
+
+def _hash(name: str, key: str, value: Any) -> int:
+    """The value of a key as a number."""
+    return _of_scalar(name, key, value) if type(value) in SIMPLE else _of_text(name, key, value)
+
+
+@lru_cache(maxsize=65_536)  # of factorial points, which repeat theirs
+def _of_scalar(name: str, key: str, value: float | str) -> int:
+    return _of_text(name, key, value)
+
+
+def _of_text(name: str, key: str, value: Any) -> int:
+    text = f"{name}.{key}={json.dumps(_plain(value), sort_keys=True, default=str)}"
+    return int.from_bytes(hashlib.sha256(text.encode()).digest(), "big")
 
 
 def _plain(value: Any) -> Any:
-    """A table with whole numbers as the floats that they are equal to."""
+    """A value with whole numbers as the floats that they are equal to, zero without a sign."""
     if isinstance(value, dict):
-        return {k: v if type(v) in SIMPLE else _plain(v) for k, v in value.items()}
+        return {k: _plain(v) for k, v in value.items()}
     if isinstance(value, list):
         return [_plain(item) for item in value]
-    return float(value) if type(value) is int else value
+    return float(value) + 0.0 if type(value) in (int, float) else value
 
 
 def input_files(document: Document) -> Iterator[str]:

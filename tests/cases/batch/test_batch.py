@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import json
 import math
+import pickle
 import sqlite3
 from concurrent.futures import Future
 from concurrent.futures.process import BrokenProcessPool
@@ -16,17 +17,21 @@ import pytest
 from typer.testing import CliRunner
 
 import postprocess
-from cases import CaseError
+from bearing import contact_conditions, solve_quasistatic
+from cases import CaseError, load_case
 from cases.batch.engine import Choice, ProgressEstimate, duration, run_batch
 from cases.batch.keys import WITHOUT_CONTACTS, content_key
 from cases.batch.points import Task
 from cases.batch.pools import LocalPool, scheduler_address
 from cases.batch.results import gathered, write_batch
-from cases.batch.shared.contact_cache import cached_solver
+from cases.batch.shared import contact_cache
+from cases.batch.shared.contact_cache import ContactCache
 from cases.batch.store import finished_points, open_folder
 from cases.batch.sweep import read_sweep, sweep_from_text
 from cases.batch.worker import compute_block, compute_point
 from cases.cli.main import app
+from cases.format.film_model import NEWTONIAN
+from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
 from postprocess.batch.records import Record
 from postprocess.batch.store import PointStore, StoredPoints, store_files
 
@@ -322,7 +327,7 @@ def test_a_failing_point_is_recorded_and_does_not_stop_the_others(tmp_path, monk
     assert summary["failed"] == 2
     assert any("no such equilibrium" in message for message in summary["messages"])
     monkeypatch.undo()
-    again = run_batch(sweep, tmp_path / "out", HerePool, resume=True)
+    again = run_batch(sweep, tmp_path / "out", HerePool, Choice(resume=True))
     assert len(again.resumed) == 4
     assert all(point.status == "done" for point in gathered(again).points)
 
@@ -351,7 +356,7 @@ def test_an_interrupt_keeps_what_is_finished_and_resume_goes_on(tmp_path):
     with pytest.raises(CaseError, match="--resume"):
         run_batch(sweep, tmp_path / "out", HerePool)
     rest = HerePool()
-    batch = run_batch(sweep, tmp_path / "out", lambda: rest, resume=True)
+    batch = run_batch(sweep, tmp_path / "out", lambda: rest, Choice(resume=True))
     assert len(rest.handed_out) == 2
     assert batch.resumed == kept
 
@@ -375,11 +380,11 @@ def test_resume_after_the_sweep_was_extended_and_a_file_was_damaged(tmp_path):
     damage(tmp_path / "out" / "points.sqlite", first.points[0].key)
     longer = sweep_from_text(QUICK.replace("1750.0", "1750.0, 3000.0"), "sweep.toml")
     pool = HerePool()
-    batch = run_batch(longer, tmp_path / "out", lambda: pool, resume=True)
+    batch = run_batch(longer, tmp_path / "out", lambda: pool, Choice(resume=True))
     assert len(pool.handed_out) == 3
     assert len(batch.resumed) == 5
     nothing = HerePool()
-    run_batch(longer, tmp_path / "out", lambda: nothing, resume=True)
+    run_batch(longer, tmp_path / "out", lambda: nothing, Choice(resume=True))
     assert nothing.handed_out == []
 
 
@@ -455,7 +460,7 @@ def test_contacts_equal_in_several_points_are_solved_once(tmp_path, monkeypatch)
         return original(conditions, options)
 
     original = ehl.solve_contact
-    monkeypatch.setattr("cases.batch.shared.contact_cache.solve_contact", solve)
+    monkeypatch.setattr("cases.format.film_model.solve_contact", solve)
     results = gathered(run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool))
     assert len(solved) == 2  # both races of one ball, for two points
     first, second = (point.summary["contacts"] for point in results.points)
@@ -463,16 +468,73 @@ def test_contacts_equal_in_several_points_are_solved_once(tmp_path, monkeypatch)
     assert first[0]["lambda_ratio"] > second[0]["lambda_ratio"]
 
 
-def test_a_cached_contact_is_the_solved_one_to_the_bit(tmp_path):
-    from ehl import ContactConditions, Lubricant, SolverOptions
+def with_cache(folder, films=NEWTONIAN):
+    cache = ContactCache(folder)
+    return lambda conditions, options: cache.solve(conditions, options, films)
 
+
+def test_contacts_of_balls_without_load_are_solved_once_for_all_loads(tmp_path, monkeypatch):
+    """Values that repeat, and points that are all different, where nothing is looked for."""
+    import ehl
+
+    points = '"ehl.points" = [33]\n"ehl.film_maps" = ["all"]\n'
+    text = HEAD + f'[sweep]\n"operation.radial_load_N" = [900.0, 1000.0]\n{points}'
+    solved = []
+    original = ehl.solve_contact
+    monkeypatch.setattr(
+        "cases.format.film_model.solve_contact", lambda *words: solved.append(words[0]) or original(*words)
+    )
+    sweep = sweep_from_text(text, "sweep.toml")
+    run_batch(sweep, tmp_path / "out", HerePool)
+    assert sweep.share and len(solved) == len({content_key(one) for one in solved})
+    sampled = HEAD + '[sample]\nsamples = 3\n"operation.radial_load_N" = [900.0, 1000.0]\n'
+    assert not sweep_from_text(sampled, "sweep.toml").share
+
+
+def test_the_cache_is_looked_through_a_few_times_only(tmp_path, monkeypatch):
+    """10 000 contacts of 100 kB are 10 looks, of which each reads the sizes of all there are."""
+    looks = []
+    monkeypatch.setattr(contact_cache, "kept", lambda path: None)
+    monkeypatch.setattr(contact_cache, "keep", lambda path, thing: 100_000)
+    monkeypatch.setattr(contact_cache, "content_key", lambda *words: f"{words[0]}")
+    cache = ContactCache(tmp_path)
+    plain = cache._look
+    monkeypatch.setattr(cache, "_look", lambda: looks.append(1) or plain())
+    films = type("Films", (), {"solve": lambda *words: None})()
+    for k in range(10_000):
+        cache.solve(k, None, films)
+    assert len(looks) == 10
+
+
+def test_a_full_cache_takes_no_more(tmp_path, monkeypatch):
+    monkeypatch.setattr(contact_cache, "MOST_BYTES", 10)
+    monkeypatch.setattr(contact_cache, "BETWEEN", 1)
+    oil = Lubricant(viscosity=0.04, pressure_viscosity=20e-9)
+    solve = with_cache(tmp_path)
+    for load in (10.0, 12.0):
+        solve(MoesConditions(load_parameter=load, lubricant_parameter=5.0, lubricant=oil), SolverOptions(points=33))
+    assert len(list(tmp_path.iterdir())) == 1
+
+
+def test_a_contact_with_heat_is_kept_with_its_temperatures(tmp_path):
+    case = load_case("6208_with_heat")
+    state = solve_quasistatic(case.bearing, case.operation, case.model)
+    contact = contact_conditions(state, case.lubricant)[0].conditions
+    solve = with_cache(tmp_path, case.films)
+    first, again = (solve(contact, SolverOptions(points=33)) for _ in range(2))
+    assert again is not first and first.state is not None
+    for name in first.state.__dataclass_fields__:
+        assert np.array_equal(getattr(first.state, name), getattr(again.state, name)), name
+
+
+def test_a_cached_contact_is_the_solved_one_to_the_bit(tmp_path):
     oil = Lubricant(viscosity=0.04, pressure_viscosity=20e-9)
     contact = ContactConditions(
         load=15.0, radius_x=0.0125, radius_y=0.0125, reduced_modulus=110e9, entrainment_speed=0.09, lubricant=oil
     )
-    solve = cached_solver(tmp_path)
+    solve = with_cache(tmp_path)
     first = solve(contact, SolverOptions(points=33))
-    assert len(list(tmp_path.glob("*.npz"))) == 1
+    assert len(list(tmp_path.glob("*.contact"))) == 1
     second = solve(contact, SolverOptions(points=33))
     assert second is not first
     for name in ("X", "Y", "P", "H"):
@@ -482,17 +544,15 @@ def test_a_cached_contact_is_the_solved_one_to_the_bit(tmp_path):
     assert content_key(contact, SolverOptions(points=33)) != content_key(contact, SolverOptions(points=65))
 
 
-@pytest.mark.parametrize("damage", ["truncated", "emptied", "flipped", "another", "text", "archive"])
+@pytest.mark.parametrize("damage", ["truncated", "emptied", "flipped", "another", "text", "pickle"])
 def test_a_damaged_contact_is_told_and_solved_anew(damage, tmp_path, capsys):
     from dataclasses import replace
 
-    from ehl import Lubricant, MoesConditions, SolverOptions
-
     oil = Lubricant(viscosity=0.04, pressure_viscosity=20e-9)
     contact = MoesConditions(load_parameter=10.0, lubricant_parameter=5.0, lubricant=oil)
-    solve = cached_solver(tmp_path)
+    solve = with_cache(tmp_path)
     first = solve(contact, SolverOptions(points=33))
-    (path,) = tmp_path.glob("*.npz")
+    (path,) = tmp_path.glob("*.contact")
     data = path.read_bytes()
     if damage == "truncated":
         path.write_bytes(data[: len(data) // 2])
@@ -502,12 +562,12 @@ def test_a_damaged_contact_is_told_and_solved_anew(damage, tmp_path, capsys):
         path.write_bytes(data[:5000] + bytes([data[5000] ^ 16]) + data[5001:])
     elif damage == "another":
         solve(replace(contact, load_parameter=12.0), SolverOptions(points=33))
-        (other,) = set(tmp_path.glob("*.npz")) - {path}
+        (other,) = set(tmp_path.glob("*.contact")) - {path}
         path.write_bytes(other.read_bytes())
     elif damage == "text":
         path.write_text("no contact")
     else:
-        np.savez(path, header=np.array([1, 2, 3]))
+        path.write_bytes(pickle.dumps([1, 2, 3]))
     again = solve(contact, SolverOptions(points=33))
     assert np.array_equal(first.P, again.P)
     assert f"{path}: damaged; the contact is solved anew" in capsys.readouterr().err
@@ -528,7 +588,7 @@ def test_a_damaged_point_is_told_and_computed_anew(suffix, tmp_path, capsys):
         data = path.read_bytes()
         path.write_bytes(data[:-90] + bytes([data[-90] ^ 1]) + data[-89:])
     pool = HerePool()
-    batch = run_batch(sweep, tmp_path / "out", lambda: pool, resume=True)
+    batch = run_batch(sweep, tmp_path / "out", lambda: pool, Choice(resume=True))
     assert pool.handed_out == [sweep.points[0].key]
     assert batch.resumed == {sweep.points[1].key}
     assert f"{path}: {told}" in capsys.readouterr().err

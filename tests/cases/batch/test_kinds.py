@@ -15,7 +15,7 @@ from bearing.friction.table_files import load_tables
 from bearing.operation import BallKinematics
 from cases import CaseError, load_case, run_case
 from cases.batch.compute import torque_by_tables
-from cases.batch.engine import run_batch
+from cases.batch.engine import Choice, run_batch
 from cases.batch.points import Task
 from cases.batch.pools import ClusterPool, LocalPool
 from cases.batch.results import gathered, write_batch
@@ -71,7 +71,7 @@ def shared(tmp_path_factory):
         patch.setattr(tables, "build_table", counted)
         folder = tmp_path_factory.mktemp("shared")
         results = gathered(run_batch(sweep_from_text(TORQUE, "sweep.toml"), folder, HerePool))
-        again = run_batch(sweep_from_text(TORQUE, "sweep.toml"), folder, HerePool, resume=True)
+        again = run_batch(sweep_from_text(TORQUE, "sweep.toml"), folder, HerePool, Choice(resume=True))
     assert len(again.resumed) == len(results.points)
     (file,) = (folder / "tables").glob("*.zip")
     return results, file, made

@@ -12,7 +12,7 @@ from bearing import solve_quasistatic
 from bearing.friction.race_tables import table_contacts, table_range
 from bearing.geometry import Race
 from cases import load_case
-from cases.batch.shared import table_films
+from cases.batch.shared import kept, table_films
 from cases.batch.shared.table_films import forget_films, kept_films
 from cases.cli.compute import _films_kept
 
@@ -22,6 +22,12 @@ class Hostile:
 
     def __reduce__(self):
         return (print, ("read without care",))
+
+
+def hostile(path):
+    """A file whose digest is right, and whose content runs a command."""
+    data = pickle.dumps(Hostile())
+    return kept._digest(path, data) + data
 
 
 @pytest.fixture(scope="module")
@@ -35,7 +41,7 @@ def place():
 
 def test_a_disk_that_takes_no_film_ends_the_table_and_keeps_those_before(place, tmp_path, monkeypatch, capsys):
     """At once, not after minutes when the table itself does not fit; with room again it goes on from there."""
-    film_sample, write_file = table_films.film_sample, table_films.write_file
+    film_sample, write_file = table_films.film_sample, kept.write_file
     places = [(*place[:2], (log(load), log(10.0)), 65) for load in (500.0, 600.0)]
     solved = []
 
@@ -47,7 +53,7 @@ def test_a_disk_that_takes_no_film_ends_the_table_and_keeps_those_before(place, 
                 raise OSError(ENOSPC, "No space left on device")
             write_file(path, data)
 
-        monkeypatch.setattr(table_films, "write_file", on_disk)
+        monkeypatch.setattr(kept, "write_file", on_disk)
         with _films_kept(tmp_path / "table.zip") as sample:
             for one in places:
                 sample(*one)
@@ -55,8 +61,8 @@ def test_a_disk_that_takes_no_film_ends_the_table_and_keeps_those_before(place, 
     monkeypatch.setattr(table_films, "film_sample", lambda *words: solved.append(words[2]) or film_sample(*words))
     with pytest.raises(OSError, match="No space left"):
         tabulated(room=1)
-    kept = f"finished films are kept in {tmp_path / 'table_films'}; make room, then the same command goes on with them"
-    assert capsys.readouterr().err == f"{kept}\n"
+    told = f"finished films are kept in {tmp_path / 'table_films'}; make room, then the same command goes on with them"
+    assert capsys.readouterr().err == f"{told}\n"
     tabulated(room=2)
     assert solved == [places[0][2], places[1][2], places[1][2]]
     assert not list(tmp_path.iterdir())
@@ -86,10 +92,16 @@ def test_a_kept_film_is_not_solved_again_and_a_damaged_one_is(place, tmp_path, m
     files = sorted(folder.iterdir(), key=lambda file: file.stat().st_mtime_ns)
     assert len(files) == len(solved) == 2
     whole = files[0].read_bytes()
-    for damage in (b"", whole[:-9], whole[:100] + b"\x00" * 50 + whole[150:], pickle.dumps(Hostile())):
+    for damage in (
+        b"",
+        whole[:-9],
+        whole[:100] + b"\x00" * 50 + whole[150:],
+        pickle.dumps(Hostile()),
+        hostile(files[0]),
+    ):
         files[0].write_bytes(damage)
         assert kept_films(folder)(*place).moment == first.moment
-    assert len(solved) == 6
+    assert len(solved) == 7
     assert "read without care" not in capsys.readouterr().out
     forget_films(folder)
     assert not folder.exists()

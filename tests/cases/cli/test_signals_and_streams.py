@@ -246,4 +246,6 @@ def test_the_cost_of_long_work_is_told_before_it_begins(capsys):
     single = load_case("ball_on_disc")
     assert cost.batch_cost(single, 3, "run")[1] == pytest.approx(3 * cost.film_seconds(single.solver))
     assert cost.batch_cost(case, 100, "torque")[0] == "100 points, at most 1 s each on one core"
+    films = cost.batch_cost(case, 10, "run")[0]
+    assert films.startswith(f"10 points with at most {10 * cost.run_films(case)} films, at most ")
     assert "slip at 51 speeds and 51 loads" in capsys.readouterr().err

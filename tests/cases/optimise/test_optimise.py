@@ -10,8 +10,10 @@ from cases import CaseError
 from cases.cli.main import app
 from cases.cli.optimise import optimisation_table
 from cases.optimise.ask import Told, first_designs, next_designs, pareto_front, scalar_goal
+from cases.optimise.designs import Design, Found
+from cases.optimise.proof import improvement, proof_messages
 from cases.optimise.results import write_optimisation
-from cases.optimise.search import improvement, searched
+from cases.optimise.search import searched
 from cases.optimise.study import read_study
 from cases.optimise.surrogate import fitted
 
@@ -103,8 +105,58 @@ def test_a_search_is_the_same_in_one_piece_and_resumed(tmp_path):
     assert best.numbers["torque_N_mm"] <= min(d.numbers["torque_N_mm"] for d in whole.designs if d.feasible)
     gain = improvement(whole)
     assert whole.proved[0][0] == "case"
-    assert gain["best"] < gain["case"] and gain["proved"]
+    assert gain["best"] < gain["case"] and gain["error"] is None and gain["proved"] is None
+    told_words = list(proof_messages(whole))
+    assert told_words[0].startswith("improvement.proved: null, torque_N_mm has no error bar; ehl.points in [proof]")
+    assert len(told_words) == 1
     assert len(optimisation_table(whole).renderables) >= 4
+
+
+def proof_of(tmp_path, fine, coarse=None, error=0.0):
+    """A study of one goal whose proof has these torques [N mm] of the case and design 2."""
+    (tmp_path / "study.toml").write_text(STUDY)
+    study = read_study(tmp_path / "study.toml")
+
+    def designs(torques):
+        return [
+            Design(
+                number=k + 1,
+                values={},
+                numbers={"torque_N_mm": torque, "film_minimum_um": 0.6},
+                errors={"torque_N_mm": error},
+                feasible=torque is not None,
+            )
+            for k, torque in enumerate(torques)
+        ]
+
+    def named(torques):
+        return tuple(zip(("case", "design 2"), designs(torques), strict=True))
+
+    both = tuple(designs((100.0, 90.0)))
+    return Found(study=study, designs=both, front=(2,), proved=named(fine), coarse=named(coarse) if coarse else ())
+
+
+def test_a_gain_is_proved_where_half_the_nodes_change_it_less(tmp_path):
+    gain = improvement(proof_of(tmp_path, (103.0, 93.0), (99.0, 90.0)))
+    assert gain["error"] == pytest.approx(1.0) and gain["proved"] and gain["share"] == pytest.approx(10.0 / 103.0)
+    assert not improvement(proof_of(tmp_path, (103.0, 93.0), (99.0, 100.0)))["proved"]
+    assert improvement(proof_of(tmp_path, (103.0, 93.0), (99.0, 90.0), error=3.0))["error"] == pytest.approx(18.0**0.5)
+
+
+def test_why_there_is_no_gain_is_told(tmp_path):
+    found = proof_of(tmp_path, (103.0, None))
+    assert improvement(found) is None
+    assert (
+        next(proof_messages(found))
+        == "improvement: null, none of design 2 converges and meets the constraints in the proof"
+    )
+    found = proof_of(tmp_path, (None, 90.0))
+    assert next(proof_messages(found)) == "improvement: null, the case has no torque_N_mm in the proof"
+
+
+def test_a_search_that_was_misled_is_told(tmp_path):
+    told_words = list(proof_messages(proof_of(tmp_path, (103.0, 90.5), (103.0, 90.5))))
+    assert told_words == ["case: torque_N_mm 100 in the search, 103 proved (2.9% off)"]
 
 
 def test_a_robust_goal_is_a_quantile_over_the_scatter(tmp_path):

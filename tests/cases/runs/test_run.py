@@ -40,7 +40,8 @@ class Solver:
 def unsheared(monkeypatch):
     """The stand-in's films have no fields to shear or to conduct heat."""
     monkeypatch.setattr(
-        "cases.runs.bearing._tractions", lambda _case, _state, contacts, _films, _balanced: (None,) * len(contacts)
+        "cases.runs.bearing.contact_tractions",
+        lambda _case, _state, contacts, _films, _balanced: (None,) * len(contacts),
     )
     monkeypatch.setattr("cases.runs.bearing._torque", lambda *_: None)
     monkeypatch.setattr("cases.runs.bearing._running", lambda *_: None)

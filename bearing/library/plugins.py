@@ -1,0 +1,140 @@
+"""What other distributions bring by entry points: laws of friction, oils, models of the torque.
+
+    [project.entry-points."oilfilm.oils"]
+    "Maker Oil 32" = "maker_oils:oil_32"
+
+Names are read from the metadata of what is installed. Nothing of a plug-in is imported before a
+case or a list uses its name.
+"""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from functools import cache
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+from .names import matching_name
+
+FRICTION = "friction"
+OILS = "oils"
+TORQUE = "torque"
+KINDS = (FRICTION, OILS, TORQUE)
+GROUP = "oilfilm."  # of entry points, before the kind
+
+
+class PluginError(ValueError):
+    """A plug-in that cannot be used; the message names it, its distribution, and the reason."""
+
+
+@dataclass(frozen=True, slots=True)
+class Plugin:
+    """An entry point, and the distribution that brings it."""
+
+    kind: str
+    name: str
+    place: str  # module:object
+    distribution: str  # name and version
+    point: Any  # `importlib.metadata.EntryPoint`
+
+    def __str__(self) -> str:
+        words = f"{GROUP}{self.kind}, {self.distribution}, {self.place}"
+        return f"plug-in {self.name!r} ({words})"
+
+    def load(self) -> Any:
+        """The object behind the entry point; PluginError where it cannot be imported."""
+        try:
+            return self.point.load()
+        except (Exception, SystemExit) as error:
+            raise PluginError(f"{self}: cannot be loaded: {_words(error)}") from error
+
+    def call(self, function: Callable[..., Any], *arguments: Any, **named: Any) -> Any:
+        """What a function of the plug-in returns; PluginError with what it raises."""
+        try:
+            return function(*arguments, **named)
+        except PluginError:
+            raise
+        except Exception as error:
+            raise PluginError(f"{self}: failed: {_words(error)}") from error
+
+    def wrong(self, what: str) -> PluginError:
+        """That the plug-in does not keep to what is asked of it."""
+        return PluginError(f"{self}: {what}")
+
+
+def _words(error: BaseException) -> str:
+    return f"{type(error).__name__}: {' '.join(str(error).split())[:300]}".rstrip(": ")
+
+
+@cache
+def plugins(kind: str) -> tuple[Plugin, ...]:
+    """Plug-ins of one of `KINDS` that are installed, by their names."""
+    from importlib.metadata import entry_points  # 10 ms; 50 ms for the metadata of all there is
+
+    found = []
+    for point in entry_points(group=GROUP + kind):
+        owner = point.dist
+        distribution = "unknown" if owner is None else f"{owner.name} {owner.version}"
+        found.append(Plugin(kind, point.name, point.value, distribution, point))
+    return tuple(sorted(found, key=lambda plugin: (plugin.name, plugin.distribution)))
+
+
+def plugin_names(kind: str) -> tuple[str, ...]:
+    """Their names, each once."""
+    return tuple(dict.fromkeys(plugin.name for plugin in plugins(kind)))
+
+
+def plugin(kind: str, name: str) -> Plugin | None:
+    """The plug-in of a name, which is matched as those of the libraries; None if there is none.
+
+    PluginError where several distributions bring one of this name.
+    """
+    key = matching_name(name, plugin_names(kind))
+    found = [one for one in plugins(kind) if one.name == key]
+    if len(found) > 1:
+        owners = ", ".join(one.distribution for one in found)
+        raise PluginError(f"plug-in {key!r} ({GROUP}{kind}): of several distributions: {owners}")
+    return found[0] if found else None
+
+
+def plugin_sources() -> bytes:
+    """Digest of the versions and sources of all plug-ins; empty where there are none."""
+    lines = []
+    for one in (one for kind in KINDS for one in plugins(kind)):
+        lines.append(f"{one.kind} {one.name} {one.place} {one.distribution}")
+        lines += (sha256(path.read_bytes()).hexdigest() for path in _sources(one))
+    return sha256("\n".join(lines).encode()).digest() if lines else b""
+
+
+def _sources(plugin: Plugin) -> Iterable[Path]:
+    """Python files of the package or module that a plug-in lies in, without importing it."""
+    from importlib.util import find_spec
+
+    try:
+        spec = find_spec(plugin.point.module.partition(".")[0])
+    except (ImportError, ValueError):
+        return ()
+    if spec is None:
+        return ()
+    if spec.submodule_search_locations:
+        folders = map(Path, spec.submodule_search_locations)
+        return sorted(path for folder in folders for path in folder.rglob("*.py"))
+    return (Path(spec.origin),) if spec.has_location and spec.origin else ()
+
+
+@cache
+def plugin_oil(name: str) -> dict[str, Any] | None:
+    """Data of the oil of a plug-in, as a table of `data/lubricants.toml`; None if none has it.
+
+    A property may have a law of its own: `law`, a function of the temperature [K] that gives the
+    viscosity [Pa s].
+    """
+    found = plugin(OILS, name)
+    if found is None:
+        return None
+    data = found.load()
+    if callable(data):
+        data = found.call(data)
+    if not isinstance(data, dict):
+        raise found.wrong(f"gives {type(data).__name__}, and a dictionary is needed")
+    return data
