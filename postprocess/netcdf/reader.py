@@ -13,7 +13,8 @@ from ..dynamics.history import HISTORY_FILE
 from ..files import SUMMARY_FILE
 from .groups import FIELDS_FILE, FORMAT, close_in_silence
 
-KINDS = ("bearing", "contact", "batch", "slip", "stiffness", "transient")  # that a file names
+# that a file names
+KINDS = ("bearing", "contact", "batch", "slip", "stiffness", "temperatures", "transient")
 FOREIGN = "is a netCDF file, but not one of oilfilm's results"
 
 
