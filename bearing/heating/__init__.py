@@ -6,9 +6,11 @@ films_heat      - heat of films of formulas in balance
 friction_heat   - heat of friction by where it arises; conductances of the contacts
 heat_balance    - one node: temperature at which friction power and cooling agree
 heat_state      - heat and temperatures at one film temperature and clearance
+limiting_speed  - balances over the speed, and the speed above which there is none
 network         - nodes, paths and boundaries; temperatures and flows of heat
 paths           - rings, seats, shaft, housing, oil and air as paths of heat
 remedy          - the least cooling that keeps a bearing below a limit
 self_heating    - temperatures at which friction, clearance, films and cooling agree
 stability       - margin against thermal runaway, ends of the temperatures
+warm_up         - temperatures over time from a start on
 """

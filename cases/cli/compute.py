@@ -1,10 +1,11 @@
-"""Commands that compute a case: run, contact, film, slip, stiffness, table."""
+"""Commands that compute a case: run, contact, film, slip, stiffness, temperatures, table."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from enum import StrEnum
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -13,7 +14,7 @@ import typer
 from ..format.problems import CaseError
 from ..runs.interrupt import say
 from .app import CaseName, Json, Output, Quiet, app
-from .cost import film_seconds, run_cost, slip_cost, table_cost, tell_cost
+from .cost import film_seconds, run_cost, slip_cost, table_cost, tell_cost, temperatures_cost
 from .output import held_file, load_bearing, report, results_directory, save, save_with
 from .progress import progress_bar
 from .terminal import guarded
@@ -200,6 +201,45 @@ def stiffness(
     save_with(lambda folder: write_stiffness(results, folder), directory)
     document = stiffness_summary(results)
     return report(document, lambda: stiffness_table(results), directory, as_json, quiet)
+
+
+@app.command()
+@guarded
+def temperatures(
+    case: CaseName,
+    output: Output = None,
+    hours: Annotated[
+        float | None,
+        typer.Option(
+            min=1e-4,
+            max=1000.0,
+            metavar="H",
+            help="Of the course from the start; default: five times the longest time constant.",
+        ),
+    ] = None,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> int:
+    """Temperatures of a bearing over its speed, up to the limit, and over time from the start."""
+    from ..runs.interrupt import interruptible
+
+    loaded = load_bearing(case, "temperatures need a bearing", heated=False)
+    directory = results_directory(case, output, as_json)
+    from ..runs.bearing import run_case
+    from ..runs.studies.temperatures import run_temperatures
+
+    tell_cost(temperatures_cost(loaded), quiet=quiet)
+    duration = None if hours is None else 3600.0 * hours
+    with progress_bar(quiet=quiet) as progress:
+        study = partial(run_temperatures, loaded, case, run_case, duration, progress)
+        results = interruptible(study)
+    from postprocess.bearing.temperatures.summary import temperatures_summary
+    from postprocess.bearing.temperatures.table import temperatures_table
+    from postprocess.bearing.temperatures.write import write_temperatures
+
+    save_with(lambda folder: write_temperatures(results, folder), directory)
+    document = temperatures_summary(results)
+    return report(document, lambda: temperatures_table(document), directory, as_json, quiet)
 
 
 @app.command()

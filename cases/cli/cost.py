@@ -24,6 +24,9 @@ DYNAMICS_SECONDS = 4.0
 PLANAR_SECONDS = 1.0  # with the equations of a plane
 AXIAL_SECONDS = 9.0  # of one ball for all, with ring and cage; not for each ball
 # of a step in time on 257 nodes along x, of y >= 0, measured likewise on waviness_ball_on_disc
+STATE_SECONDS = (
+    0.01  # a ball, of films without a solve in balance, with the heat of their friction
+)
 STEP_SECONDS = 0.05
 # of a vibration for each ball and simulated second, and of its films; likewise, 6208_waviness
 VIBRATION_SECONDS = 3.0
@@ -71,6 +74,13 @@ def slip_cost(case: Case, workers: int) -> tuple[str, float]:
     points = 0 if case.file.slip is None else case.file.slip.points
     text = f"slip at {points} speeds and {points} loads, {workers} processes"
     return text, points**2 * EQUILIBRIUM_SECONDS / workers
+
+
+def temperatures_cost(case: Case) -> tuple[str, float]:
+    """What temperatures over speed and time take [s]."""
+    balls = case.bearing.balls * len(case.rows or (None,))
+    text = "temperatures over the speed and from the start, some 100 states"
+    return text, 100.0 * balls * STATE_SECONDS
 
 
 def dynamics_cost(case: Case) -> tuple[str, float]:

@@ -111,7 +111,7 @@ def self_heated(case: Case, printed: Printed | None = None) -> SelfHeatingSoluti
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # the search looks beyond the range of the oil's data
         try:
-            problem = _problem(case, given, printed)
+            problem = heating_problem(case, given, printed)
         except ValueError as error:
             return SelfHeatingSolution(
                 model=given.model, around=given.around, balance=None, note=str(error)
@@ -125,7 +125,9 @@ def self_heated(case: Case, printed: Printed | None = None) -> SelfHeatingSoluti
     return replace(solution, note="; ".join(str(warning.message) for warning in caught))
 
 
-def _problem(case: Case, given: HeatingInput, printed: Printed | None) -> SelfHeatingProblem:
+def heating_problem(
+    case: Case, given: HeatingInput, printed: Printed | None
+) -> SelfHeatingProblem:
     """The case as the search for temperatures takes it."""
     assert case.friction is not None  # of every bearing case
     return SelfHeatingProblem(
@@ -151,7 +153,7 @@ def at_its_balance(
     assert heating.balance is not None and case.heating is not None
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        problem = _problem(case, case.heating, printed)
+        problem = heating_problem(case, case.heating, printed)
         temperature = case.operation.temperature
         clearance = case.bearing.diametral_clearance
         state = heat_state(problem, problem.fixed_paths(), temperature, clearance)

@@ -14,7 +14,16 @@ from ..files import SUMMARY_FILE
 from .groups import FIELDS_FILE, FORMAT, close_in_silence
 
 # that a file names
-KINDS = ("bearing", "contact", "batch", "slip", "stiffness", "transient", "vibration")
+KINDS = (
+    "bearing",
+    "contact",
+    "batch",
+    "slip",
+    "stiffness",
+    "temperatures",
+    "transient",
+    "vibration",
+)
 FOREIGN = "is a netCDF file, but not one of oilfilm's results"
 
 

@@ -1,0 +1,193 @@
+r"""Temperatures of a bearing over time, from a start on.
+
+.. math:: C_n \dot T_n = Q_n(T_f, P_d) + \sum_m G_{nm} (T_m - T_n)
+
+with film temperature and clearance of the moment: friction and films are as they would be in a
+steady state there, which they reach within turns, the parts within minutes. A step solves
+
+.. math:: \dot T = A T + N_0 + N_1 t, \qquad A = C^{-1} (Q' - G)
+
+exactly by the exponential of a matrix, A that of its beginning with the slope of the heat over the
+film temperature that the last steps show, N_1 by the step before
+(exponential time differencing of second order, Cox and Matthews, 2002): one state of the bearing a
+step, however fast the oil in the cavity warms. (SciPy's BDF took several hundred: its steps shrink
+with what the iterations of the friction leave.)
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import scipy
+
+from ..geometry import Array
+from .capacities import heat_capacities
+from .heat_balance import HIGHEST_TEMPERATURE
+from .heat_state import HeatState, SelfHeatingProblem, heat_state
+from .network import NODES
+
+FILM_STEP = 4.0  # of the film temperature in one step [K]
+CLEARANCE_STEP = 2.0e-6  # likewise [m]
+ERROR = 0.2  # of the film temperature that a step may make [K]
+SLOPE_STEP = 0.3  # of the film temperature from which a step shows a slope [K]
+FIRST_STEP = 1.0e-4  # over the longest time constant [-]
+GROWTH = 2.0  # of one step over the one before, at most
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WarmUp:
+    """Temperatures over time, at the steps of the integration."""
+
+    time: Array  # (times,) [s]
+    temperatures: Array  # of the nodes, (times, nodes) [K]
+    film_temperature: Array  # (times,) [K]
+    clearance: Array  # on the diameter [m]
+    power: Array  # of the friction [W]
+    # why it ended before its time; empty: it did not
+    message: str = ""
+
+    @property
+    def ended(self) -> bool:
+        """Whether it reached the time asked for."""
+        return not self.message
+
+
+@dataclass(frozen=True, slots=True)
+class _Moment:
+    """Temperatures at a time, and the state of the bearing there."""
+
+    time: float  # [s]
+    temperatures: Array  # of the nodes [K]
+    state: HeatState
+    slope: Array  # of the heat into the nodes by the film temperature [W/K]
+
+
+@dataclass(frozen=True, slots=True)
+class _Course:
+    """The bearing and what its parts hold."""
+
+    problem: SelfHeatingProblem
+    weights: Array  # of the nodes in the film temperature [-]
+    capacities: Array  # of the nodes [J/K]
+
+    def film_temperature(self, temperatures: Array) -> float:
+        """Of temperatures of the nodes [K]."""
+        return float(self.weights @ temperatures)
+
+    def moment(self, time: float, temperatures: Array, before: _Moment) -> _Moment:
+        """Friction and network at temperatures of the nodes [K]; ValueError if there is none."""
+        film = self.film_temperature(temperatures)
+        clearance = self.problem.clearance(temperatures)
+        state = heat_state(self.problem, self.problem.fixed_paths(), film, clearance)
+        slope = before.slope
+        moved = film - before.state.film_temperature
+        if abs(moved) > SLOPE_STEP:
+            at = before.temperatures
+            slope = (state.surplus(at) - before.state.surplus(at)) / moved
+        return _Moment(time, temperatures, state, slope)
+
+    def matrix(self, moment: _Moment) -> Array:
+        """A of a moment [1/s]."""
+        leaving, _given = moment.state.network.matrix()
+        heating = np.outer(moment.slope, self.weights)
+        return np.asarray((heating - leaving) / self.capacities[:, None])
+
+    def rest(self, moment: _Moment, matrix: Array) -> Array:
+        """N of a moment, of its rates what A does not say [K/s]."""
+        rates = moment.state.surplus(moment.temperatures) / self.capacities
+        return np.asarray(rates - matrix @ moment.temperatures)
+
+    def change(self, first: Array, second: Array) -> float:
+        """Of film temperature and clearance, the larger of both in their steps [-]."""
+        film = abs(self.film_temperature(second - first)) / FILM_STEP
+        clearance = abs(self.problem.clearance(second) - self.problem.clearance(first))
+        return max(film, clearance / CLEARANCE_STEP)
+
+
+def warm_up(
+    problem: SelfHeatingProblem,
+    duration: float,
+    start: Array | None = None,
+    notify: Callable[[float], None] = lambda time: None,
+) -> WarmUp:
+    """From temperatures of the nodes (nodes,) [K], that of the surroundings if left out, at the
+    operation of the problem for a `duration` [s]; ends where the films pass `HIGHEST_TEMPERATURE`
+    or no equilibrium is found. `notify` is called with the time [s].
+
+    Raises
+    ------
+    ValueError
+        If there is no equilibrium or no friction at the start.
+    """
+    cold = np.full(len(NODES), problem.around.ambient) if start is None else start
+    mean = float(cold.mean())
+    first = heat_state(problem, problem.fixed_paths(), mean, problem.clearance(cold))
+    capacities = heat_capacities(
+        problem.bearing, problem.around, problem.oil(mean), problem.oil_share, len(problem.rows)
+    )
+    course = _Course(problem, first.weights, capacities)
+    moments = [_Moment(0.0, cold, first, np.zeros_like(cold))]
+    longest = -1.0 / np.linalg.eigvals(course.matrix(moments[0])).real.max()
+    step = FIRST_STEP * float(longest)
+    message = ""
+    while not message and moments[-1].time < duration:
+        try:
+            after, step = _advance(course, moments, min(step, duration - moments[-1].time))
+        except ValueError as error:
+            message = str(error)
+            break
+        moments.append(after)
+        notify(after.time)
+        if course.film_temperature(after.temperatures) >= HIGHEST_TEMPERATURE:
+            message = TOO_WARM
+    return _told(moments, course, message)
+
+
+TOO_WARM = "the films pass the range of lubricants"
+
+
+def _advance(course: _Course, moments: list[_Moment], step: float) -> tuple[_Moment, float]:
+    """The next moment, and the step to try from it [s]."""
+    now = moments[-1]
+    matrix = course.matrix(now)
+    rest = course.rest(now, matrix)
+    slope = np.zeros_like(rest)
+    if len(moments) > 1:
+        before = moments[-2]
+        slope = (rest - course.rest(before, matrix)) / (now.time - before.time)
+    while True:
+        temperatures = _linear(matrix, rest, slope, now.temperatures, step)
+        change = course.change(now.temperatures, temperatures)
+        if change > 1.0:
+            step *= max(0.3, 0.9 / change)
+            continue
+        after = course.moment(now.time + step, temperatures, now)
+        missed = 0.5 * step * (course.rest(after, matrix) - rest - slope * step)
+        error = abs(course.film_temperature(missed)) / ERROR
+        if error <= 1.0:
+            return after, step * min(GROWTH, 0.9 / max(error, change, 1e-3) ** 0.5)
+        step *= max(0.3, 0.9 / error**0.5)
+
+
+def _linear(matrix: Array, rest: Array, slope: Array, start: Array, time: float) -> Array:
+    """T after a time [s] of dT/dt = A T + N_0 + N_1 t [K]."""
+    size = len(start)
+    whole = np.zeros((size + 2, size + 2))
+    whole[:size, :size] = matrix
+    whole[:size, size] = slope  # of (T, t, 1)
+    whole[:size, size + 1] = rest
+    whole[size, size + 1] = 1.0
+    grown = scipy.linalg.expm(time * whole)
+    return np.asarray(grown[:size, :size] @ start + grown[:size, size + 1])
+
+
+def _told(moments: list[_Moment], course: _Course, message: str) -> WarmUp:
+    temperatures = np.stack([moment.temperatures for moment in moments])
+    return WarmUp(
+        time=np.array([moment.time for moment in moments]),
+        temperatures=temperatures,
+        film_temperature=temperatures @ course.weights,
+        clearance=np.array([moment.state.clearance for moment in moments]),
+        power=np.array([moment.state.friction.power for moment in moments]),
+        message=message,
+    )

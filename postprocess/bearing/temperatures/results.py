@@ -1,0 +1,27 @@
+"""Temperatures of a bearing over the speed, and over time from a start on."""
+
+from dataclasses import dataclass
+
+from bearing.heating.limiting_speed import NO_STATE, SpeedBranch
+from bearing.heating.self_heating import SelfHeatingSolution
+from bearing.heating.warm_up import WarmUp
+
+from ...results import Results
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TemperatureResults(Results):
+    """Temperatures of one case over speed and time."""
+
+    speed: float  # of the shaft in the case [rad/s]
+    heating: SelfHeatingSolution  # at that speed
+    branch: SpeedBranch
+    warm_up: WarmUp
+
+    @property
+    def converged(self) -> bool:
+        """Whether the speed of the case has a balance, the branch an end that is understood, and
+        the course reached its time.
+        """
+        known = self.branch.limited_by != NO_STATE
+        return self.heating.converged and known and self.warm_up.ended

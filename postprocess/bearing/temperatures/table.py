@@ -1,0 +1,50 @@
+"""Temperatures over speed and time in the terminal."""
+
+from typing import Any
+
+from rich.console import Group
+from rich.text import Text
+
+from ...table import number_table
+from ...text import number
+
+COLUMNS = (  # title and key; of the parts those that differ most
+    ("films", "film_temperature_C"),
+    ("inner", "inner_ring_temperature_C"),
+    ("balls", "balls_temperature_C"),
+    ("outer", "outer_ring_loaded_temperature_C"),
+    ("oil", "oil_temperature_C"),
+    ("housing", "housing_temperature_C"),
+    ("P_d µm", "clearance_um"),
+    ("heat W", "power_W"),
+)
+ROWS = 12  # at most, of a course
+
+
+def temperatures_table(document: dict[str, Any]) -> Group:
+    """Balances over the speed, and the course from the start, of a summary; [degrees Celsius]."""
+    titles = [title for title, _ in COLUMNS]
+    limit = document["limiting_speed_rpm"]
+    text = "none found" if limit is None else f"{limit:.0f} r/min ({document['limited_by']})"
+    return Group(
+        Text(document["case"].get("title", ""), style="bold"),
+        Text(f"limiting speed by heat: {text}"),
+        Text("balances over the speed, °C", style="dim"),
+        number_table(("r/min", *titles), _rows(document["balances"], "speed_rpm")),
+        Text(f"from the start at {document['speed_rpm']:.0f} r/min, °C", style="dim"),
+        number_table(
+            ("time s", *titles), _rows(_thinned(document["warm_up"]["course"]), "time_s")
+        ),
+    )
+
+
+def _rows(records: list[dict[str, Any]], first: str) -> list[list[str]]:
+    keys = [key for _, key in COLUMNS]
+    return [[f"{r[first]:.0f}", *(number(r[key]) for key in keys)] for r in records]
+
+
+def _thinned(course: list[dict[str, Any]]) -> list[dict[str, Any]]:
+    """At most `ROWS`, the first and the last among them."""
+    if len(course) <= ROWS:
+        return course
+    return [course[round(k * (len(course) - 1) / (ROWS - 1))] for k in range(ROWS)]
