@@ -122,8 +122,8 @@ class _Newton:
 def at_speed(problem: SelfHeatingProblem, factor: float) -> SelfHeatingProblem:
     """The problem with both rings `factor` times as fast [-]."""
     old = problem.operation
-    speeds = {"inner_speed": factor * old.inner_speed, "outer_speed": factor * old.outer_speed}
-    return replace(problem, operation=replace(old, **speeds))
+    inner, outer = factor * old.inner_speed, factor * old.outer_speed
+    return replace(problem, operation=replace(old, inner_speed=inner, outer_speed=outer))
 
 
 def balances_over_speed(
