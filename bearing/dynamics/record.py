@@ -30,6 +30,7 @@ class StepControl(NamedTuple):
     shortest: float  # below it a step has failed [s]
     longest: float  # [s]
     stiff: float  # a stiff problem with shorter steps goes to LSODA [s]
+    speed: float  # error of a ball's velocity that counts as one [m/s]
 
 
 class ContactHistory(NamedTuple):

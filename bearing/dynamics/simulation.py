@@ -91,6 +91,7 @@ class Simulation:
             shortest=SHORTEST_STEP * options.end_time,
             longest=min(options.longest_step or STEP_ANGLE / frequency, options.sample_interval),
             stiff=STIFF_STEP * 2.0 * np.pi / frequency,
+            speed=float(self.scale[self.layout.ball_speed][0]),
         )
 
     def sample_times(self) -> Array:
