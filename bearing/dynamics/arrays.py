@@ -212,7 +212,6 @@ class EquationData(NamedTuple):
     films: Array  # load and film of the races' contacts after the last step, shape (2, Z, 2)
     # friction of the races linearised, shape (2, Z, LINEAR.size); no slopes where the law counts
     linear: Array
-    kept: Array  # scratch: `linear` before a step
     pocket_films: Array  # of the pockets as matrices, shape (Z, 38); `contact._belt_kernels`
     foretold: Array  # scratch: forces and moments by slopes, shape (4,)
     pace: Array  # step that friction is implicit over, shape (1,); 0: not [s]

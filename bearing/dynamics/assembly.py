@@ -92,7 +92,6 @@ def _clock_arrays(balls: int) -> dict[str, Array]:
     """Friction and films between two evaluations of their laws; none yet."""
     return {
         "linear": np.zeros((2, balls, LINEAR.size)),
-        "kept": np.zeros((2, balls, LINEAR.size)),
         "foretold": np.zeros(4),
         "pocket_films": np.zeros((balls, 38)),
         "pace": np.zeros(1),

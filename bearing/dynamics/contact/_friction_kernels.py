@@ -86,15 +86,31 @@ def set_friction(linear, load, motion, friction):
 
 
 @compiled
-def set_slopes(c, kind, data, load, motion, linear, friction):
-    """Slopes of the law by differences at a load and motion, and the rate at which a ball that
-    slides comes to rest by them; the base is that of `set_friction`.
+def difference(motion, force, mobility, least, time):
+    """Change of a motion that its slope is taken over, towards rest: what the friction itself does
+    to it in a step. A reversal within that is a slope of this step, not a jump.
+    """
+    size = max(least, 0.5 * time * mobility * abs(force))
+    return -size if motion > 0.0 else size
+
+
+@compiled
+def set_slopes(c, kind, data, load, motion, linear, friction, time):
+    """Slopes of the law by differences at a load and motion for steps of some time, and the rate
+    at which a ball that slides comes to rest by them; the base is that of `set_friction`.
     """
     speed = motion.entrainment
-    step = max(DIFFERENCE * speed, LEAST_DIFFERENCE)
+    least = max(DIFFERENCE * speed, LEAST_DIFFERENCE)
+    inertia = c.ball_inertia
+    mobility = 1.0 / c.ball_mass + c.ball_radius * c.ball_radius / inertia
+    f = LINEAR.friction
+    d_x = difference(motion.slide_x, linear[f], mobility, least, time)
+    d_y = difference(motion.slide_y, linear[f + 1], mobility, least, time)
+    least /= SPIN_RADIUS * c.ball_radius
+    d_n = difference(motion.spin, linear[f + 2], 1.0 / inertia, least, time)
     motions = 1 if c.mirrored else MOTIONS
     for i in range(motions):
-        size = step if i < 2 else step / (SPIN_RADIUS * c.ball_radius)
+        size = d_x if i == 0 else (d_y if i == 1 else d_n)
         moved = (
             motion.slide_x + (size if i == 0 else 0.0),
             motion.slide_y + (size if i == 1 else 0.0),
@@ -102,10 +118,8 @@ def set_slopes(c, kind, data, load, motion, linear, friction):
         )
         friction_law(kind, c.mirrored, data, load, speed, moved, friction)
         for k in range(FORCES):
-            difference = friction[k] - linear[LINEAR.friction + k]
-            linear[LINEAR.slopes + MOTIONS * k + i] = difference / size
-    inertia = c.ball_inertia
-    mobility = 1.0 / c.ball_mass + c.ball_radius * c.ball_radius / inertia
+            change = friction[k] - linear[LINEAR.friction + k]
+            linear[LINEAR.slopes + MOTIONS * k + i] = change / size
     s = LINEAR.slopes
     along = abs(linear[s]) + abs(linear[s + MOTIONS + 1])
     linear[LINEAR.rate] = along * mobility + abs(linear[s + 2 * MOTIONS + 2]) / inertia

@@ -49,9 +49,7 @@ def friction_error(c, linear, friction, time, speed):
 
 @compiled
 def renew_contact(c, kind, data, load, motion, linear, foretold, friction, time, speed):
-    """Friction of one contact from its law; the error of its slopes, of one that was not due
-    sooner.
-    """
+    """Friction of one contact from its law, and after how many steps again."""
     held = slopes_hold(linear, load, motion)
     if held:
         friction_by_slopes(linear, load, motion, friction)
@@ -65,26 +63,24 @@ def renew_contact(c, kind, data, load, motion, linear, foretold, friction, time,
     changed = abs(load - linear[LINEAR.load]) > 0.2 * load
     set_friction(linear, load, motion, friction)
     if not held or error > STEEP or changed:
-        set_slopes(c, kind, data, load, motion, linear, friction)
+        set_slopes(c, kind, data, load, motion, linear, friction, time)
     if not held or error > LARGE:
         linear[LINEAR.interval] = 1.0
     elif error < SMALL:
         linear[LINEAR.interval] = min(LONGEST_INTERVAL, 2.0 * interval)
-    return error if interval == 1.0 else 0.0
 
 
 @compiled
 def renew_friction(p, y, step, time, speed):
     """Ask the law of the contacts that are due at a state whose `derivative` was just taken:
-    whether there were any, and the largest error of their slopes.
+    whether there were any.
 
     step: number of this one; 0: all are due. speed: an error of velocity that counts as one.
     """
     c = p.constants
     if p.friction_kind == FRICTIONLESS or costs_little(p.friction_kind, p.friction_inner.disc):
-        return False, 0.0
+        return False
     inner, outer, _ = place_bodies(c.balls, y, p.given[INNER_SPEED], p.given[OUTER_SPEED])
-    largest = 0.0
     some = False
     for race in range(2):
         body = inner if race == INNER else outer
@@ -102,11 +98,10 @@ def renew_friction(p, y, step, time, speed):
                 continue
             some = True
             data = p.friction_inner if race == INNER else p.friction_outer
-            error = renew_contact(
+            renew_contact(
                 c, p.friction_kind, data, load, motion, linear, p.foretold, p.friction, time, speed
             )
-            largest = max(largest, error)
-    return some, largest
+    return some
 
 
 @compiled

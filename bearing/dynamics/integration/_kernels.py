@@ -223,15 +223,9 @@ def trial_step(t, y, step, p, control, scale, k, trial, counters):
     error = error_norm(k, step, scale)
     if not error <= 1.0:
         return error, False
-    p.kept[:] = p.linear
     number = counters[STEPS] + 1
-    renewed, friction = renew_friction(p, p.whole, number, step, control.speed)
-    error = max(error, friction)
-    if error <= 1.0:
-        renewed |= renew_pockets(p, p.whole, number, step, control.speed)
-    elif renewed:
-        p.linear[:] = p.kept
-    return error, renewed
+    renewed = renew_friction(p, p.whole, number, step, control.speed)
+    return error, renew_pockets(p, p.whole, number, step, control.speed) or renewed
 
 
 @inlined
