@@ -34,6 +34,8 @@ BALLS = (7, 9, 11)
 RAMP = 0.3  # of the run-ups [s]
 LEVEL = 2.0  # change of a cage's speed from load to load that counts as none [r/min]
 GRIP = 0.02  # slip of the cage below which a run-up has come to grip [-]
+PLAYS = (0.02, 0.05, 0.1, 0.2)  # of ball and pocket, diametral [mm]
+PAPER_ERROR = 4.24  # largest deviation of the paper's simulated cage speed from the measured one, section 3 [%]
 TIME = {"end_time_s": 0.4, "output_interval_us": 100.0, "start": "rolling", "speed_table_rpm": None}
 
 
@@ -42,6 +44,38 @@ def start(gap: float = 5.0, balls: int = 7, **changes: Any) -> Case:
     case = load_case("6304_planar")
     bearing = replace(case.bearing, diametral_clearance=4.0e-6 * gap, balls=balls)
     return changed(replace(case, bearing=bearing), **(TIME | changes))
+
+
+def of_play(play: float, drag: float) -> Run:
+    """100 N at a pocket play [mm] and a drag of a ball [N]."""
+    case = start(load=(0.0, 100.0), ball_drag_N=drag)
+    assert case.file.cage is not None
+    cage_table = case.file.cage.model_copy(update={"pocket_clearance_mm": play})
+    return run(replace(case, file=case.file.model_copy(update={"cage": cage_table})))
+
+
+def play_series() -> dict[float, dict[float, Run]]:
+    """Runs by drag and pocket play."""
+    return {drag: {play: of_play(play, drag) for play in PLAYS} for drag in DRAGS[:2]}
+
+
+def play_rows(runs: dict[float, dict[float, Run]]) -> str:
+    """Cage speeds by pocket play and drag."""
+    head = "| play of ball and pocket, mm | " + " | ".join(f"{drag:g} N a ball" for drag in runs) + " |"
+    lines = [head, "|---|" + "---|" * len(runs)]
+    for play in PLAYS:
+        cells = [
+            f"{cage(of_drag[play]):.1f} ± {(of_drag[play].statistics.cage_interval or 0.0) / RPM:.1f}"
+            for of_drag in runs.values()
+        ]
+        lines.append(f"| {play:g} | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+def spans(runs: dict[float, dict[float, Run]]) -> dict[str, float]:
+    """How far play and drag move the cage [r/min]."""
+    speeds = np.array([[cage(of_drag[play]) for play in PLAYS] for of_drag in runs.values()])
+    return {"by_play": float(np.ptp(speeds, axis=1).max()), "by_drag": float(np.ptp(speeds, axis=0).max())}
 
 
 def drag_at(speed: float) -> float:
@@ -370,13 +404,17 @@ def stiffnesses() -> dict[str, float]:
 def main() -> None:
     """Run everything and write the page."""
     loads, others, ups = load_series(), steady_series(), run_up_series()
-    shipped = loads[SHIPPED][100.0]
+    shipped, plays = loads[SHIPPED][100.0], play_series()
     draw_loads({drag: {w: cage(one) for w, one in of.items()} for drag, of in loads.items()}, balance, NO_SLIP, PLATEAU)
     draw_forces({f"{n:.0f} r/min": others[f"{n:.0f} r/min"] for n in SPEEDS})
     draw_sliding({f"{n:.0f} r/min": others[f"{n:.0f} r/min"] for n in SPEEDS})
     draw_run_ups({name: slip_in_time(result) for name, result in ups.items()}, RAMP)
     draw_orbits(others)
-    every = [*(one for of in loads.values() for one in of.values()), *others.values(), *ups.values()]
+    every = [
+        *(one for of in (*loads.values(), *plays.values()) for one in of.values()),
+        *others.values(),
+        *ups.values(),
+    ]
     PAGE.write_text(
         TEMPLATE.read_text(encoding="utf-8").format(
             equations=shipped.simulation.equations["dynamic"],
@@ -385,6 +423,13 @@ def main() -> None:
             unloaded=round(7.0 * float((shipped.record.races[:, 0, :, 0] <= 0.0).mean())),
             no_slip=8000.0 * NO_SLIP,
             loads=load_rows(loads),
+            plays=play_rows(plays),
+            **spans(plays),
+            least_play=PLAYS[0],
+            most_play=PLAYS[-1],
+            least_drag=DRAGS[0],
+            most_drag=DRAGS[1],
+            paper_error=PAPER_ERROR,
             others=other_rows(others, ups),
             ramp=RAMP,
             statements="\n".join(of_loads(loads) + of_speeds(others, ups) + of_shapes(others, ups)),

@@ -128,7 +128,7 @@ def radial() -> list[tuple[str, str, str]]:
     ]
     return [
         (
-            "Fig. 7: the moments are 118, 140, 162, 182, 202, 220 N mm at 50 to 100 N radial (printed with other units)",
+            "Fig. 7: moments of 118, 140, 162, 182, 202, 220 N mm at 50 to 100 N radial (printed with other units)",
             "nearly, with the ring held axially",
             f"{', '.join(f'{1e3 * m:.0f}' for m in slow)} N mm without centrifugal force ({', '.join(off[0])} %), "
             f"{', '.join(f'{1e3 * m:.0f}' for m in fast)} at 20000 r/min ({', '.join(off[1])} %); "
