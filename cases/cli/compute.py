@@ -219,6 +219,19 @@ def table(  # noqa: PLR0913
             metavar="C,C,...", help="Temperatures of the oil, rising; default: the case's only."
         ),
     ] = None,
+    tolerance: Annotated[
+        float,
+        typer.Option(
+            metavar="SHARE", help="Largest error of the force; 0.05: a coarse, quick, small table."
+        ),
+    ] = 0.01,
+    loads: Annotated[
+        str | None, typer.Option(metavar="N,N", help="Range of loads; default: the case's.")
+    ] = None,
+    speeds: Annotated[
+        str | None,
+        typer.Option(metavar="M/S,M/S", help="Of entrainment speeds; default: the case's."),
+    ] = None,
     full_solves: Annotated[
         int,
         typer.Option(
@@ -243,9 +256,18 @@ def table(  # noqa: PLR0913
         held_file(path)
     from ehl.multigrid.threads import cores
 
-    from ..runs.traction_table import run_table, temperature_axis, with_full_solves
+    from ..runs.traction_table import (
+        TableWish,
+        run_table,
+        span,
+        temperature_axis,
+        with_full_solves,
+    )
 
     over = None if temperatures is None else temperature_axis(case, temperatures)
+    wish = TableWish(
+        tolerance=tolerance, loads=span("--loads", loads), speeds=span("--speeds", speeds)
+    )
     count = 1 if over is None else len(over.temperatures)
     tell_cost(table_cost(points, count, workers or cores()), quiet=quiet)
     from postprocess.traction.summary import traction_summary
@@ -254,7 +276,7 @@ def table(  # noqa: PLR0913
 
     with _films_kept(path) as sample:
         with progress_bar(quiet=quiet) as progress:
-            results = run_table(loaded, points, workers, progress, over, sample)
+            results = run_table(loaded, points, workers, progress, over, sample, wish)
         if path is not None:
             write_traction(results, path)
     if full_solves:

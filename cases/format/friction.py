@@ -3,7 +3,6 @@
 import warnings
 from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from pydantic import create_model
@@ -27,6 +26,7 @@ from .fields import LENGTH_MAXIMUM, OneOf, Table, above, between, described
 from .lubricant import LubricantTable, Oil
 from .problems import CaseFault, shown
 from .rules import Below, CaseValues, Excludes, Needs, OnlyWith, Relation, Where
+from .shipped import table_path
 
 # constants of the coefficients over the ellipse, with the law of each, and their keys
 CONSTANTS = [(name, c) for name, law in COEFFICIENTS.items() for c in law.constants]
@@ -50,7 +50,9 @@ class LawTable(Table):
     traction: Annotated[str, OneOf("films", "table", *COEFFICIENTS, "coulomb")] | None = described(
         "friction of balls on races in traction equilibrium; left out, that of the case's films"
     )
-    traction_table: str | None = described("file of `oilfilm table`", min_length=1)
+    traction_table: str | None = described(
+        "file of `oilfilm table`; also of a simulation's table", min_length=1
+    )
 
 
 class FrictionTable(LawTable):
@@ -206,7 +208,7 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
 
 def _is_file(name: str) -> bool:
     try:
-        return Path(name).is_file()
+        return table_path(name).is_file()
     except (OSError, ValueError):
         return False
 

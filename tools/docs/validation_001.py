@@ -6,6 +6,7 @@ drawn by `validation_001_pictures.py`.
 
 from __future__ import annotations
 
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -34,6 +35,7 @@ BALLS = (7, 9, 11)
 RAMP = 0.3  # of the run-ups [s]
 LEVEL = 2.0  # change of a cage's speed from load to load that counts as none [r/min]
 GRIP = 0.02  # slip of the cage below which a run-up has come to grip [-]
+PROCESSES = 6
 PLAYS = (0.02, 0.05, 0.1, 0.2)  # of ball and pocket, diametral [mm]
 PAPER_ERROR = 4.24  # largest deviation of the paper's simulated cage speed from the measured one, section 3 [%]
 TIME = {"end_time_s": 0.4, "output_interval_us": 100.0, "start": "rolling", "speed_table_rpm": None}
@@ -46,17 +48,18 @@ def start(gap: float = 5.0, balls: int = 7, **changes: Any) -> Case:
     return changed(replace(case, bearing=bearing), **(TIME | changes))
 
 
-def of_play(play: float, drag: float) -> Run:
+def of_play(play: float, drag: float) -> Case:
     """100 N at a pocket play [mm] and a drag of a ball [N]."""
     case = start(load=(0.0, 100.0), ball_drag_N=drag)
     assert case.file.cage is not None
     cage_table = case.file.cage.model_copy(update={"pocket_clearance_mm": play})
-    return run(replace(case, file=case.file.model_copy(update={"cage": cage_table})))
+    return replace(case, file=case.file.model_copy(update={"cage": cage_table}))
 
 
 def play_series() -> dict[float, dict[float, Run]]:
     """Runs by drag and pocket play."""
-    return {drag: {play: of_play(play, drag) for play in PLAYS} for drag in DRAGS[:2]}
+    runs = iter(side_by_side([of_play(play, drag) for drag in DRAGS[:2] for play in PLAYS]))
+    return {drag: {play: next(runs) for play in PLAYS} for drag in DRAGS[:2]}
 
 
 def play_rows(runs: dict[float, dict[float, Run]]) -> str:
@@ -100,7 +103,15 @@ def plateau_words() -> str:
 
 def load_series() -> dict[float, dict[float, Run]]:
     """Runs by drag and load."""
-    return {drag: {w: run(start(load=(0.0, w), ball_drag_N=drag)) for w in LOADS} for drag in DRAGS}
+    cases = [start(load=(0.0, w), ball_drag_N=drag) for drag in DRAGS for w in LOADS]
+    runs = iter(side_by_side(cases))
+    return {drag: {w: next(runs) for w in LOADS} for drag in DRAGS}
+
+
+def side_by_side(cases: list[Case]) -> list[Run]:
+    """Runs of cases, some at a time."""
+    with ProcessPoolExecutor(PROCESSES) as pool:
+        return list(pool.map(run, cases))
 
 
 def knee(of_drag: dict[float, Run]) -> float:
@@ -137,25 +148,27 @@ def balance(drag: float) -> float:
 def steady_series() -> dict[str, Run]:
     """Runs over speed, load, clearance and number of balls."""
     w = (0.0, 100.0)
-    runs = {f"{n:.0f} r/min": run(start(load=w, speed=n, ball_drag_N=drag_at(n))) for n in SPEEDS}
-    runs |= {f"{load:.0f} N": run(start(load=(0.0, load))) for load in HEAVY}
-    runs |= {f"gap {gap:.0f} µm": run(start(gap, load=w)) for gap in GAPS}
-    return runs | {f"{n} balls": run(start(balls=n, load=w)) for n in BALLS}
+    cases = {f"{n:.0f} r/min": start(load=w, speed=n, ball_drag_N=drag_at(n)) for n in SPEEDS}
+    cases |= {f"{load:.0f} N": start(load=(0.0, load)) for load in HEAVY}
+    cases |= {f"gap {gap:.0f} µm": start(gap, load=w) for gap in GAPS}
+    cases |= {f"{n} balls": start(balls=n, load=w) for n in BALLS}
+    return dict(zip(cases, side_by_side(list(cases.values())), strict=True))
 
 
-def run_up(speed: float = 8000.0, load: float = 100.0, gap: float = 5.0, balls: int = 7) -> Run:
+def run_up(speed: float = 8000.0, load: float = 100.0, gap: float = 5.0, balls: int = 7) -> Case:
     """From rest to a speed [r/min] within `RAMP`, and as long again."""
     table = ((0.0, 0.0), (RAMP, speed))
     changes = {"start": "rest", "speed_table_rpm": table, "end_time_s": 2.0 * RAMP, "output_interval_us": 200.0}
-    return run(start(gap, balls, load=(0.0, load), speed=speed, ball_drag_N=drag_at(speed), **changes))
+    return start(gap, balls, load=(0.0, load), speed=speed, ball_drag_N=drag_at(speed), **changes)
 
 
 def run_up_series() -> dict[str, Run]:
     """Run-ups by the names of `steady_series`."""
-    runs = {f"{n:.0f} r/min": run_up(speed=n) for n in SPEEDS}
-    runs |= {f"{load:.0f} N": run_up(load=load) for load in HEAVY}
-    runs |= {f"gap {gap:.0f} µm": run_up(gap=gap) for gap in GAPS}
-    return runs | {f"{n} balls": run_up(balls=n) for n in BALLS}
+    cases = {f"{n:.0f} r/min": run_up(speed=n) for n in SPEEDS}
+    cases |= {f"{load:.0f} N": run_up(load=load) for load in HEAVY}
+    cases |= {f"gap {gap:.0f} µm": run_up(gap=gap) for gap in GAPS}
+    cases |= {f"{n} balls": run_up(balls=n) for n in BALLS}
+    return dict(zip(cases, side_by_side(list(cases.values())), strict=True))
 
 
 def slip_in_time(result: Run) -> tuple[Any, Any]:

@@ -214,6 +214,21 @@ def turn_balls(p, h, attitude):
     remember_turns(p)
 
 
+@compiled
+def longest_step(p, control):
+    """Longest next step: shorter where a ball is pressed harder than `control` counts with, by
+    the frequency of its vibration.
+    """
+    steepest = control.steepest
+    for race in range(2):
+        law = p.normal[race]
+        for j in range(p.constants.balls):
+            approach = p.race_out[race, j, CONTACT.approach]
+            if approach > 0.0:
+                steepest = max(steepest, elastic_force(law, approach) / approach)
+    return control.longest * np.sqrt(control.steepest / steepest)
+
+
 @inlined
 def trial_step(t, y, step, p, control, scale, k, trial, counters):
     """Stages of a step, its error, and whether a law of friction was asked at its end."""
@@ -277,7 +292,7 @@ def advance(t, y, end, h, p, control, scale, k, trial, history, counters):
         accept_step(t, y, step, p, k, renewed, history, counters)
         # 4. next step, not longer right after a rejection
         grown = step * (min(factor, 1.0) if after_rejection else factor)
-        h = min(max(h, grown) if last else grown, control.longest)
+        h = min(max(h, grown) if last else grown, longest_step(p, control))
         after_rejection = False
         # 5. stiff, with steps too short to go on like this
         if stiff and step < control.stiff:
