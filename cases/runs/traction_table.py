@@ -28,8 +28,8 @@ from ..version import version
 from .equilibrium import case_equilibrium
 from .films import Progress
 
-# nodes to begin with where a tolerance of COARSE or more is asked for: over 1 to 150 N and 2 to 9 m/s
-# of a 7008 the worst point of the outer race is off by 3.5 % of kappa_max Q, 95 % by 1.3 %
+# nodes to begin with where a tolerance of COARSE or more is asked for: over 1 to 150 N and 2 to
+# 9 m/s of a 7008 the worst point of the outer race is off by 3.5 % of kappa_max Q, 95 % by 1.3 %
 COARSE = 0.05
 COARSE_NODES = (10, 5, 23, 8, 16)
 
@@ -85,7 +85,7 @@ def temperature_axis(name: str, text: str) -> TemperatureAxis:
     return TemperatureAxis(temperatures=temperatures, oil_at=oil_at)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class TableWish:
     """Accuracy and range that a table is asked for."""
 

@@ -133,7 +133,8 @@ def shown_rows(
         if inside.size < 2:
             span = f"{1e3 * window[0]:g} to {1e3 * window[1]:g} ms"
             raise ValueError(f"no two samples of the history lie in {span}")
-        first, last = int(inside[0]), int(inside[-1])
+        first = int(inside[0])
+        last = int(inside[-1])
     rows = np.linspace(first, last, min(frames, last - first + 1))
     return np.unique(np.round(rows).astype(np.int64))
 
