@@ -6,7 +6,6 @@ drawn by `validation_001_pictures.py`.
 
 from __future__ import annotations
 
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -35,9 +34,6 @@ BALLS = (7, 9, 11)
 RAMP = 0.3  # of the run-ups [s]
 LEVEL = 2.0  # change of a cage's speed from load to load that counts as none [r/min]
 GRIP = 0.02  # slip of the cage below which a run-up has come to grip [-]
-PROCESSES = 6
-PLAYS = (0.02, 0.05, 0.1, 0.2)  # of ball and pocket, diametral [mm]
-PAPER_ERROR = 4.24  # largest deviation of the paper's simulated cage speed from the measured one, section 3 [%]
 TIME = {"end_time_s": 0.4, "output_interval_us": 100.0, "start": "rolling", "speed_table_rpm": None}
 
 
@@ -46,39 +42,6 @@ def start(gap: float = 5.0, balls: int = 7, **changes: Any) -> Case:
     case = load_case("6304_planar")
     bearing = replace(case.bearing, diametral_clearance=4.0e-6 * gap, balls=balls)
     return changed(replace(case, bearing=bearing), **(TIME | changes))
-
-
-def of_play(play: float, drag: float) -> Case:
-    """100 N at a pocket play [mm] and a drag of a ball [N]."""
-    case = start(load=(0.0, 100.0), ball_drag_N=drag)
-    assert case.file.cage is not None
-    cage_table = case.file.cage.model_copy(update={"pocket_clearance_mm": play})
-    return replace(case, file=case.file.model_copy(update={"cage": cage_table}))
-
-
-def play_series() -> dict[float, dict[float, Run]]:
-    """Runs by drag and pocket play."""
-    runs = iter(side_by_side([of_play(play, drag) for drag in DRAGS[:2] for play in PLAYS]))
-    return {drag: {play: next(runs) for play in PLAYS} for drag in DRAGS[:2]}
-
-
-def play_rows(runs: dict[float, dict[float, Run]]) -> str:
-    """Cage speeds by pocket play and drag."""
-    head = "| play of ball and pocket, mm | " + " | ".join(f"{drag:g} N a ball" for drag in runs) + " |"
-    lines = [head, "|---|" + "---|" * len(runs)]
-    for play in PLAYS:
-        cells = [
-            f"{cage(of_drag[play]):.1f} ± {(of_drag[play].statistics.cage_interval or 0.0) / RPM:.1f}"
-            for of_drag in runs.values()
-        ]
-        lines.append(f"| {play:g} | " + " | ".join(cells) + " |")
-    return "\n".join(lines)
-
-
-def spans(runs: dict[float, dict[float, Run]]) -> dict[str, float]:
-    """How far play and drag move the cage [r/min]."""
-    speeds = np.array([[cage(of_drag[play]) for play in PLAYS] for of_drag in runs.values()])
-    return {"by_play": float(np.ptp(speeds, axis=1).max()), "by_drag": float(np.ptp(speeds, axis=0).max())}
 
 
 def drag_at(speed: float) -> float:
@@ -103,15 +66,7 @@ def plateau_words() -> str:
 
 def load_series() -> dict[float, dict[float, Run]]:
     """Runs by drag and load."""
-    cases = [start(load=(0.0, w), ball_drag_N=drag) for drag in DRAGS for w in LOADS]
-    runs = iter(side_by_side(cases))
-    return {drag: {w: next(runs) for w in LOADS} for drag in DRAGS}
-
-
-def side_by_side(cases: list[Case]) -> list[Run]:
-    """Runs of cases, some at a time."""
-    with ProcessPoolExecutor(PROCESSES) as pool:
-        return list(pool.map(run, cases))
+    return {drag: {w: run(start(load=(0.0, w), ball_drag_N=drag)) for w in LOADS} for drag in DRAGS}
 
 
 def knee(of_drag: dict[float, Run]) -> float:
@@ -148,27 +103,25 @@ def balance(drag: float) -> float:
 def steady_series() -> dict[str, Run]:
     """Runs over speed, load, clearance and number of balls."""
     w = (0.0, 100.0)
-    cases = {f"{n:.0f} r/min": start(load=w, speed=n, ball_drag_N=drag_at(n)) for n in SPEEDS}
-    cases |= {f"{load:.0f} N": start(load=(0.0, load)) for load in HEAVY}
-    cases |= {f"gap {gap:.0f} µm": start(gap, load=w) for gap in GAPS}
-    cases |= {f"{n} balls": start(balls=n, load=w) for n in BALLS}
-    return dict(zip(cases, side_by_side(list(cases.values())), strict=True))
+    runs = {f"{n:.0f} r/min": run(start(load=w, speed=n, ball_drag_N=drag_at(n))) for n in SPEEDS}
+    runs |= {f"{load:.0f} N": run(start(load=(0.0, load))) for load in HEAVY}
+    runs |= {f"gap {gap:.0f} µm": run(start(gap, load=w)) for gap in GAPS}
+    return runs | {f"{n} balls": run(start(balls=n, load=w)) for n in BALLS}
 
 
-def run_up(speed: float = 8000.0, load: float = 100.0, gap: float = 5.0, balls: int = 7) -> Case:
+def run_up(speed: float = 8000.0, load: float = 100.0, gap: float = 5.0, balls: int = 7) -> Run:
     """From rest to a speed [r/min] within `RAMP`, and as long again."""
     table = ((0.0, 0.0), (RAMP, speed))
     changes = {"start": "rest", "speed_table_rpm": table, "end_time_s": 2.0 * RAMP, "output_interval_us": 200.0}
-    return start(gap, balls, load=(0.0, load), speed=speed, ball_drag_N=drag_at(speed), **changes)
+    return run(start(gap, balls, load=(0.0, load), speed=speed, ball_drag_N=drag_at(speed), **changes))
 
 
 def run_up_series() -> dict[str, Run]:
     """Run-ups by the names of `steady_series`."""
-    cases = {f"{n:.0f} r/min": run_up(speed=n) for n in SPEEDS}
-    cases |= {f"{load:.0f} N": run_up(load=load) for load in HEAVY}
-    cases |= {f"gap {gap:.0f} µm": run_up(gap=gap) for gap in GAPS}
-    cases |= {f"{n} balls": run_up(balls=n) for n in BALLS}
-    return dict(zip(cases, side_by_side(list(cases.values())), strict=True))
+    runs = {f"{n:.0f} r/min": run_up(speed=n) for n in SPEEDS}
+    runs |= {f"{load:.0f} N": run_up(load=load) for load in HEAVY}
+    runs |= {f"gap {gap:.0f} µm": run_up(gap=gap) for gap in GAPS}
+    return runs | {f"{n} balls": run_up(balls=n) for n in BALLS}
 
 
 def slip_in_time(result: Run) -> tuple[Any, Any]:
@@ -417,17 +370,13 @@ def stiffnesses() -> dict[str, float]:
 def main() -> None:
     """Run everything and write the page."""
     loads, others, ups = load_series(), steady_series(), run_up_series()
-    shipped, plays = loads[SHIPPED][100.0], play_series()
+    shipped = loads[SHIPPED][100.0]
     draw_loads({drag: {w: cage(one) for w, one in of.items()} for drag, of in loads.items()}, balance, NO_SLIP, PLATEAU)
     draw_forces({f"{n:.0f} r/min": others[f"{n:.0f} r/min"] for n in SPEEDS})
     draw_sliding({f"{n:.0f} r/min": others[f"{n:.0f} r/min"] for n in SPEEDS})
     draw_run_ups({name: slip_in_time(result) for name, result in ups.items()}, RAMP)
     draw_orbits(others)
-    every = [
-        *(one for of in (*loads.values(), *plays.values()) for one in of.values()),
-        *others.values(),
-        *ups.values(),
-    ]
+    every = [*(one for of in loads.values() for one in of.values()), *others.values(), *ups.values()]
     PAGE.write_text(
         TEMPLATE.read_text(encoding="utf-8").format(
             equations=shipped.simulation.equations["dynamic"],
@@ -436,13 +385,6 @@ def main() -> None:
             unloaded=round(7.0 * float((shipped.record.races[:, 0, :, 0] <= 0.0).mean())),
             no_slip=8000.0 * NO_SLIP,
             loads=load_rows(loads),
-            plays=play_rows(plays),
-            **spans(plays),
-            least_play=PLAYS[0],
-            most_play=PLAYS[-1],
-            least_drag=DRAGS[0],
-            most_drag=DRAGS[1],
-            paper_error=PAPER_ERROR,
             others=other_rows(others, ups),
             ramp=RAMP,
             statements="\n".join(of_loads(loads) + of_speeds(others, ups) + of_shapes(others, ups)),
