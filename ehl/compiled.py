@@ -29,6 +29,15 @@ def compiled(function: Callable[..., Any]) -> Any:
     return kernel
 
 
+def inlined(function: Callable[..., Any]) -> Any:
+    """A kernel that is part of each kernel that calls it, in place of one more to optimise.
+
+    For what calls large kernels and is called once: compiled on its own, it and every kernel above
+    it would optimise all of these again.
+    """
+    return njit(inline="always", nogil=True, fastmath=False, error_model="numpy")(function)
+
+
 class _Compilations(event.Listener):
     """Logs that a kernel is compiled, of which those found on disk are none."""
 

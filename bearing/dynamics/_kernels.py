@@ -45,6 +45,7 @@ from .arrays import (
 )
 from .contact._ball_kernels import ball_collisions
 from .contact._cage_kernels import cage_land, pocket_forces
+from .contact._implicit_kernels import STIFF, implicit_friction, largest_rate
 from .contact._kernels import elastic_energy
 from .contact._race_kernels import race_forces
 from .layout import BODIES, CAGE, CAGE_ROTATION, CAGE_TILT, FREE_TURN, RING, RING_TILT
@@ -213,22 +214,25 @@ def derivative(t, y, p, dy):
     p.forces[:] = 0.0
     # 1. races and balls
     race_forces(
-        c, INNER, inner, p.friction_kind, p.friction_inner, p.normal[INNER], p.memory, y,
-        p.friction, p.forces, p.loads[INNER], p.power, p.race_out[INNER],
+        c, INNER, inner, p.friction_kind, p.friction_inner, p.normal[INNER], p.memory,
+        p.linear[INNER], y, p.friction, p.forces, p.loads[INNER], p.power, p.race_out[INNER],
     )  # fmt: skip
     race_forces(
-        c, OUTER, outer, p.friction_kind, p.friction_outer, p.normal[OUTER], p.memory, y,
-        p.friction, p.forces, p.loads[OUTER], p.power, p.race_out[OUTER],
+        c, OUTER, outer, p.friction_kind, p.friction_outer, p.normal[OUTER], p.memory,
+        p.linear[OUTER], y, p.friction, p.forces, p.loads[OUTER], p.power, p.race_out[OUTER],
     )  # fmt: skip
     # 2. pockets, or balls that meet
     if c.cage_mass > 0.0:
         pocket_forces(
-            c, cage, p.normal[POCKET], p.memory, p.pocket_angle, p.pocket_play, y,
-            p.forces, p.loads[CAGE_LOAD], p.power, p.pocket_out,
+            c, cage, p.normal[POCKET], p.memory, p.pocket_angle, p.pocket_play,
+            p.pocket_films, y, p.forces, p.loads[CAGE_LOAD], p.power, p.pocket_out,
         )  # fmt: skip
     elif c.copies == 1:
         ball_collisions(c, p.normal[POCKET], p.memory, y, p.forces, p.power, p.pocket_out)
-    # 3. balls that are not solved, and lands
+    # 3. friction that is stiff, balls that are not solved, and lands
+    h = p.pace[0]
+    if h > 0.0 and h * largest_rate(c.balls, p.normal, p.linear, p.race_out) > STIFF:
+        implicit_friction(p, y, inner, outer)
     if c.copies > 1:
         add_copies(c, p.loads, p.power)
     p.power[WORK.drive_outer] -= outer.turn[0] * p.loads[OUTER, MOMENT]

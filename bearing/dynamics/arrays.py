@@ -62,6 +62,19 @@ class ContactColumns(NamedTuple):
     film: int
 
 
+class LinearColumns(NamedTuple):
+    """First columns of `linear`, see `contact._friction_kernels`."""
+
+    load: int  # [N]; 0: no slopes
+    motion: int  # slide_x, slide_y [m/s], spin [rad/s]
+    x_axis: int  # three [-]
+    friction: int  # FRICTION_COLUMNS
+    slopes: int  # of four forces and moments over three motions [N s/m], [N s], [N m s]
+    rate: int  # of the decay of sliding by them [1/s]
+    interval: int  # steps between calls of the law [-]
+    size: int  # number of columns
+
+
 class WorkColumns(NamedTuple):
     """Accumulators: work put in, energy dissipated, energy that films take up, negative what they
     give in lifting balls [J].
@@ -86,6 +99,9 @@ RACE_COLUMNS = len(ContactColumns._fields)
 POCKET_COLUMNS = 3
 ACCUMULATORS = len(WorkColumns._fields)
 CONTACT = ContactColumns(*range(RACE_COLUMNS))
+LINEAR = LinearColumns(
+    0, 1, 4, 7, 7 + FRICTION_COLUMNS, *range(19 + FRICTION_COLUMNS, 22 + FRICTION_COLUMNS)
+)
 WORK = WorkColumns(*range(ACCUMULATORS))
 
 
@@ -194,6 +210,12 @@ class EquationData(NamedTuple):
     pocket_out: Array  # of the pockets, shape (Z, POCKET_COLUMNS)
     land_out: Array  # of the two lands, shape (2, POCKET_COLUMNS)
     films: Array  # load and film of the races' contacts after the last step, shape (2, Z, 2)
+    # friction of the races linearised, shape (2, Z, LINEAR.size); no slopes where the law counts
+    linear: Array
+    pocket_films: Array  # of the pockets as matrices, shape (Z, 38); `contact._belt_kernels`
+    foretold: Array  # scratch: forces and moments by slopes, shape (4,)
+    pace: Array  # step that friction is implicit over, shape (1,); 0: not [s]
+    system: Array  # scratch: equations of a ball's acceleration, shape (6, 7)
     power: Array  # into and out of the accumulators [W], shape (ACCUMULATORS,)
     loads: Array  # of the contacts on inner ring, outer ring and cage, shape (3, 6) [N], [N m]
     # places in the state vector of what is solved: coordinates, speeds, then all that follows them

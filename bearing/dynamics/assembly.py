@@ -16,6 +16,7 @@ from .arrays import (
     FILM,
     FRICTION_COLUMNS,
     GIVEN_COLUMNS,
+    LINEAR,
     LOAD_COLUMNS,
     OUTER,
     POCKET_COLUMNS,
@@ -76,6 +77,7 @@ def assemble(
         pocket_out=np.zeros((n, POCKET_COLUMNS)),
         land_out=np.full((2, POCKET_COLUMNS), -1.0),
         films=np.zeros((2, n, 2)),
+        **_clock_arrays(n),
         power=np.zeros(ACCUMULATORS),
         loads=np.zeros((3, LOAD_COLUMNS)),
         solved=places,
@@ -84,6 +86,17 @@ def assemble(
         rates=np.zeros(layout.size),
         turns=np.zeros((n, 3)),
     )
+
+
+def _clock_arrays(balls: int) -> dict[str, Array]:
+    """Friction and films between two evaluations of their laws; none yet."""
+    return {
+        "linear": np.zeros((2, balls, LINEAR.size)),
+        "foretold": np.zeros(4),
+        "pocket_films": np.zeros((balls, 38)),
+        "pace": np.zeros(1),
+        "system": np.zeros((6, 7)),
+    }
 
 
 def free_array(kind: LoadType, operation: Operation, model: DynamicsModel) -> Array:

@@ -29,7 +29,9 @@ class StepControl(NamedTuple):
 
     shortest: float  # below it a step has failed [s]
     longest: float  # [s]
+    steepest: float  # stiffness Q/approach of a contact, beyond which it is shorter [N/m]
     stiff: float  # a stiff problem with shorter steps goes to LSODA [s]
+    speed: float  # error of a ball's velocity that counts as one [m/s]
 
 
 class ContactHistory(NamedTuple):

@@ -131,6 +131,8 @@ def _one_ball(data: EquationData) -> EquationData:
         race_out=data.race_out[:, :1].copy(),
         pocket_out=data.pocket_out[:1].copy(),
         films=data.films[:, :1].copy(),
+        linear=data.linear[:, :1].copy(),
+        pocket_films=data.pocket_films[:1].copy(),
         solved=places,
         mechanical=places.size - (layout.size - layout.mechanical),
         whole=np.zeros(layout.size),

@@ -32,6 +32,7 @@ SHORTEST_STEP = 1.0e-12  # over the end time, below which a step has failed [-]
 STIFF_STEP = 0.02
 # longest step times the frequency of a loaded ball: at the limit of stability it would ring [-]
 STEP_ANGLE = 0.8
+LINEARISED = ("linear", "pocket_films", "pace")  # of the data of the equations
 FAILURES = {
     TOO_SMALL: "the step became too small at t = {t:.6g} s; try a larger tolerance or friction "
     "ramp",
@@ -89,8 +90,10 @@ class Simulation:
         frequency = vibration_frequency(stiffness, heaviest, self.data.constants.ball_mass)
         return StepControl(
             shortest=SHORTEST_STEP * options.end_time,
+            steepest=stiffness * (heaviest / stiffness) ** (1.0 / 3.0),
             longest=min(options.longest_step or STEP_ANGLE / frequency, options.sample_interval),
             stiff=STIFF_STEP * 2.0 * np.pi / frequency,
+            speed=float(self.scale[self.layout.ball_speed][0]),
         )
 
     def sample_times(self) -> Array:
@@ -135,6 +138,9 @@ class Simulation:
         """
         layout = self.layout
         general = with_equations(self.data, LoadType.GENERAL, self.operation, self.model)
+        # by the laws themselves: what is linearised is that of the motion in use
+        laws = {name: np.zeros_like(getattr(general, name)) for name in LINEARISED}
+        general = general._replace(**laws)
         rates = np.zeros(layout.size)
         derivative(self.state.time, self.state.y, general, rates)
         against = rates - symmetric_part(self.state.kind, self.data, rates)

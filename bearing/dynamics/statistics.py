@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..rating.frequencies import kinematic_cage_speed
 from .arrays import CONTACT, GUIDED_BY_BALLS, INNER_SPEED, OUTER_SPEED, WORK, Array
@@ -40,12 +41,24 @@ class RunningStatistics:
     load_sum: Array = field(init=False)  # (2, Z) [N]
     load_largest: Array = field(init=False)  # (2, Z) [N]
     pocket_largest: Array = field(init=False)  # (Z,) [N]
+    touching: Array = field(init=False)  # samples under a load (2, Z) [-]
+    slide_sum: Array = field(init=False)  # sliding at the contacts' centres (2, Z) [m/s]
+    slide_largest: Array = field(init=False)  # (2, Z) [m/s]
+    friction_sum: Array = field(init=False)  # (2, Z) [N]
     residual: float = 0.0  # largest of the energies [J]
     rows: int = 0
 
     def __post_init__(self) -> None:
-        self.load_sum = np.zeros((2, self.balls))
-        self.load_largest = np.zeros((2, self.balls))
+        sums = (
+            "load_sum",
+            "load_largest",
+            "touching",
+            "slide_sum",
+            "slide_largest",
+            "friction_sum",
+        )
+        for name in sums:
+            setattr(self, name, np.zeros((2, self.balls)))
         self.pocket_largest = np.zeros(self.balls)
 
     def add(self, record: Record, start_energy: float) -> None:
@@ -64,11 +77,21 @@ class RunningStatistics:
         self.load_sum += loads.sum(axis=0)
         self.load_largest = np.maximum(self.load_largest, loads.max(axis=0))
         self.pocket_largest = np.maximum(self.pocket_largest, pockets.max(axis=0))
+        self._add_sliding(record.races, loads > 0.0)
         work = record.state[:, layout.energy]
         change = record.energy.sum(axis=1) - start_energy
         error = change - work[:, :INPUTS].sum(axis=1) + work[:, INPUTS:].sum(axis=1)
         self.residual = max(self.residual, float(np.abs(error).max()))
         self.rows += record.time.size
+
+    def _add_sliding(self, races: Array, loaded: NDArray[np.bool_]) -> None:
+        """Sliding and friction where a race is loaded."""
+        slide = np.hypot(races[..., CONTACT.slide_x], races[..., CONTACT.slide_y]) * loaded
+        pull = np.hypot(races[..., CONTACT.friction_x], races[..., CONTACT.friction_y])
+        self.touching += loaded.sum(axis=0)
+        self.slide_sum += slide.sum(axis=0)
+        self.slide_largest = np.maximum(self.slide_largest, slide.max(axis=0))
+        self.friction_sum += (pull * loaded).sum(axis=0)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -96,6 +119,10 @@ class SimulationStatistics:
     shares: Array  # of the time separated, in contact, in an impact, shape (2, Z, 3) [-]
     mean_load: Array  # [N], shape (2, Z)
     largest_load: Array  # [N]
+    # at the centres of contacts while they are loaded, shape (2, Z); zero where one never is
+    mean_sliding: Array  # [m/s]
+    largest_sliding: Array  # [m/s]
+    mean_friction: Array  # [N]
     largest_pocket_load: Array  # [N], shape (Z,)
 
     @property
@@ -165,6 +192,9 @@ def simulation_statistics(
         shares=state.shares / max(state.time, 1e-300),
         mean_load=running.load_sum / running.rows,
         largest_load=running.load_largest,
+        mean_sliding=running.slide_sum / np.maximum(running.touching, 1.0),
+        largest_sliding=running.slide_largest,
+        mean_friction=running.friction_sum / np.maximum(running.touching, 1.0),
         largest_pocket_load=running.pocket_largest,
     )
 

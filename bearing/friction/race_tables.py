@@ -95,14 +95,16 @@ def build_race_tables(
     options: TableOptions | None = None,
     progress: Progress | None = None,
     solids: Solids | None = None,
+    limits: Callable[[TableRange], TableRange] = lambda usual: usual,
 ) -> Tables:
     """Traction tables of both races around a quasi-static solution; `solids` as in
-    `table_contacts`; `progress`: called with films done, films wanted so far, and a word.
+    `table_contacts`; `progress`: called with films done, films wanted so far, and a word;
+    `limits`: the range [N], [m/s] to take for that of `table_range`.
     """
-    limits = table_range(solution, lubricant)
+    chosen = limits(table_range(solution, lubricant))
     tables = {}
     for race, contact in table_contacts(solution, lubricant, rheology, solids=solids).items():
-        tables[race] = build_table(contact, limits, options, race_progress(progress, race))
+        tables[race] = build_table(contact, chosen, options, race_progress(progress, race))
     return tables
 
 
@@ -113,11 +115,12 @@ def build_temperature_tables(
     options: TableOptions | None = None,
     progress: Progress | None = None,
     solids: Solids | None = None,
+    limits: Callable[[TableRange], TableRange] = lambda usual: usual,
 ) -> TemperatureTables:
     """As `build_race_tables` at two or more rising temperatures [K]; `oil_at`: lubricant and
     rheology at one of them.
     """
-    limits = table_range(solution, oil_at(temperatures[0])[0])
+    chosen = limits(table_range(solution, oil_at(temperatures[0])[0]))
     tables = {}
     for race in Race:
 
@@ -125,7 +128,7 @@ def build_temperature_tables(
             return table_contacts(solution, *oil_at(temperature), temperature, solids)[race]
 
         notify = race_progress(progress, race)
-        tables[race] = build_temperature_table(contact_at, temperatures, limits, options, notify)
+        tables[race] = build_temperature_table(contact_at, temperatures, chosen, options, notify)
     return tables
 
 

@@ -259,6 +259,19 @@ def table(  # noqa: PLR0913
             metavar="C,C,...", help="Temperatures of the oil, rising; default: the case's only."
         ),
     ] = None,
+    tolerance: Annotated[
+        float,
+        typer.Option(
+            metavar="SHARE", help="Largest error of the force; 0.05: a coarse, quick, small table."
+        ),
+    ] = 0.01,
+    loads: Annotated[
+        str | None, typer.Option(metavar="N,N", help="Range of loads; default: the case's.")
+    ] = None,
+    speeds: Annotated[
+        str | None,
+        typer.Option(metavar="M/S,M/S", help="Of entrainment speeds; default: the case's."),
+    ] = None,
     full_solves: Annotated[
         int,
         typer.Option(
@@ -283,9 +296,10 @@ def table(  # noqa: PLR0913
         held_file(path)
     from ehl.multigrid.threads import cores
 
-    from ..runs.traction_table import run_table, temperature_axis, with_full_solves
+    from ..runs import traction_table as runs
 
-    over = None if temperatures is None else temperature_axis(case, temperatures)
+    over = None if temperatures is None else runs.temperature_axis(case, temperatures)
+    wish = runs.TableWish(tolerance, runs.span("--loads", loads), runs.span("--speeds", speeds))
     count = 1 if over is None else len(over.temperatures)
     tell_cost(table_cost(points, count, workers or cores()), quiet=quiet)
     from postprocess.traction.summary import traction_summary
@@ -294,12 +308,12 @@ def table(  # noqa: PLR0913
 
     with _films_kept(path) as sample:
         with progress_bar(quiet=quiet) as progress:
-            results = run_table(loaded, points, workers, progress, over, sample)
+            results = runs.run_table(loaded, points, workers, progress, over, sample, wish)
         if path is not None:
             write_traction(results, path)
     if full_solves:
         with progress_bar(quiet=quiet) as progress:
-            results = with_full_solves(results, full_solves, progress)
+            results = runs.with_full_solves(results, full_solves, progress)
         if path is not None:
             save_tables(results, path)
     document = traction_summary(results)

@@ -46,15 +46,25 @@ Animation = Annotated[
     Path | None, typer.Option("--animate", metavar="FILE", help="The motion as a .gif, too.")
 ]
 
+Window = Annotated[
+    str | None,
+    typer.Option(
+        "--window",
+        metavar="MS,MS",
+        help="Times that --animate shows; default: the last half turn of the cage.",
+    ),
+]
+
 
 @app.command()
 @guarded
-def dynamics(
+def dynamics(  # noqa: PLR0913
     case: CaseName,
     output: Output = None,
     restart: Restart = None,
     table: Tables = None,
     animation: Animation = None,
+    window: Window = None,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> int:
@@ -69,6 +79,7 @@ def dynamics(
     if animation is not None and (directory is None or animation.suffix.lower() != ".gif"):
         allowed = "allowed: a .gif file, and results that are written (-o)"
         raise CaseError(f"--animate {animation}: {allowed}")
+    shown = _window(window, animation, loaded)
     from ..runs.dynamics import Interrupted, run_dynamics
 
     tell_cost(dynamics_cost(loaded), quiet=quiet)
@@ -87,7 +98,7 @@ def dynamics(
         save_with(lambda target: _write(results, target, hurry.is_set), directory, hurry.set)
         document = dynamics_summary(results)
         if animation is not None and directory is not None:
-            _animate(directory, animation)
+            _animate(directory, animation, shown)
         return report(document, lambda: dynamics_table(document), directory, as_json, quiet)
 
 
@@ -121,14 +132,31 @@ def _write(
     return problems
 
 
-def _animate(directory: Path, file: Path) -> None:
+def _window(text: str | None, animation: Path | None, case: Case) -> tuple[float, float] | None:
+    """Times that an animation shows [s]; CaseError unless they rise within the simulation."""
+    if text is None:
+        return None
+    if animation is None:
+        raise CaseError("--window: needs --animate")
+    end = 0.0 if case.file.dynamics is None else case.file.dynamics.end_time_s
+    try:
+        first, last = (1e-3 * float(part) for part in text.split(","))
+    except ValueError:
+        first = last = 0.0
+    if not 0.0 <= first < last <= end * (1.0 + 1e-9):
+        allowed = f"two rising times in ms up to {1e3 * end:g}, 10,25"
+        raise CaseError(f"--window: {text!r}; allowed: {allowed}")
+    return first, last
+
+
+def _animate(directory: Path, file: Path, window: tuple[float, float] | None) -> None:
     """Draw the motion; where that fails a message says so, and the results stay."""
     from postprocess.scene.rendering import RenderingError
-    from postprocess.scene.scene import animate
+    from postprocess.scene.scene import AnimationOptions, animate
 
     try:
-        animate(directory, file)
-    except (RenderingError, OSError) as problem:
+        animate(directory, file, AnimationOptions(window=window))
+    except (RenderingError, OSError, ValueError) as problem:
         if is_disk_failure(problem):
             raise
         say(f"oilfilm: {problem}")

@@ -3,7 +3,6 @@
 import warnings
 from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from pydantic import create_model
@@ -28,6 +27,7 @@ from .fields import LENGTH_MAXIMUM, Constants, OneOf, OrPlugin, Table, above, be
 from .lubricant import LubricantTable, Oil
 from .problems import CaseFault, UnfitKey, shown
 from .rules import Below, CaseValues, Excludes, Needs, OnlyWith, Relation, Where
+from .shipped import table_path
 
 # constants of the coefficients over the ellipse, with the law of each, and their keys
 CONSTANTS = [(name, c) for name, law in COEFFICIENTS.items() for c in law.constants]
@@ -54,7 +54,9 @@ class LawTable(Table):
     traction: Annotated[str, OrPlugin(FRICTION, *OWN_LAWS)] | None = described(
         "friction of balls on races in traction equilibrium; left out, that of the case's films"
     )
-    traction_table: str | None = described("file of `oilfilm table`", min_length=1)
+    traction_table: str | None = described(
+        "file of `oilfilm table`; also of a simulation's table", min_length=1
+    )
     traction_constants: Constants | None = described("of the law of a plug-in, by their names")
 
 
@@ -218,7 +220,7 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
 
 def _is_file(name: str) -> bool:
     try:
-        return Path(name).is_file()
+        return table_path(name).is_file()
     except (OSError, ValueError):
         return False
 

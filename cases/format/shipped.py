@@ -7,6 +7,7 @@ from .problems import CaseError, nearest_name
 
 HERE = Path(__file__).parents[1] / "library"
 SWEEPS = "sweeps"  # the folder whose files name a case and vary it
+TABLES = "_table.zip"  # end of the names of traction tables that come with cases
 OPTIMISATIONS = "optimisations"  # the folder of those that search
 
 
@@ -20,6 +21,14 @@ def shipped_cases() -> dict[str, Path]:
 def shipped_sweeps() -> dict[str, Path]:
     """Stem to file of every shipped sweep, in alphabetical order."""
     return {path.stem: path for path in sorted((HERE / SWEEPS).glob("*.toml"))}
+
+
+def table_path(name: str) -> Path:
+    """A file of traction tables: from the working directory, or one that comes with the cases."""
+    path = Path(name)
+    if path.is_file() or path.name != name:
+        return path
+    return next(HERE.rglob(name), path) if name.endswith(TABLES) else path
 
 
 def find_case(name_or_path: str | Path) -> Path:

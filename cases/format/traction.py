@@ -29,6 +29,7 @@ from ehl.traction.table.temperature import TemperatureTable
 from .film_model import CaseFilms, FilmPhysics
 from .friction import OWN_LAWS, FrictionTable
 from .problems import UnfitKey
+from .shipped import table_path
 
 # along x of the films that traction is taken from, at most [-]; friction of the inner race of a
 # 6208 at 500 N and 2 % slide is 0.2 % from that of 257 (65: 1.4 %)
@@ -73,7 +74,7 @@ def _law(
         return CoulombTraction(friction=table.coefficient)
     if table.traction == "table":
         assert table.traction_table is not None and films.rheology is not None  # checked before
-        path = Path(table.traction_table)
+        path = table_path(table.traction_table)
         try:
             tables = read_race_tables(path, bearing, oil, films.rheology, films.solids)
         except ValueError as error:

@@ -42,6 +42,7 @@ from ..format.case import Case
 from ..format.dynamics import DynamicsTable, sample_interval, simulated_friction
 from ..format.library import materials
 from ..format.problems import CaseError
+from ..format.shipped import table_path
 from ..format.traction import coefficient_source, read_race_tables
 from ..version import version
 from .films import Progress
@@ -313,7 +314,10 @@ def _friction(
 
 
 def _tables(case: Case, path: Path | None, notify: Progress) -> RaceFriction:
-    """Traction tables of both races, read or built."""
+    """Traction tables of both races: of a file, that of the case, or built."""
+    given = case.file.friction
+    if path is None and given.traction == "table" and given.traction_table is not None:
+        path = table_path(given.traction_table)
     if path is None:
         tables = run_table(case, progress=notify).tables
     else:

@@ -41,7 +41,15 @@ STARTS = (  # of the end of each
     *quantities("", "", ("ball_orbit_speed_rpm", "", "orbit_speed")),
 )
 BALLS = quantities("", "", "largest_pocket_load_N")
-RACES = quantities("", "", "mean_load_N", "largest_load_N")  # of each ball at each race
+RACES = quantities(  # of each ball at each race; sliding and friction while it is loaded
+    "",
+    "",
+    "mean_load_N",
+    "largest_load_N",
+    ("mean_sliding_m_s", "", "mean_sliding"),
+    ("largest_sliding_m_s", "", "largest_sliding"),
+    ("mean_friction_N", "", "mean_friction"),
+)
 PLOTTED = by_key(
     quantities(
         "",

@@ -43,6 +43,7 @@ def _facts(document: dict[str, Any]) -> dict[str, str]:
     if ratio is not None:
         kinematic = document["kinematic_cage_speed_rpm"]
         facts["cage"] += f", {ratio:.4f} of the kinematic {kinematic:.2f}"
+    facts["sliding"] = _sliding(document["balls"])
     lost = document["energy"]["dissipated_J"]
     supplied = sum(document["energy"]["input_J"].values())
     largest = sorted(lost, key=lambda name: -abs(lost[name]))[:3]
@@ -53,3 +54,13 @@ def _facts(document: dict[str, Any]) -> dict[str, str]:
         facts["films"] = f"{abs(films):.3g} J {where}"
     facts["balance"] = f"off by {document['energy_balance_error']:.1e} of the work"
     return facts
+
+
+def _sliding(balls: list[dict[str, Any]]) -> str:
+    """Mean sliding and friction of the ball that slides most, at both races."""
+    parts = []
+    for race in ("inner", "outer"):
+        most = max((ball[race] for ball in balls), key=lambda of: of["mean_sliding_m_s"])
+        friction = f"{most['mean_friction_N']:.3g} N of friction"
+        parts.append(f"{race} race {most['mean_sliding_m_s']:.3g} m/s, {friction}")
+    return f"{'; '.join(parts)} (means under load, ball that slides most)"

@@ -94,7 +94,7 @@ def _mesh(surface: Surface) -> pv.PolyData:
 def draw_frames(directory: Path, file: Path, options: AnimationOptions) -> None:
     """Draw all frames in this process."""
     with open_history(directory) as data:
-        bearing = MovingBearing.read(data, options.frames, options.turns)
+        bearing = MovingBearing.read(data, options.frames, options.turns, options.window)
         title = str(data.attrs.get("title", ""))
     legend = "forces on the balls: inner race blue, outer race orange"
     frames = Frames(bearing, f"{title}\n{legend}", options.size)

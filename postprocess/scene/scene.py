@@ -53,6 +53,7 @@ class AnimationOptions:
 
     frames: int = FRAMES
     turns: float = TURNS  # of the cage at the end of the history [-]
+    window: tuple[float, float] | None = None  # of time, instead of these turns [s]
     size: tuple[int, int] = (800, 720)  # [pixels]
 
     def __post_init__(self) -> None:
@@ -60,6 +61,8 @@ class AnimationOptions:
             raise ValueError(
                 f"frames must be at least 2 and turns positive, got {self.frames}, {self.turns}"
             )
+        if self.window is not None and not self.window[0] < self.window[1]:
+            raise ValueError(f"window must be two rising times, got {self.window}")
 
 
 def screenshot(directory: StrPath, file: StrPath, options: SceneOptions | None = None) -> Path:

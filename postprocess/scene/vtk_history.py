@@ -46,12 +46,20 @@ class MovingBearing:
     ring: Surface
 
     @classmethod
-    def read(cls, data: xarray.Dataset, frames: int, turns: float) -> "MovingBearing":
-        """Take evenly spaced rows of a history, over the last turns of the cage [-]."""
+    def read(
+        cls,
+        data: xarray.Dataset,
+        frames: int,
+        turns: float,
+        window: tuple[float, float] | None = None,
+    ) -> "MovingBearing":
+        """Take evenly spaced rows of a history, over the last turns of the cage [-] or over a
+        window of time [s].
+        """
         diameter = float(data.attrs["ball_diameter"])
         ball, marks = marked_ball(0.5 * diameter)
         return cls(
-            data=data.isel(time=shown_rows(data, frames, turns)).load(),
+            data=data.isel(time=shown_rows(data, frames, turns, window)).load(),
             ball=ball,
             marks=marks,
             cage=cage_surface(float(data.attrs["pitch_diameter"]), diameter, data.sizes["ball"]),
@@ -108,13 +116,26 @@ def marked_ball(radius: float) -> tuple[Surface, Array]:
     return surface, (np.prod(np.sign(np.round(direction, 9)), axis=1) > 0.0).astype(np.float64)
 
 
-def shown_rows(data: xarray.Dataset, frames: int, turns: float) -> NDArray[np.int64]:
-    """Rows of the history that are shown, evenly spaced over the last turns of the cage [-]."""
-    place = data["ball_position"].sel(ball=1).to_numpy()
-    turned = np.unwrap(np.arctan2(place[:, 2], place[:, 1]))
-    in_last_turns = np.abs(turned - turned[-1]) < 2.0 * np.pi * turns
-    first = int(np.argmax(in_last_turns))
-    rows = np.linspace(first, turned.size - 1, min(frames, turned.size - first))
+def shown_rows(
+    data: xarray.Dataset, frames: int, turns: float, window: tuple[float, float] | None = None
+) -> NDArray[np.int64]:
+    """Rows of the history that are shown, evenly spaced over the last turns of the cage [-], or
+    over a window of time [s]; ValueError if that has no two.
+    """
+    if window is None:
+        place = data["ball_position"].sel(ball=1).to_numpy()
+        turned = np.unwrap(np.arctan2(place[:, 2], place[:, 1]))
+        first = int(np.argmax(np.abs(turned - turned[-1]) < 2.0 * np.pi * turns))
+        last = turned.size - 1
+    else:
+        time = data["time"].to_numpy()
+        inside = np.flatnonzero((time >= window[0]) & (time <= window[1]))
+        if inside.size < 2:
+            span = f"{1e3 * window[0]:g} to {1e3 * window[1]:g} ms"
+            raise ValueError(f"no two samples of the history lie in {span}")
+        first = int(inside[0])
+        last = int(inside[-1])
+    rows = np.linspace(first, last, min(frames, last - first + 1))
     return np.unique(np.round(rows).astype(np.int64))
 
 

@@ -38,7 +38,7 @@ HOMES = {
 }
 FUNCTION_LINES, MODULE_LINES, ARGUMENTS = 40, 400, 7
 PRINTS = ("cases/cli/", "cases/runs/interrupt.py")
-COMMANDS = ("run", "contact", "batch", "table", "init")  # of the command line: an argument each option
+COMMANDS = ("run", "contact", "batch", "table", "init", "dynamics")  # of the command line: an argument each option
 
 
 def is_type_checking(node):

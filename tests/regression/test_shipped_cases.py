@@ -29,7 +29,13 @@ QUICK += tuple(stem for stem in STEMS if stem.startswith("6206_"))  # no films
 QUICK += ("6208_oil_temperature",)  # no films
 QUICK += ("6208_oil_supply", "6208_self_heating", "6208_with_heat")  # no films
 QUICK += ("61808_loose_rings", "61808_split_housing")  # no films, elastic rings
-QUICK += ("7008_axial", "7008_radial", "7008_combined", "6304_planar")  # of the dynamics: loads at the start
+QUICK += (
+    "7008_axial",
+    "7008_radial",
+    "7008_combined",
+    "7008_oil",
+    "6304_planar",
+)  # of the dynamics: loads at the start
 EXPECTED = Path(__file__).with_name("expected.json")
 COARSE = Path(__file__).with_name("expected_coarse.json")
 COARSE_POINTS = 65

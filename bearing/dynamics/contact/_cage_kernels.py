@@ -7,12 +7,8 @@ from ehl.compiled import compiled
 from .._state_kernels import accumulate, ball_motion, cross, dot, minus, norm, plus, times
 from ..arrays import CAGE_LOAD, CONTACT, FORCE, GUIDED_BY_INNER_RING, INNER, MOMENT, POCKET, WORK
 from ..layout import CAGE_ROTATION, RING
+from ._belt_kernels import film_by_matrix, film_holds, pocket_film
 from ._kernels import add_load, elastic_force, land_film, normal_force, point_velocity, ramped
-
-# of the film around a ball: cosine and sine of the angle of its places [-]; 8 of them hold shear
-# and squeeze to 0.4 % up to an eccentricity of 0.9, to 4 % at 0.98
-BELT_ANGLES = 0.25 * np.pi * (np.arange(8) + 0.5)
-BELT = np.stack((np.cos(BELT_ANGLES), np.sin(BELT_ANGLES)))
 
 
 @compiled
@@ -52,71 +48,7 @@ def pocket_motion(c, body, frame, play, position, velocity, turn):
 
 
 @compiled
-def belt_film(c, gap):
-    """Shear and squeeze of the film between a ball and a wall of some height around it, for a
-    gap at the middle: integrals over y of 1/h [-] and of the pressure by 6 viscosity R rate [1/m].
-
-    h = gap + y^2/(2R) within half the height; the pressure p = -6 viscosity R rate (1/h^2 -
-    1/h_end^2) of Reynolds' equation where the oil leaves along y.
-    """
-    square = 2.0 * c.ball_radius * gap
-    s = np.sqrt(square)
-    end = 0.5 * c.pocket_height
-    whole = square + end * end
-    angle = np.arctan(end / s)
-    shear = 4.0 * c.ball_radius / s * angle
-    ends = end / (square * whole) + angle / (s * square) - 2.0 * end / (whole * whole)
-    return shear, 4.0 * c.ball_radius**2 * ends
-
-
-@compiled
-def pocket_film(c, frame, play, place, velocity, turn):
-    """Force and moment of the oil between ball and pocket on the ball, and the power lost.
-
-    Around the ball the film is h = play (1 - eps cos(phi)); it is sheared by the sliding, and
-    squeezed where the ball comes nearer; where it goes away the oil is torn and does not pull.
-    Places are spaced evenly in the angle theta of cos(phi) = (a + cos(theta))/(1 + a cos(theta)),
-    a = eps/(1 + root(1 - eps^2)): between an even spacing and Sommerfeld's (1904), which is that
-    of the narrow side.
-
-    place: of the ball around and along the axis; velocity, turn: relative to the pocket. Where the
-    middle plane is a mirror, half of the places do.
-    """
-    across, axial = place
-    e = np.sqrt(across * across + axial * axial)
-    u, w = (across / e, axial / e) if e > 1e-15 else (1.0, 0.0)
-    _, around, axis = frame
-    main = plus(times(u, around), times(w, axis))
-    side = plus(times(-w, around), times(u, axis))
-    eps = max(0.0, min(e, play - c.film_least) / play)
-    a = eps / (1.0 + np.sqrt(1.0 - eps * eps))
-    root = np.sqrt(1.0 - a * a)
-    force = (0.0, 0.0, 0.0)
-    moment = (0.0, 0.0, 0.0)
-    power = 0.0
-    places = BELT.shape[1] // 2 if c.mirrored else BELT.shape[1]
-    step = 2.0 * np.pi * c.film_viscosity * c.ball_radius * root / places
-    for k in range(places):
-        d = 1.0 + a * BELT[0, k]
-        cosine = (a + BELT[0, k]) / d
-        normal = plus(times(cosine, main), times(root * BELT[1, k] / d, side))
-        shear, squeeze = belt_film(c, play * (1.0 - eps * cosine))
-        slide = plus(velocity, times(c.ball_radius, cross(turn, normal)))
-        rate = dot(velocity, normal)
-        slide = minus(slide, times(rate, normal))
-        pull = step / d * shear
-        push = 6.0 * c.ball_radius * step / d * squeeze * max(rate, 0.0)
-        force = minus(force, plus(times(pull, slide), times(push, normal)))
-        moment = minus(moment, times(c.ball_radius * pull, cross(normal, slide)))
-        power += pull * dot(slide, slide) + push * rate
-    if c.mirrored:
-        force = minus(force, times(dot(force, axis), axis))
-        moment = times(dot(moment, axis), axis)
-    return force, moment, power
-
-
-@compiled
-def pocket_forces(c, body, law, memory, angles, plays, y, forces, load, power, pocket_out):
+def pocket_forces(c, body, law, memory, angles, plays, films, y, forces, load, power, pocket_out):
     """Forces of pockets on balls: contact with friction, film all around the ball."""
     rotation = y[RING + CAGE_ROTATION]
     for j in range(c.balls):
@@ -140,10 +72,13 @@ def pocket_forces(c, body, law, memory, angles, plays, y, forces, load, power, p
             accumulate(forces[j], MOMENT, cross(times(-c.ball_radius * pull, normal), slide))
         # 2. film
         if c.film_viscosity * c.pocket_height > 0.0:
-            velocity = minus(velocity, point_velocity(body, position))
-            force, moment, lost = pocket_film(
-                c, frame, plays[j], place, velocity, minus(turn, body.turn)
-            )
+            relative = minus(velocity, point_velocity(body, position))
+            spin = minus(turn, body.turn)
+            film = films[j]
+            if film_holds(film, plays[j], place):
+                force, moment, lost = film_by_matrix(c, film, body.axis, relative, spin)
+            else:
+                force, moment, lost = pocket_film(c, frame, plays[j], place, relative, spin)
             power[WORK.pocket_film] += lost
             add_load(load, body, position, times(-1.0, force))
             accumulate(load, MOMENT, times(-1.0, moment))

@@ -20,6 +20,8 @@ def elastic_force(law, approach):
     """K approach^n, zero in the gap."""
     if approach <= 0.0:
         return 0.0
+    if law[EXPONENT] == 1.5:  # a root costs a fifth of a power
+        return law[STIFFNESS] * approach * np.sqrt(approach)
     return law[STIFFNESS] * approach ** law[EXPONENT]
 
 
@@ -32,7 +34,12 @@ def elastic_energy(law, approach):
 @compiled
 def normal_force(law, approach, speed, impact_speed):
     """K approach^n (1 + chi speed/impact speed), never adhesive."""
-    elastic = elastic_force(law, approach)
+    return damped(law, elastic_force(law, approach), speed, impact_speed)
+
+
+@compiled
+def damped(law, elastic, speed, impact_speed):
+    """Elastic force with its damping, never adhesive."""
     return max(0.0, elastic * (1.0 + law[DAMPING] * speed / impact_speed))
 
 

@@ -3,12 +3,10 @@
 import numpy as np
 
 from ehl.compiled import compiled
-from ehl.traction._kernels import hertz_friction, straight_friction, table_lookup
 
-from .._state_kernels import accumulate, ball_motion, cross, dot, minus, norm, plus, times
+from .._state_kernels import accumulate, ball_motion, cross, dot, minus, norm, plus, times, vector
 from ..arrays import (
     CENTRAL_FILM,
-    COEFFICIENT,
     CONTACT,
     FILM,
     FILM_DAMPING,
@@ -20,13 +18,13 @@ from ..arrays import (
     MOMENT,
     ROLL_MOMENT,
     SPIN_MOMENT,
+    TABLE,
     WORK,
     RaceMotion,
 )
 from ._film_kernels import elastic_approach, smallest_load
-from ._kernels import add_load, elastic_force, normal_force, point_velocity
-
-STRAIGHT_ROWS = 2  # of the nodes of `straight_friction`; those over the ellipse have three
+from ._friction_kernels import friction_by_slopes, friction_law, slopes_hold
+from ._kernels import add_load, damped, elastic_force, point_velocity
 
 
 @compiled
@@ -124,39 +122,43 @@ def straight_motion(c, body, centre_radius, groove_radius, position, velocity, t
 
 
 @compiled
-def race_friction(kind, mirrored, data, law, motion, friction):
-    """Friction of a race on a ball, a row of numbers; approach of the elastic bodies, and film.
+def motion_on_race(c, body, centre_radius, groove_radius, y, ball):
+    """`race_motion` of a ball of the state, or `straight_motion` where the middle plane is a
+    mirror.
+    """
+    position, velocity, turn = ball_motion(y, c.balls, ball)
+    if c.mirrored:
+        return straight_motion(c, body, centre_radius, groove_radius, position, velocity, turn)
+    return race_motion(c, body, centre_radius, groove_radius, position, velocity, turn)
+
+
+@compiled
+def elastic_and_film(kind, data, law, motion):
+    """Approach of the elastic bodies, and the film between them, 0 where the bodies meet dry."""
+    if kind != FILM:
+        return motion.approach, 0.0
+    approach = elastic_approach(data.axes, data.scalars, law, motion.approach, motion.entrainment)
+    return approach, approach - motion.approach
+
+
+@compiled
+def race_friction(c, kind, data, load, motion, linear, friction):
+    """Friction of a race on a ball under a load, a row of numbers: by its slopes in `linear` where
+    they hold, else by the law.
 
     Where films separate the bodies, the damping fades below the table's smallest load as friction
     does.
     """
-    approach = motion.approach
-    film = 0.0
-    if kind == FILM:
-        approach = elastic_approach(data.axes, data.scalars, law, approach, motion.entrainment)
-        film = approach - motion.approach
-    load = elastic_force(law, approach)
     if load <= 0.0 or kind == FRICTIONLESS:
         friction[:] = 0.0
-    elif kind == COEFFICIENT and mirrored and data.disc.shape[0] == STRAIGHT_ROWS:
-        straight_friction(
-            data.disc, data.law, data.shape, load, motion.entrainment, motion.slide_x, friction
-        )
-    elif kind == COEFFICIENT:
-        hertz_friction(
-            data.disc, data.law, data.shape,
-            load, motion.entrainment, motion.slide_x, motion.slide_y, motion.spin, friction,
-        )  # fmt: skip
+        return
+    if slopes_hold(linear, load, motion):
+        friction_by_slopes(linear, load, motion, friction)
     else:
-        table_lookup(
-            data.axes, data.constants, data.scalars, data.values,
-            load, motion.entrainment, motion.slide_x, motion.slide_y, motion.spin, friction,
-        )  # fmt: skip
-        if kind == FILM:
-            friction[FILM_DAMPING] *= min(1.0, load / smallest_load(data.axes))
-        else:
-            film = friction[CENTRAL_FILM]
-    return approach, film
+        motions = (motion.slide_x, motion.slide_y, motion.spin)
+        friction_law(kind, c.mirrored, data, load, motion.entrainment, motions, friction)
+    if kind == FILM:
+        friction[FILM_DAMPING] *= min(1.0, load / smallest_load(data.axes))
 
 
 @compiled
@@ -178,31 +180,41 @@ def record_contact(motion, approach, film, friction, out):
 
 
 @compiled
+def add_friction(c, motion, body, along, roll, forces, load):
+    """Add friction to the loads of a ball and of its race: F_x, F_y, M_n in `along`, M_y."""
+    f_x, f_y, spin = along
+    grip = plus(times(f_x, motion.x_axis), times(f_y, motion.y_axis))
+    couple = plus(times(spin, motion.normal), times(roll, motion.y_axis))
+    add_load(load, body, motion.point, times(-1.0, grip))
+    accumulate(load, MOMENT, times(-1.0, couple))
+    accumulate(forces, FORCE, grip)
+    about_centre = cross(times(c.ball_radius, motion.normal), grip)
+    accumulate(forces, MOMENT, plus(about_centre, couple))
+
+
+@compiled
 def race_forces(
-    c, race, body, kind, data, law, memory, y, friction, forces, load, power, race_out
+    c, race, body, kind, data, law, memory, linear, y, friction, forces, load, power, race_out
 ):
     """Forces of one race on every ball and back; powers; states of the contacts."""
     centre_radius = c.inner_centre if race == INNER else c.outer_centre
     groove_radius = c.inner_groove if race == INNER else c.outer_groove
     for j in range(c.balls):
         # 1. motion, friction, normal force
-        position, velocity, turn = ball_motion(y, c.balls, j)
-        if c.mirrored:
-            motion = straight_motion(
-                c, body, centre_radius, groove_radius, position, velocity, turn
-            )
-        else:
-            motion = race_motion(c, body, centre_radius, groove_radius, position, velocity, turn)
-        approach, film = race_friction(kind, c.mirrored, data, law, motion, friction)
+        motion = motion_on_race(c, body, centre_radius, groove_radius, y, j)
+        approach, film = elastic_and_film(kind, data, law, motion)
+        elastic = elastic_force(law, approach)
+        race_friction(c, kind, data, elastic, motion, linear[j], friction)
+        if kind == TABLE:
+            film = friction[CENTRAL_FILM]
         record_contact(motion, approach, film, friction, race_out[j])
         if approach <= 0.0:
             continue
         rate = motion.approach_speed
-        elastic = elastic_force(law, approach)
         if kind == FILM:
             push = max(0.0, elastic + friction[FILM_DAMPING] * rate)
         else:
-            push = normal_force(law, approach, rate, memory[race * c.balls + j])
+            push = damped(law, elastic, rate, memory[race * c.balls + j])
         race_out[j, CONTACT.load] = push
         # 2. power lost
         power[WORK.friction_inner + race] -= (
@@ -213,12 +225,7 @@ def race_forces(
         )
         power[WORK.race_damping] += (push - elastic) * rate
         # 3. loads on ball and ring
-        normal, y_axis = motion.normal, motion.y_axis
-        grip = plus(times(friction[FORCE_X], motion.x_axis), times(friction[FORCE_Y], y_axis))
-        force = minus(grip, times(push, normal))
-        couple = plus(times(friction[SPIN_MOMENT], normal), times(friction[ROLL_MOMENT], y_axis))
+        force = times(-push, motion.normal)
         add_load(load, body, motion.point, times(-1.0, force))
-        accumulate(load, MOMENT, times(-1.0, couple))
         accumulate(forces[j], FORCE, force)
-        about_centre = cross(times(c.ball_radius, normal), grip)
-        accumulate(forces[j], MOMENT, plus(about_centre, couple))
+        add_friction(c, motion, body, vector(friction, 0), friction[ROLL_MOMENT], forces[j], load)

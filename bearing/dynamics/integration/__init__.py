@@ -1,6 +1,7 @@
 """Steps in time: Dormand and Prince's method in compiled code, and SciPy's LSODA where that would
 crawl.
 
+_clock_kernels - the slower clock of friction and pocket films, compiled
 _kernels - Dormand and Prince's method of order 5(4) around the equations of motion
 methods  - the two methods: compiled explicit steps, and SciPy's LSODA with the Jacobian
 """

@@ -9,7 +9,7 @@ derivative stays valid. Work and dissipation are integrated along, outside the e
 
 import numpy as np
 
-from ehl.compiled import compiled
+from ehl.compiled import compiled, inlined
 
 from .._kernels import derivative, energies, put, solved_rates, take
 from .._state_kernels import ball_turn, plus, times, vector
@@ -29,6 +29,7 @@ from ..arrays import (
     WORK,
 )
 from ..contact._kernels import elastic_force
+from ._clock_kernels import renew_friction, renew_pockets
 
 A = np.array(
     [
@@ -63,7 +64,7 @@ SEPARATED, IN_CONTACT, IN_IMPACT = range(3)  # states of a contact
 HERTZ_DURATION = 2.943
 
 
-@compiled
+@inlined
 def stages(t, y, h, p, k, trial):
     """Stages 2 to 7 from the first one in k[0]; then the states of stages 6 and 7."""
     for i in range(STAGES - 1):
@@ -214,6 +215,50 @@ def turn_balls(p, h, attitude):
 
 
 @compiled
+def longest_step(p, control):
+    """Longest next step: shorter where a ball is pressed harder than `control` counts with, by
+    the frequency of its vibration.
+    """
+    steepest = control.steepest
+    for race in range(2):
+        law = p.normal[race]
+        for j in range(p.constants.balls):
+            approach = p.race_out[race, j, CONTACT.approach]
+            if approach > 0.0:
+                steepest = max(steepest, elastic_force(law, approach) / approach)
+    return control.longest * np.sqrt(control.steepest / steepest)
+
+
+@inlined
+def trial_step(t, y, step, p, control, scale, k, trial, counters):
+    """Stages of a step, its error, and whether a law of friction was asked at its end."""
+    p.pace[0] = step
+    stages(t, y, step, p, k, trial)
+    counters[EVALUATIONS] += STAGES - 1
+    error = error_norm(k, step, scale)
+    if not error <= 1.0:
+        return error, False
+    number = counters[STEPS] + 1
+    renewed = renew_friction(p, p.whole, number, step, control.speed)
+    return error, renew_pockets(p, p.whole, number, step, control.speed) or renewed
+
+
+@inlined
+def accept_step(t, y, step, p, k, renewed, history, counters):
+    """State, attitudes, memory of impacts and work of films after a step that ends at t."""
+    turn_balls(p, step, history.attitude)
+    y[:] = k[STATE_7]
+    if renewed:
+        solved_rates(t, y, p, k[0])
+        counters[EVALUATIONS] += 1
+    else:
+        k[0, :] = k[STAGES - 1]
+    after_step(p, t, step, history.onset, history.states, history.shares)
+    add_film_work(p, y)
+    counters[STEPS] += 1
+
+
+@inlined
 def advance(t, y, end, h, p, control, scale, k, trial, history, counters):
     """Steps from t to `end`; y, k[0] (its derivative) and the history are brought up to date.
     Status, time, next step.
@@ -227,9 +272,7 @@ def advance(t, y, end, h, p, control, scale, k, trial, history, counters):
         last = h >= remaining * (1.0 - 1e-9)
         # 1. a trial step and its error
         step = remaining if last else min(h, control.longest)
-        stages(t, y, step, p, k, trial)
-        counters[EVALUATIONS] += STAGES - 1
-        error = error_norm(k, step, scale)
+        error, renewed = trial_step(t, y, step, p, control, scale, k, trial, counters)
         finite = np.isfinite(error)
         factor = SMALLEST_FACTOR
         if finite:
@@ -243,20 +286,16 @@ def advance(t, y, end, h, p, control, scale, k, trial, history, counters):
             if h < control.shortest:
                 return (TOO_SMALL if finite else NOT_FINITE), t, h
             continue
-        # 3. accepted: state, attitudes, memory of the impacts, work of the films
-        turn_balls(p, step, history.attitude)
+        # 3. accepted
         t = end if last else t + step
-        y[:] = k[STATE_7]
-        k[0, :] = k[STAGES - 1]
-        after_step(p, t, step, history.onset, history.states, history.shares)
-        add_film_work(p, y)
-        counters[STEPS] += 1
+        stiff = count_stiff(stiffness(k, step, scale), counters)
+        accept_step(t, y, step, p, k, renewed, history, counters)
         # 4. next step, not longer right after a rejection
         grown = step * (min(factor, 1.0) if after_rejection else factor)
-        h = min(max(h, grown) if last else grown, control.longest)
+        h = min(max(h, grown) if last else grown, longest_step(p, control))
         after_rejection = False
         # 5. stiff, with steps too short to go on like this
-        if count_stiff(stiffness(k, step, scale), counters) and step < control.stiff:
+        if stiff and step < control.stiff:
             return STIFF, t, h
     return DONE, t, h
 
@@ -298,6 +337,12 @@ def sample(y, p, history, record, row):
 @compiled
 def advance_samples(t, y, h, p, control, scale, k, trial, history, counters, record):
     """`advance` to each time of a record, and its rows. Status, rows written, time, next step."""
+    p.pace[0] = h
+    p.linear[:] = 0.0
+    p.pocket_films[:] = 0.0
+    solved_rates(t, y, p, k[0])
+    renew_friction(p, p.whole, 0, h, control.speed)
+    renew_pockets(p, p.whole, 0, h, control.speed)
     solved_rates(t, y, p, k[0])
     remember_turns(p)
     mark_films(p)
@@ -308,18 +353,3 @@ def advance_samples(t, y, h, p, control, scale, k, trial, history, counters, rec
             return status, row, t, h
         sample(y, p, history, record, row)
     return DONE, record.time.size, t, h
-
-
-@compiled
-def jacobian(t, y, p, scale, out):
-    """Jacobian of the mechanical equations that are solved by forward differences, a square."""
-    base = np.empty(y.size)
-    rates = np.empty(y.size)
-    trial = np.empty(y.size)
-    solved_rates(t, y, p, base)
-    for place in range(scale.size):
-        trial[:] = y
-        trial[place] += scale[place]
-        solved_rates(t, trial, p, rates)
-        for m in range(scale.size):
-            out[m, place] = (rates[m] - base[m]) / scale[place]

@@ -9,6 +9,7 @@ from itertools import accumulate
 from pathlib import Path
 from typing import Any, overload
 
+from ...format.shipped import table_path
 from ..keys import BESIDE_TRACTION_TABLES, DESCRIBING, digest, document_text
 from ..points import Point
 from ..program import program_digest
@@ -176,8 +177,9 @@ def input_files(document: Document) -> Iterator[str]:
 
 def _current_digest(name: str) -> str:
     try:
-        state = Path(name).stat()
-        return _file_digest(name, state.st_mtime_ns, state.st_size)
+        path = table_path(name)
+        state = path.stat()
+        return _file_digest(str(path), state.st_mtime_ns, state.st_size)
     except (OSError, ValueError):
         return name
 

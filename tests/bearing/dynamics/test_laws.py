@@ -9,9 +9,11 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import Operation, Race
+from bearing.dynamics.arrays import Constants
 from bearing.dynamics.assembly import constants
 from bearing.dynamics.choices import NormalLaw
-from bearing.dynamics.contact import _cage_kernels, _kernels
+from bearing.dynamics.contact import _belt_kernels, _kernels
+from bearing.dynamics.contact._belt_kernels import film_by_matrix, film_holds, film_matrix, pocket_film
 from bearing.dynamics.inputs import NormalContact, Schedule
 from bearing.dynamics.laws import damping_factor, drag_of_force, drag_of_mixture, planar_stiffness, vibration_frequency
 
@@ -114,7 +116,7 @@ def test_film_of_a_pocket_is_the_integral_of_its_shear_and_pressure(setup, eccen
     r, play, end = c.ball_radius, c.pocket_play, 0.5 * c.pocket_height
     place = eccentricity * play * np.array([np.cos(0.7), np.sin(0.7)])
     velocity, turn = np.array([0.03, 0.02, 0.05]), np.array([900.0, -100.0, 200.0])
-    found = _cage_kernels.pocket_film(c, FRAME, play, tuple(place), tuple(velocity), tuple(turn))
+    found = _belt_kernels.pocket_film(c, FRAME, play, tuple(place), tuple(velocity), tuple(turn))
     angle = np.linspace(-np.pi, np.pi, 20001)[:-1]
     n = np.stack([np.sin(angle), 0.0 * angle, np.cos(angle)], axis=1)  # axis, outward, around
     y = np.linspace(-end, end, 1001)
@@ -138,7 +140,7 @@ def test_a_ball_that_spins_in_the_middle_of_its_pocket_is_not_pushed(setup):
     c = pocket_constants(setup)
     spin, play = (1500.0, 0.0, 0.0), c.pocket_play
     forces = [
-        np.linalg.norm(_cage_kernels.pocket_film(c, FRAME, play, (e * play, 0.0), (0.0, 0.0, 0.0), spin)[0])
+        np.linalg.norm(_belt_kernels.pocket_film(c, FRAME, play, (e * play, 0.0), (0.0, 0.0, 0.0), spin)[0])
         for e in (0.0, 1e-6, 1e-3, 2e-3)
     ]
     assert forces[0] < 1e-15
@@ -155,3 +157,28 @@ def test_input_is_checked():
         Schedule(time=(0.0, 0.0), values=((0.0,) * 7, (1.0,) * 7))
     with pytest.raises(ValueError, match="seven"):
         Schedule(time=(0.0,), values=((0.0,) * 6,))
+
+
+@pytest.mark.parametrize("eccentricity", [0.0, 0.4, 0.9])
+def test_the_film_of_a_pocket_as_a_matrix_is_the_film(eccentricity):
+    """Force, moment and power of any motion that squeezes the same side, to round-off."""
+    play, radius = 1e-4, 3.5e-3
+    own = {"ball_radius": radius, "film_viscosity": 0.02, "pocket_height": 2e-3, "film_least": 1e-6}
+    c = Constants(**{name: own.get(name, 0) for name in Constants._fields})
+    frame = (0.0, 1.0, 0.0), (0.0, 0.0, 1.0), (1.0, 0.0, 0.0)
+    place = (0.6 * eccentricity * play, 0.8 * eccentricity * play)
+    film = np.zeros(38)
+    velocity, turn = (0.3, -0.1, 0.2), (50.0, -900.0, 30.0)
+    assert not film_holds(film, play, place)
+    film_matrix(c, frame, play, place, velocity, film)
+    assert film_holds(film, play, place)
+    assert not film_holds(film, play, (0.0, 0.95 * play))
+    for factor in (1.0, 2.5):  # the same direction: the same places are squeezed
+        motion = tuple(factor * v for v in velocity), tuple(factor * v for v in turn)
+        expected = pocket_film(c, frame, play, place, *motion)
+        found = film_by_matrix(c, film, frame[2], *motion)
+        for part, wanted in zip(found, expected, strict=True):
+            assert_allclose(part, wanted, rtol=1e-10, atol=1e-12)
+    matrix = film[2:].reshape(6, 6)
+    assert_allclose(matrix, matrix.T, atol=1e-12 * np.abs(matrix).max())
+    assert np.linalg.eigvalsh(matrix).min() > -1e-12 * np.abs(matrix).max()  # it takes energy out

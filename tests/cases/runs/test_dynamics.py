@@ -23,7 +23,7 @@ from cases.cli.dynamics import _write
 from cases.cli.main import app
 from cases.format.problems import CaseError
 from cases.format.shipped import find_case
-from cases.runs.dynamics import Interrupted, case_key, run_dynamics
+from cases.runs.dynamics import Interrupted, build_model, case_key, run_dynamics
 from postprocess.dynamics.history import open_history
 from postprocess.dynamics.table import dynamics_table
 
@@ -345,3 +345,29 @@ def test_states_are_told_apart_by_their_intervals():
     assert [len(state) for state in states(ends)] == [3, 1]
     assert [len(state) for state in states(ends[:1])] == [1]
     assert states([]) == []
+
+
+def test_the_table_of_a_shipped_case_serves_its_simulation():
+    """Found from any folder; friction of solved films, drag of balls in oil, no table built."""
+    case = load_case("7008_oil")
+    model = build_model(case, None, lambda *done: None)
+    assert model.friction.inner.range.load == (1.0, 150.0)
+    assert model.friction.inner.converged
+    assert model.friction.outer.converged
+    speed = 2187.0 * 3.14159 / 30.0 * 27e-3
+    assert model.options.drag * speed**2 == pytest.approx(0.30, abs=0.005)
+
+
+@pytest.mark.parametrize(
+    ("options", "fault"),
+    [
+        (("--window", "1,2"), "--window: needs --animate"),
+        (("--animate", "x.gif", "--window", "2,1"), "allowed: two rising times in ms up to 4"),
+        (("--animate", "x.gif", "--window", "1,9"), "allowed: two rising times in ms up to 4"),
+    ],
+)
+def test_a_window_of_an_animation_is_checked_first(tmp_path, options, fault):
+    path = short(tmp_path / "case.toml", "7008_axial")
+    done = run(path, "-o", str(tmp_path / "out"), *options)
+    assert done.exit_code == 2
+    assert fault in " ".join((done.output + done.stderr).split())

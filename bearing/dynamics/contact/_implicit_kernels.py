@@ -1,0 +1,192 @@
+"""Friction that a step cannot resolve, made implicit in the motion of each ball.
+
+Where the step h times the rate at which friction ends a ball's sliding passes `STIFF`, explicit
+stages would swing. There friction counts at the velocities V + gamma h a that the ball's own
+acceleration a leads to,
+
+    a = A (V + gamma h a),    gamma h = h/2 - 1/rate,
+
+so that h times the rate is `STIFF` for the stages, and sliding follows what drives it with a delay
+of less than h/2. Forces and powers are of the friction that acts: energies close as they did.
+"""
+
+from ehl.compiled import compiled
+
+from .._state_kernels import ball_velocity, cross, dot, norm, times, vector
+from ..arrays import CONTACT, FORCE, INNER, LINEAR, WORK
+from ..layout import BODIES, FREE_TURN
+from ._friction_kernels import FORCES, LOAD_CHANGE, MOTIONS
+from ._kernels import elastic_force
+from ._race_kernels import add_friction, motion_on_race
+
+STIFF = 2.0  # step times rate that the explicit stages are left with [-]
+FREEDOMS = 6  # velocity and angular velocity of a ball
+
+
+@compiled
+def load_share(law, linear, approach):
+    """Load over that of the slopes; 0 where they do not hold."""
+    base = linear[LINEAR.load]
+    if base <= 0.0:
+        return 0.0
+    share = elastic_force(law, approach) / base
+    return share if 1.0 / LOAD_CHANGE <= share <= LOAD_CHANGE else 0.0
+
+
+@compiled
+def sliding_rate(normal, linear, race_out, ball):
+    """Rate at which friction on both races ends the sliding of a ball, by its slopes."""
+    rate = 0.0
+    for race in range(2):
+        approach = race_out[race, ball, CONTACT.approach]
+        share = load_share(normal[race], linear[race, ball], approach)
+        rate += share * linear[race, ball, LINEAR.rate]
+    return rate
+
+
+@compiled
+def largest_rate(balls, normal, linear, race_out):
+    """Largest `sliding_rate` of the balls."""
+    largest = 0.0
+    for j in range(balls):
+        largest = max(largest, sliding_rate(normal, linear, race_out, j))
+    return largest
+
+
+@compiled
+def motion_direction(c, motion, which):
+    """Velocity and angular velocity of the ball that slide_x, slide_y or the spin is the product
+    with.
+    """
+    if which == 2:
+        return (0.0, 0.0, 0.0), motion.normal
+    axis = motion.x_axis if which == 0 else motion.y_axis
+    return axis, cross(times(c.ball_radius, motion.normal), axis)
+
+
+@compiled
+def force_direction(c, motion, which):
+    """Force and moment about the ball's centre of F_x, F_y, M_n or M_y of size one."""
+    if which < MOTIONS:
+        return motion_direction(c, motion, which)
+    return (0.0, 0.0, 0.0), motion.y_axis
+
+
+@compiled
+def mobility(c, free, row):
+    """Acceleration of a ball over a force or moment on it; 0 where it is not free."""
+    if row < 3:
+        return free[BODIES + row] / c.ball_mass
+    return free[FREE_TURN + row - 3] / c.ball_inertia
+
+
+@compiled
+def add_slopes(c, free, motion, linear, factor, system):
+    """Subtract the slopes of a contact from a ball's system, times the share of the load and gamma
+    h.
+    """
+    for k in range(FORCES):
+        force, moment = force_direction(c, motion, k)
+        for i in range(MOTIONS):
+            slope = factor * linear[LINEAR.slopes + MOTIONS * k + i]
+            velocity, turn = motion_direction(c, motion, i)
+            for row in range(FREEDOMS):
+                push = force[row] if row < 3 else moment[row - 3]
+                part = slope * push * mobility(c, free, row)
+                for column in range(3):
+                    system[row, column] -= part * velocity[column]
+                    system[row, column + 3] -= part * turn[column]
+
+
+@compiled
+def solve(system):
+    """Gauss' elimination of a square with its right-hand side as last column, which becomes the
+    solution; diagonals dominate.
+    """
+    n = system.shape[0]
+    for i in range(n):
+        for row in range(i + 1, n):
+            factor = system[row, i] / system[i, i]
+            for column in range(i, n + 1):
+                system[row, column] -= factor * system[i, column]
+    for i in range(n - 1, -1, -1):
+        for column in range(i + 1, n):
+            system[i, n] -= system[i, column] * system[column, n]
+        system[i, n] /= system[i, i]
+
+
+@compiled
+def begin_system(c, free, y, ball, forces, system):
+    """The unit matrix, and the acceleration of a ball as it would be."""
+    v = ball_velocity(c.balls, ball)
+    pull = c.drag * norm(vector(y, v))
+    system[:] = 0.0
+    for row in range(FREEDOMS):
+        system[row, row] = 1.0
+        push = forces[FORCE + row] - (pull * y[v + row] if row < 3 else 0.0)
+        system[row, FREEDOMS] = push * mobility(c, free, row)
+        if row < 3:
+            system[row, FREEDOMS] += free[BODIES + row] * c.gravity[row]
+
+
+@compiled
+def ball_friction(
+    c, body, race, law, linear, y, ball, delay, system, friction, forces, load, power, out
+):
+    """Add what friction gains by the acceleration of the ball, over a time `delay`."""
+    share = load_share(law, linear, out[CONTACT.approach])
+    if share == 0.0:
+        return
+    motion = motion_of(c, race, body, y, ball)
+    friction[:] = 0.0
+    for i in range(MOTIONS):
+        velocity, turn = motion_direction(c, motion, i)
+        change = 0.0
+        for row in range(3):
+            change += velocity[row] * system[row, FREEDOMS] + turn[row] * system[row + 3, FREEDOMS]
+        for k in range(FORCES):
+            slope = linear[LINEAR.slopes + MOTIONS * k + i]
+            friction[k] += share * delay * slope * change
+    add_friction(c, motion, body, vector(friction, 0), friction[3], forces, load)
+    out[CONTACT.friction_x] += friction[0]
+    out[CONTACT.friction_y] += friction[1]
+    slides = dot(vector(friction, 0), (motion.slide_x, motion.slide_y, motion.spin))
+    power[WORK.friction_inner + race] -= slides + friction[3] * motion.roll
+
+
+@compiled
+def motion_of(c, race, body, y, ball):
+    """Motion of a ball of the state on a race."""
+    centre_radius = c.inner_centre if race == INNER else c.outer_centre
+    groove_radius = c.inner_groove if race == INNER else c.outer_groove
+    return motion_on_race(c, body, centre_radius, groove_radius, y, ball)
+
+
+@compiled
+def implicit_friction(p, y, inner, outer):
+    """Make friction implicit over the step `p.pace` where it is stiff; forces, loads and powers
+    are those of all other parts before.
+    """
+    c = p.constants
+    h = p.pace[0]
+    for j in range(c.balls):
+        rate = sliding_rate(p.normal, p.linear, p.race_out, j)
+        if h * rate <= STIFF:
+            continue
+        delay = h / STIFF - 1.0 / rate
+        begin_system(c, p.free, y, j, p.forces[j], p.system)
+        for race in range(2):
+            body = inner if race == INNER else outer
+            share = load_share(
+                p.normal[race], p.linear[race, j], p.race_out[race, j, CONTACT.approach]
+            )
+            if share > 0.0:
+                motion = motion_of(c, race, body, y, j)
+                add_slopes(c, p.free, motion, p.linear[race, j], share * delay, p.system)
+        solve(p.system)
+        for race in range(2):
+            body = inner if race == INNER else outer
+            ball_friction(
+                c, body, race, p.normal[race], p.linear[race, j], y, j, delay, p.system,
+                p.friction, p.forces[j], p.loads[race], p.power, p.race_out[race, j],
+            )  # fmt: skip

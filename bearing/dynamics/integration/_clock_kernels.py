@@ -1,0 +1,150 @@
+"""The slower clock of friction: when a step asks the law again, compiled.
+
+Between its calls friction is linear in the sliding (`contact._friction_kernels`). A contact is
+asked again after 1, 2, 4 or 8 steps: less often where its slopes foretold the friction, sooner
+where they did not, at once where its load has doubled or halved.
+"""
+
+from ehl.compiled import compiled
+
+from .._kernels import place_bodies
+from .._state_kernels import ball_motion, minus, norm
+from ..arrays import COEFFICIENT, CONTACT, FRICTIONLESS, INNER, INNER_SPEED, LINEAR, OUTER_SPEED
+from ..contact._belt_kernels import INTERVAL, film_by_matrix, film_holds, film_matrix
+from ..contact._cage_kernels import pocket_frame, pocket_motion
+from ..contact._friction_kernels import (
+    FORCES,
+    friction_by_slopes,
+    friction_law,
+    set_friction,
+    set_slopes,
+    slopes_hold,
+)
+from ..contact._implicit_kernels import motion_of
+from ..contact._kernels import elastic_force, point_velocity
+from ..layout import CAGE_ROTATION, RING
+
+LONGEST_INTERVAL = 8.0  # [steps]
+# errors of the friction over that which counts as one: slopes are taken anew above it, the law
+# is asked twice as often above it, half as often below it [-]
+STEEP = 0.1
+LARGE = 0.25
+SMALL = 0.05
+
+
+@compiled
+def costs_little(kind, disc):
+    """Whether a law is asked in every evaluation: a coefficient at the contact's centre alone."""
+    return kind == COEFFICIENT and disc.shape[1] == 1
+
+
+@compiled
+def friction_error(c, linear, friction, time, speed):
+    """Error of a ball's velocity that the slopes led to within a time, over a speed."""
+    force = abs(friction[0] - linear[0]) + abs(friction[1] - linear[1])
+    moment = abs(friction[2] - linear[2]) + abs(friction[3] - linear[3])
+    mobility = 1.0 / c.ball_mass + c.ball_radius * c.ball_radius / c.ball_inertia
+    return 0.5 * time * mobility * (force + moment / c.ball_radius) / speed
+
+
+@compiled
+def renew_contact(c, kind, data, load, motion, linear, foretold, friction, time, speed):
+    """Friction of one contact from its law, and after how many steps again."""
+    held = slopes_hold(linear, load, motion)
+    if held:
+        friction_by_slopes(linear, load, motion, friction)
+        foretold[:] = friction[:FORCES]
+    motions = (motion.slide_x, motion.slide_y, motion.spin)
+    friction_law(kind, c.mirrored, data, load, motion.entrainment, motions, friction)
+    error = 0.0
+    interval = linear[LINEAR.interval]
+    if held:
+        error = friction_error(c, foretold, friction, interval * time, speed)
+    changed = abs(load - linear[LINEAR.load]) > 0.2 * load
+    set_friction(linear, load, motion, friction)
+    if not held or error > STEEP or changed:
+        set_slopes(c, kind, data, load, motion, linear, friction, time)
+    if not held or error > LARGE:
+        linear[LINEAR.interval] = 1.0
+    elif error < SMALL:
+        linear[LINEAR.interval] = min(LONGEST_INTERVAL, 2.0 * interval)
+
+
+@compiled
+def renew_friction(p, y, step, time, speed):
+    """Ask the law of the contacts that are due at a state whose `derivative` was just taken:
+    whether there were any.
+
+    step: number of this one; 0: all are due. speed: an error of velocity that counts as one.
+    """
+    c = p.constants
+    if p.friction_kind == FRICTIONLESS or costs_little(p.friction_kind, p.friction_inner.disc):
+        return False
+    inner, outer, _ = place_bodies(c.balls, y, p.given[INNER_SPEED], p.given[OUTER_SPEED])
+    some = False
+    for race in range(2):
+        body = inner if race == INNER else outer
+        for j in range(c.balls):
+            linear = p.linear[race, j]
+            load = elastic_force(p.normal[race], p.race_out[race, j, CONTACT.approach])
+            if step == 0 or load <= 0.0:
+                linear[LINEAR.load] = 0.0
+                linear[LINEAR.interval] = 1.0
+            if load <= 0.0:
+                continue
+            motion = motion_of(c, race, body, y, j)
+            due = step % int(linear[LINEAR.interval]) == 0
+            if not due and slopes_hold(linear, load, motion):
+                continue
+            some = True
+            data = p.friction_inner if race == INNER else p.friction_outer
+            renew_contact(
+                c, p.friction_kind, data, load, motion, linear, p.foretold, p.friction, time, speed
+            )
+    return some
+
+
+@compiled
+def renew_pocket(c, frame, play, motion, axis, film, time, speed):
+    """The matrix of one pocket's film anew, and when again."""
+    place, velocity, turn = motion
+    error = 0.0
+    held = film_holds(film, play, place)
+    interval = film[INTERVAL]
+    if held:
+        force, moment, _ = film_by_matrix(c, film, axis, velocity, turn)
+    film_matrix(c, frame, play, place, velocity, film)
+    film[INTERVAL] = 1.0
+    if held:
+        real, about, _ = film_by_matrix(c, film, axis, velocity, turn)
+        off = norm(minus(real, force)) + norm(minus(about, moment)) / c.ball_radius
+        mobility = 1.0 / c.ball_mass + c.ball_radius * c.ball_radius / c.ball_inertia
+        error = 0.5 * interval * time * mobility * off / speed
+        if error < SMALL:
+            film[INTERVAL] = min(LONGEST_INTERVAL, 2.0 * interval)
+        elif error < LARGE:
+            film[INTERVAL] = interval
+
+
+@compiled
+def renew_pockets(p, y, step, time, speed):
+    """`renew_friction` of the films in the pockets: whether there were any to renew."""
+    c = p.constants
+    if c.cage_mass <= 0.0 or c.film_viscosity * c.pocket_height <= 0.0:
+        return False
+    some = False
+    _, _, body = place_bodies(c.balls, y, p.given[INNER_SPEED], p.given[OUTER_SPEED])
+    rotation = y[RING + CAGE_ROTATION]
+    for j in range(c.balls):
+        film = p.pocket_films[j]
+        position, velocity, turn = ball_motion(y, c.balls, j)
+        frame = pocket_frame(body, p.pocket_angle[j] + rotation)
+        place = pocket_motion(c, body, frame, p.pocket_play[j], position, velocity, turn)[6]
+        due = step == 0 or step % int(film[INTERVAL]) == 0
+        if not due and film_holds(film, p.pocket_play[j], place):
+            continue
+        some = True
+        relative = minus(velocity, point_velocity(body, position))
+        motion = (place, relative, minus(turn, body.turn))
+        renew_pocket(c, frame, p.pocket_play[j], motion, body.axis, film, time, speed)
+    return some
