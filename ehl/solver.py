@@ -29,6 +29,7 @@ from .multigrid.supply.oil_supply import inlet_ratio, oil_supply, starved_film_g
 from .multigrid.supply.starvation_law import behind_layer
 from .multigrid.verdict import (
     approach_value,
+    beside_finer,
     error_by_box,
     film_over_radius,
     film_value,
@@ -110,6 +111,7 @@ def solve_attempts(
         finer, finer_result = _solve_finer(problem, given, result, anew, progress)
         if sound and not finer.converged:
             stopped = "; a finer mesh did not converge"  # these films stand, with their wider bars
+            solution = beside_finer(solution, finer_result)
             break
         points = 2 * points - 1
         solution, result = finer, finer_result

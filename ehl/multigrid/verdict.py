@@ -82,6 +82,26 @@ def judged(solution: ContactSolution, by_box: float = 0.0) -> ContactSolution:
     return replace(solution, resolved=False, message=message)
 
 
+def beside_finer(solution: ContactSolution, finer: AttemptResult) -> ContactSolution:
+    """A solution that stands because a mesh twice as fine did not converge: its bars reach to
+    where the cycles left the films there, less what order 2 expects of the mesh.
+
+    Of 300 random contacts one minimum film of this kind was off by 6.6 % with a bar of 1.8 %.
+    """
+    if not finer.levels:
+        return solution
+    films = [solution.film_central_dimensionless, solution.film_minimum_dimensionless]
+    for kind in (CENTRAL, MINIMUM):
+        film = films[kind]
+        expected = film.value + 0.25 * (film.finest - film.value)
+        distance = abs(finer.levels[-1].film[-1][kind] - expected)
+        films[kind] = replace(film, uncertainty=max(film.uncertainty, distance))
+    wider = replace(
+        solution, film_central_dimensionless=films[0], film_minimum_dimensionless=films[1]
+    )
+    return judged(wider)
+
+
 def _minimum_below_centre(solution: ContactSolution) -> ContactSolution:
     central = solution.film_central_dimensionless
     minimum = solution.film_minimum_dimensionless
