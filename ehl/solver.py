@@ -97,7 +97,6 @@ def solve_attempts(
     points = options.most_points
     if tolerance is not None:
         points = _first_points(problem.scaled()[0], domain, tolerance, points)
-    stopped = ""
     given = replace(options, points=points)
     solution, result = _solve(problem, given, attempts, progress)
     while tolerance is not None and points < options.most_points:
@@ -110,8 +109,7 @@ def solve_attempts(
         anew = () if sound else attempts
         finer, finer_result = _solve_finer(problem, given, result, anew, progress)
         if sound and not finer.converged:
-            stopped = "; a finer mesh did not converge"  # these films stand, with their wider bars
-            solution = beside_finer(solution, finer_result)
+            solution = beside_finer(solution)  # these films stand, with their wider bars
             break
         points = 2 * points - 1
         solution, result = finer, finer_result
@@ -119,7 +117,7 @@ def solve_attempts(
         _certify(result, progress)
         solution = _assembled(conditions, solution.options, result, progress)
     if tolerance is not None:
-        solution = _tolerance_judged(solution, tolerance, f"{points} points{stopped}")
+        solution = _tolerance_judged(solution, tolerance, f"{points} points")
     record = replace(solution.record, wall_time=time.perf_counter() - start)
     return replace(solution, options=options, record=record), result.state
 

@@ -8,7 +8,6 @@ compare      - two results side by side
 contact      - results of one lubricated contact
 dynamics     - results of a time simulation
 files        - JSON and CSV files of results
-main_results - what is looked at first in a summary of any kind, by keys with their units
 netcdf       - netCDF-4 files of results
 plot_style   - common to all plots: type sizes, colours, colour maps, the part of a contact shown
 quantities   - output quantities: each is declared once: key, unit, title, getter
@@ -18,6 +17,7 @@ scene        - three-dimensional views, files for ParaView, meshes for other pro
 slip         - results of a slip study
 stiffness    - results of a stiffness study
 table        - tables of results for a terminal of 80 columns
+temperatures - results of a study of temperatures
 text         - numbers and lists as text
 traction     - results of traction tables
 vibration    - results of a vibration

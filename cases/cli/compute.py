@@ -233,9 +233,9 @@ def temperatures(
     with progress_bar(quiet=quiet) as progress:
         study = partial(run_temperatures, loaded, case, run_case, duration, progress)
         results = interruptible(study)
-    from postprocess.bearing.temperatures.summary import temperatures_summary
-    from postprocess.bearing.temperatures.table import temperatures_table
-    from postprocess.bearing.temperatures.write import write_temperatures
+    from postprocess.temperatures.summary import temperatures_summary
+    from postprocess.temperatures.table import temperatures_table
+    from postprocess.temperatures.write import write_temperatures
 
     save_with(lambda folder: write_temperatures(results, folder), directory)
     document = temperatures_summary(results)

@@ -9,7 +9,7 @@ import numpy as np
 from pydantic import ValidationError
 
 from ehl.arrays import Array
-from postprocess.main_results import result_names
+from postprocess.batch.main_results import result_names
 
 from ..batch.keys import value_in
 from ..batch.planning.alternatives import PointDocuments, with_values

@@ -3,6 +3,7 @@
 columns     - numbers of the points as columns, some thousand points at a time
 indices     - which key matters: Sobol indices, Morris' elementary effects
 keys        - the keys that a batch varies, as its figures tell them apart
+main_results - what is looked at first in a summary of any kind, by keys with their units
 numbers     - every single number of a summary by its name
 parquet     - the table of a batch as a Parquet file
 plots       - figures of a batch: film, torque, life over one to three of the varied keys

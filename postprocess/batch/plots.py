@@ -17,10 +17,10 @@ from ehl.solution import Array
 from ehl.units import unit_of, unit_symbol, without_unit
 
 from ..bearing.quantities import TORQUE_PARTS, torque_model
-from ..main_results import BATCH_PANELS, MAIN_QUANTITY
 from ..plot_style import INK, PAGE_WIDTH, REFERENCE, write_figure
 from ..text import evenly_chosen
 from .keys import Varied, are_told_apart, families, varied_keys
+from .main_results import BATCH_PANELS, MAIN_QUANTITY
 from .results import BatchResults
 from .summary import point_numbers
 

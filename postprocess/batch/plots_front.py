@@ -11,8 +11,8 @@ from matplotlib.figure import Figure
 from ehl.arrays import Array
 from ehl.units import unit_symbol, without_unit
 
-from ..main_results import MAIN_QUANTITY
 from ..plot_style import INK, PAGE_WIDTH, REFERENCE, write_figure
+from .main_results import MAIN_QUANTITY
 
 FRONT = "#b23a3a"
 

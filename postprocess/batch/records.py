@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ..main_results import main_results
+from .main_results import main_results
 from .numbers import scalar_numbers
 
 DONE = "done"

@@ -5,7 +5,7 @@ from typing import Any
 
 from ehl.units import notebook_html
 
-from ..main_results import BATCH_COLUMNS, main_results
+from .main_results import BATCH_COLUMNS, main_results
 
 MOST_SHOWN = 20  # points in a notebook; the files have all
 

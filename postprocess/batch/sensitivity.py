@@ -7,9 +7,9 @@ import numpy as np
 
 from ehl.arrays import Array
 
-from ..main_results import main_results
 from .columns import Columns
 from .indices import known, main_values
+from .main_results import main_results
 from .results import BatchPoint, BatchResults
 
 QUANTILES = (0.05, 0.5, 0.95)

@@ -3,9 +3,9 @@
 from collections.abc import Iterator
 from typing import Any
 
-from ..main_results import main_results
 from .columns import Columns, InMemory, columns_of
 from .indices import design_documents
+from .main_results import main_results
 from .numbers import scalar_numbers
 from .records import FAILED, LOST
 from .results import BatchPoint, BatchResults, Counts

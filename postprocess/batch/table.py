@@ -9,11 +9,11 @@ from rich.text import Text
 
 from ehl.units import unit_symbol, without_unit
 
-from ..main_results import BATCH_COLUMNS, LIVES, MAIN_QUANTITY, main_results
 from ..table import number_table
 from ..text import NOTHING, in_figures, number
 from .columns import Columns, InMemory, columns_of
 from .indices import MORRIS, SOBOL, design_documents
+from .main_results import BATCH_COLUMNS, LIVES, MAIN_QUANTITY, main_results
 from .results import BatchPoint, BatchResults
 from .sensitivity import bands, sensitivities
 

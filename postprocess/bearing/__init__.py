@@ -18,7 +18,6 @@ strength      - the block `strength` of the summary: hoop tension, tension in th
 summary       - the summary of results: quantities in named units
 supply        - the blocks `supply` and `decay` of the summary: films that are starved
 table         - results as tables for a terminal of 80 columns
-temperatures  - temperatures over the speed up to the limit, and over time
 torque        - the block `torque_N_mm` of the summary: friction torque by every model
 write         - files of a bearing run: contacts as CSV, fields as netCDF
 """

@@ -7,8 +7,8 @@ from typing import Any
 
 from ehl.units import unit_of
 
+from ..batch.main_results import main_results
 from ..files import read_summary
-from ..main_results import main_results
 from ..text import is_number
 from .results import Comparison, Difference
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from ehl.units import unit_symbol
 
-from ..main_results import MAIN_QUANTITY
+from ..batch.main_results import MAIN_QUANTITY
 from . import html
 
 MAX_ROWS = 500  # points listed; the CSV has all

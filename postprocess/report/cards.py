@@ -6,7 +6,7 @@ from typing import Any
 from bearing.library.bearings import estimated_fields
 from ehl.units import from_si, unit_symbol
 
-from ..main_results import MAIN_QUANTITY, thinnest_film
+from ..batch.main_results import MAIN_QUANTITY, thinnest_film
 from ..results import STIFFNESS_HEADLINES
 from ..text import in_figures
 from . import html

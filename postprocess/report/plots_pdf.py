@@ -12,8 +12,8 @@ from matplotlib.backends.backend_pdf import PdfPages
 from matplotlib.figure import Figure
 from matplotlib.image import imread
 
+from ..batch.main_results import MAIN_QUANTITY, main_results
 from ..files import atomic_path, read_summary
-from ..main_results import MAIN_QUANTITY, main_results
 from ..plot_style import INK, RC, REFERENCE
 from ..text import number
 from .page import is_urgent

@@ -264,30 +264,20 @@ def test_a_mesh_too_coarse_for_the_tolerance_is_refined_from_its_solution(monkey
         assert_allclose(getattr(refined, film).value, getattr(alone, film).value, rtol=3e-4)
 
 
-@pytest.mark.parametrize("left", [1.0, 0.92, 0.7])
-def test_films_stand_where_a_finer_mesh_does_not_converge(monkeypatch, left):
-    """Their bars reach to where the finer mesh was left, at a share of the film that it would have come to."""
+def test_films_stand_unresolved_where_a_finer_mesh_does_not_converge(monkeypatch):
+    """Nothing bears out their bars, which are told; of 300 random contacts one was off by three times its bar."""
 
     def unsettled(*arguments):
         assert arguments[3] == ()  # nothing is tried anew where coarser films stand
         finer, result = solver._solve(*arguments[:2], ATTEMPTS, arguments[4])
-        history = result.levels[-1]
-        history.film[-1] = (history.film[-1][0], left * history.film[-1][1])
         return replace(finer, converged=False, message="not converged"), result
 
     monkeypatch.setattr(solver, "FIRST_FINENESS", 0.4)
     monkeypatch.setattr(solver, "_solve_finer", unsettled)
     s = solve_contact(CIRCULAR, SolverOptions(points=513, domain=BOX, tolerance=0.01))
     coarse = solve_contact(CIRCULAR, SolverOptions(points=s.X.size, domain=BOX))
-    assert s.converged and s.resolved == (left > 0.85)
-    if left == 1.0:
-        assert s.widest_bar == pytest.approx(coarse.widest_bar, rel=0.2)
-    else:
-        assert s.film_minimum_dimensionless.relative_uncertainty == pytest.approx(1.0 - left, rel=0.1)
-    if not s.resolved:
-        assert "unresolved" in s.message
-        return
-    assert f"not reached at {s.X.size} points" in s.message and "finer mesh did not converge" in s.message
+    assert s.converged and not s.resolved and s.widest_bar == coarse.widest_bar
+    assert "unresolved" in s.message and "finer mesh did not converge" in s.message
 
 
 def test_a_tight_tolerance_stops_the_cycles_later():

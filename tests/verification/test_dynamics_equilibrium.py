@@ -95,7 +95,8 @@ def test_steady_motion_is_the_traction_equilibrium(axial):
         options=DynamicsOptions(end_time=1.0, sample_interval=1.0), ring=ring_body(BEARING), friction=RaceFriction()
     ))  # fmt: skip
     friction = race_friction(CoefficientTraction(FourConstants.of_curve(0.05, 0.03, 0.03)), BEARING, still.point.angles)
-    compare(settled(operation, friction, tolerance=1e-5, longest_step=2e-6), operation, friction)
+    # at 1e-5 friction on its own clock leaves the turning across, 2e-4 of the ball's, off by 2 % of itself
+    compare(settled(operation, friction, tolerance=1e-6, longest_step=2e-6), operation, friction)
 
 
 @pytest.mark.slow

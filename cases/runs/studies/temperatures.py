@@ -12,7 +12,7 @@ from bearing.heating.warm_up import warm_up
 from bearing.torque.breakdown import INTEGRATED
 from ehl.units import from_si
 from postprocess.bearing.results import BearingResults
-from postprocess.bearing.temperatures.results import TemperatureResults
+from postprocess.temperatures.results import TemperatureResults
 
 from ...format.case import Case
 from ...format.problems import CaseError

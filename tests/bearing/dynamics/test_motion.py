@@ -224,6 +224,7 @@ def test_explicit_steps_return_when_a_stiff_start_is_over(setup):
         assert_allclose(ends[0][part], ends[1][part], atol=1e-3 * np.abs(ends[1][part]).max())
 
 
+@pytest.mark.slow
 def test_stiff_friction_over_the_ellipse_needs_no_lsoda(setup):
     """From rest, friction implicit in the motion of each ball: explicit steps alone end as LSODA does."""
     bearing, axial = setup.bearing_7008(3), 60.0

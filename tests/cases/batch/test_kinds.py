@@ -25,10 +25,10 @@ from cases.batch.worker import compute_point
 from cases.cli.main import app
 from ehl.traction.table.build import TableOptions, build_table
 from postprocess import summary
+from postprocess.batch.main_results import main_results
 from postprocess.batch.plots import quantities, varied_keys
 from postprocess.batch.records import summary_of
 from postprocess.batch.summary import batch_summary
-from postprocess.main_results import main_results
 
 from .test_batch import HerePool
 from .test_torque import case_text, sweep_of, without_times

@@ -18,6 +18,7 @@ from cases.cli.main import app
 from cases.format.shipped import shipped_sweeps
 from postprocess.batch.columns import InMemory, columns_of
 from postprocess.batch.keys import Varied, families, varied_keys
+from postprocess.batch.main_results import result_names, thinnest_film
 from postprocess.batch.plots import draw_batch, draw_together, quantities, write_diagram
 from postprocess.batch.read import read_batch
 from postprocess.batch.records import record_of
@@ -26,7 +27,6 @@ from postprocess.batch.store import PointStore
 from postprocess.batch.summary import batch_summary
 from postprocess.batch.table import batch_table
 from postprocess.files import write_json
-from postprocess.main_results import result_names, thinnest_film
 from postprocess.report.batch import _points
 
 from .test_batch import HerePool

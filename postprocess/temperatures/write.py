@@ -6,9 +6,9 @@ import numpy as np
 
 from bearing.heating.network import NODES
 
-from ...files import Table
-from ...netcdf.groups import Variables
-from ...netcdf.study import StudyFiles, write_study
+from ..files import Table
+from ..netcdf.groups import Variables
+from ..netcdf.study import StudyFiles, write_study
 from .plots import write_temperatures_plot
 from .results import TemperatureResults
 from .summary import temperatures_summary

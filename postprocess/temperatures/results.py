@@ -6,7 +6,7 @@ from bearing.heating.limiting_speed import NO_STATE, SpeedBranch
 from bearing.heating.self_heating import SelfHeatingSolution
 from bearing.heating.warm_up import WarmUp
 
-from ...results import Results
+from ..results import Results
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -9,8 +9,8 @@ from bearing.heating.limiting_speed import FAST_ENOUGH, NO_STATE, TOO_WARM, TURN
 from bearing.heating.network import NODES
 from ehl.units import from_si
 
-from ...files import plain
-from ...quantities import Quantity, rows_of, values_of
+from ..files import plain
+from ..quantities import Quantity, rows_of, values_of
 from .results import TemperatureResults
 
 SPEED = Quantity("speed_rpm", "speed of the shaft", "speed")

@@ -5,8 +5,8 @@ from typing import Any
 from rich.console import Group
 from rich.text import Text
 
-from ...table import number_table
-from ...text import number
+from ..table import number_table
+from ..text import number
 
 COLUMNS = (  # title and key; of the parts those that differ most
     ("films", "film_temperature_C"),

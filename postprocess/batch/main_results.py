@@ -5,8 +5,8 @@ from typing import Any
 
 from bearing.library import plugins
 
-from .bearing.contacts import CONTACT_QUANTITY
-from .bearing.quantities import (
+from ..bearing.contacts import CONTACT_QUANTITY
+from ..bearing.quantities import (
     DECAY,
     HEATING,
     LIFE_RATING,
@@ -15,7 +15,7 @@ from .bearing.quantities import (
     TORQUE,
     TORQUE_MODELS,
 )
-from .quantities import CAGE_SPEED, Quantity, by_key
+from ..quantities import CAGE_SPEED, Quantity, by_key
 
 CONTACT = ("load_N", "moes_M", "moes_L", "hertz_pressure_GPa")
 SIMULATION = (

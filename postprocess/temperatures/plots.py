@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from bearing.heating.limiting_speed import TURNED
 
-from ...plot_style import PAGE_WIDTH, write_figure
+from ..plot_style import PAGE_WIDTH, write_figure
 from .results import TemperatureResults
 from .summary import FILM, LIMIT, SPEED, temperatures_summary
 
