@@ -516,6 +516,7 @@ def test_a_full_cache_takes_no_more(tmp_path, monkeypatch):
     assert len(list(tmp_path.iterdir())) == 1
 
 
+@pytest.mark.slow  # compiles the kernels of heat
 def test_a_contact_with_heat_is_kept_with_its_temperatures(tmp_path):
     case = load_case("6208_with_heat")
     state = solve_quasistatic(case.bearing, case.operation, case.model)

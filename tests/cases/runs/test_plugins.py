@@ -260,6 +260,7 @@ def oilfilm(folder, *words):
     )  # fmt: skip
 
 
+@pytest.mark.slow
 def test_the_command_lists_and_runs_them(tmp_path):
     install(tmp_path)
     told = oilfilm(tmp_path, "list", "plugins", "--json")
