@@ -58,6 +58,15 @@ class SelfHeatingProblem:
         )
         return clearance_budget(self.bearing, self.operation, self.fit, rises).operating
 
+    def disagreement(self, state: "HeatState") -> Array:
+        """T_f' - T_f [K] and P_d' - P_d [m] of a state: zero in a balance."""
+        return np.array(
+            [
+                state.found_temperature - state.film_temperature,
+                self.clearance(state.temperatures) - state.clearance,
+            ]
+        )
+
     def fixed_paths(self) -> tuple[HeatPath, ...]:
         """Paths that friction leaves as they are."""
         speed = self.operation.shaft_speed
@@ -97,6 +106,14 @@ class HeatState:
         """Heat into each node less what leaves it at given temperatures [K], in [W]."""
         leaving, given = self.network.matrix()
         return np.asarray(self.sources + given - leaving @ temperatures)
+
+
+def broyden(matrix: Array, step: Array, change: Array, scales: tuple[float, ...]) -> Array:
+    """A matrix of derivatives after a step that changed the residual, lengths in the scales of the
+    unknowns, Broyden (1965).
+    """
+    weighted = step * np.array(scales) ** -2.0
+    return np.asarray(matrix + np.outer(change - matrix @ step, weighted) / (step @ weighted))
 
 
 def heat_state(

@@ -19,7 +19,7 @@ import numpy as np
 
 from ..geometry import Array
 from .heat_balance import HIGHEST_TEMPERATURE
-from .heat_state import HeatState, SelfHeatingProblem, heat_state
+from .heat_state import HeatState, SelfHeatingProblem, broyden, heat_state
 
 STEP = 8.0  # of the film temperature along the branch [K]
 SMALLEST_STEP = 0.5  # below which the branch is given up [K]
@@ -82,8 +82,7 @@ class _Newton:
 
     def residual(self, state: HeatState, at: Array) -> Array:
         """T_f' - T_f [K], P_d' - P_d [m]."""
-        clearance = at_speed(self.problem, exp(at[0])).clearance(state.temperatures)
-        return np.array([state.found_temperature - state.film_temperature, clearance - at[1]])
+        return at_speed(self.problem, exp(at[0])).disagreement(state)
 
     def solve(self, film_temperature: float, guess: Array) -> tuple[Array, HeatState] | None:
         """ln n and clearance of the balance near a guess; None where none is found."""
@@ -95,15 +94,12 @@ class _Newton:
         for _ in range(ITERATIONS):
             if _settled(residual):
                 return at, state
-            step = -np.linalg.solve(self.matrix, residual)
+            step = np.asarray(-np.linalg.solve(self.matrix, residual), dtype=np.float64)
             step *= min(1.0, log(LARGEST_RATIO) / max(abs(step[0]), 1e-30))
             at = at + step
             state = self.state(film_temperature, at)
             after = self.residual(state, at)
-            scale = np.array(DIFFERENCES) ** -2.0  # lengths in the scales of both
-            self.matrix = self.matrix + np.outer(
-                after - residual - self.matrix @ step, step * scale
-            ) / (step @ (scale * step))
+            self.matrix = broyden(self.matrix, step, after - residual, DIFFERENCES)
             residual = after
         return (at, state) if _settled(residual) else None
 

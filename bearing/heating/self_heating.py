@@ -18,7 +18,7 @@ from ehl.units import ZERO_CELSIUS
 from ..geometry import Array
 from .capacities import heat_capacities
 from .heat_balance import HIGHEST_TEMPERATURE, HeatBalance
-from .heat_state import HeatState, SelfHeatingProblem, heat_state
+from .heat_state import HeatState, SelfHeatingProblem, broyden, heat_state
 from .network import NODES
 from .paths import Surroundings
 from .stability import Slopes, Stability, stability
@@ -91,15 +91,6 @@ class _Search:
         self.count += 1
         return heat_state(self.problem, self.fixed, film_temperature, clearance)
 
-    def residual(self, state: HeatState) -> Array:
-        """T_f' - T_f [K], P_d' - P_d [m]."""
-        return np.array(
-            [
-                state.found_temperature - state.film_temperature,
-                self.problem.clearance(state.temperatures) - state.clearance,
-            ]
-        )
-
     def slopes(self, state: HeatState) -> Slopes:
         """Differences of the state by film temperature and clearance."""
         warmer = self.at(state.film_temperature + STEP, state.clearance)
@@ -126,7 +117,7 @@ def solve_self_heating(problem: SelfHeatingProblem, model: str) -> SelfHeatingSo
                 note=NO_BALANCE,
             )
         state, slopes = _newton(search, start)
-        converged = _settled(search.residual(state))
+        converged = _settled(search.problem.disagreement(state))
         stable = stability(
             slopes,
             problem,
@@ -220,22 +211,19 @@ def _inside(
 def _newton(search: _Search, state: HeatState) -> tuple[HeatState, Slopes]:
     """Both numbers together, and the slopes near them."""
     slopes = search.slopes(state)
-    matrix = _matrix(search.residual, slopes)
-    residual = search.residual(state)
+    matrix = _matrix(search.problem.disagreement, slopes)
+    residual = search.problem.disagreement(state)
     for _ in range(NEWTON_STEPS):
         if _settled(residual):
             break
-        step = -np.linalg.solve(matrix, residual)
+        step = np.asarray(-np.linalg.solve(matrix, residual), dtype=np.float64)
         step *= min(1.0, LARGEST_STEP / max(abs(step[0]), 1e-30))
         state = search.at(
             min(state.film_temperature + step[0], HIGHEST_TEMPERATURE), state.clearance + step[1]
         )
-        after = search.residual(state)
-        # Broyden's update, lengths in the scales of both steps
-        scale = np.array([STEP, CLEARANCE_STEP]) ** -2.0
-        matrix = matrix + np.outer(after - residual - matrix @ step, step * scale) / (
-            step @ (scale * step)
-        )
+        after = search.problem.disagreement(state)
+        scales = (STEP, CLEARANCE_STEP)
+        matrix = broyden(matrix, step, after - residual, scales)
         residual = after
     return state, slopes
 

@@ -70,8 +70,8 @@ def run_temperatures(
         problem = heating_problem(cold, cold.heating, printed)
         notify(1, 3, "balances over the speed")
         heating, at, factor = _nearest_balance(problem, results.heating)
-        if at.state is None:
-            raise CaseError(f"{name}: no balance of heat at any speed tried: {heating.note}")
+        if at.state is None or not at.converged:
+            raise CaseError(f"{name}: no balance of heat at any speed tried: {at.note}")
         branch = balances_over_speed(
             at_speed(problem, factor), at.state, _told(notify, 1, "balances over the speed, films")
         )
