@@ -47,6 +47,11 @@ class _Frame:
     velocity: tuple[float, float]
     rotation: float
 
+    @property
+    def direction(self) -> float:
+        """Of the entrainment, from the principal direction x towards y [rad]."""
+        return self.angle + atan2(self.velocity[1], self.velocity[0])
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ScaledContact:
@@ -245,7 +250,7 @@ def _scaled(
         density_denominator=DOWSON_HIGGINSON_DENOMINATOR * pressure if compressible else 0.0,
         moes_load=m,
         moes_lubricant=l,
-        film_guess=_film_guess(groups, lubricant) / (f**2 * m ** (2 / 3)),
+        film_guess=_film_guess(groups, lubricant, frame.direction) / (f**2 * m ** (2 / 3)),
         hertz_pressure=pressure,
         semi_axis_x=None if length is None else length[0],
         film_scale=None if length is None else length[0] ** 2 / length[1],
@@ -253,11 +258,25 @@ def _scaled(
     )
 
 
-def _film_guess(groups: tuple[float, float, float], lubricant: Lubricant) -> float:
-    """Central film by formula, in Moes' units [-]; an isoviscous oil has L = 0."""
+def _film_guess(groups: tuple[float, float, float], lubricant: Lubricant, angle: float) -> float:
+    """Central film by formula, in Moes' units [-]; an isoviscous oil has L = 0.
+
+    An entrainment at an angle has the films of its two parts, each along a principal direction
+    with its own curvature S: M S^(5/4)/v^(3/4) and L (S v)^(1/4) at the share v of the speed.
+    Their cubes add up: 0.77 to 1.59 times the film of 93 random contacts at an angle (fitted; 0.75
+    to 1.38 where there is none).
+    """
     m, l, d = groups
-    isoviscous = lubricant.viscosity_law is ViscosityLaw.ISOVISCOUS
-    return moes_film_nijenbanning(m, 0.0 if isoviscous else l, d)
+    if lubricant.viscosity_law is ViscosityLaw.ISOVISCOUS:
+        l = 0.0
+    cubes = 0.0
+    for speed, curvature, across in ((abs(cos(angle)), 1.0, d), (abs(sin(angle)), d, 1.0)):
+        if speed > ALIGNMENT_TOLERANCE:
+            load = m * curvature**1.25 / speed**0.75
+            oil = l * (curvature * speed) ** 0.25
+            film = sqrt(speed / curvature) * moes_film_nijenbanning(load, oil, across / curvature)
+            cubes += film**3
+    return float(cubes ** (1 / 3))
 
 
 def _viscosity_coefficients(

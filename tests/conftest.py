@@ -45,15 +45,23 @@ def pytest_collection_modifyitems(items):
 
 @pytest.fixture(scope="session", autouse=WORKER)
 def kernels_compiled_once(tmp_path_factory):
-    """A worker that needs a kernel waits while another compiles, and finds it in the cache on disk."""
+    """A worker that needs a kernel waits while another compiles it, and finds it in the cache on disk.
+
+    One lock a kernel: a kernel waits for those that it calls, never the other way round, so that no two workers wait
+    for each other.
+    """
     from numba.core.dispatcher import Dispatcher
 
-    lock = FileLock(tmp_path_factory.getbasetemp().parent / "kernels.lock")
+    folder = tmp_path_factory.getbasetemp().parent
     plain = Dispatcher.compile
+
+    @functools.cache
+    def lock_of(kernel):
+        return FileLock(folder / f"{kernel}.lock")
 
     @functools.wraps(plain)
     def compile_in_turn(self, signature):
-        with lock:
+        with lock_of(f"{self.py_func.__module__}.{self.py_func.__qualname__}"):
             return plain(self, signature)
 
     Dispatcher.compile = compile_in_turn

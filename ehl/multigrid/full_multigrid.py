@@ -101,11 +101,11 @@ TOO_MUCH_WORK = "not tried, too much work"
 CAUTIOUS = replace(Damping().halved(), switch=1.5)
 ATTEMPTS = (
     Attempt(name="plain", damping=Damping()),
-    Attempt(name="grid turned to the entrainment", damping=Damping(), along_entrainment=True),
-    Attempt(name="load reached in steps", damping=Damping(), from_lighter=True),
     Attempt(
         name="mesh doubled across the entrainment", damping=Damping(), mesh_y=2.0, long_only=True
     ),
+    Attempt(name="grid turned to the entrainment", damping=Damping(), along_entrainment=True),
+    Attempt(name="load reached in steps", damping=Damping(), from_lighter=True),
     Attempt(
         name="mesh doubled across the entrainment, load reached in steps",
         damping=Damping().halved(),

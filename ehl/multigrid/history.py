@@ -86,6 +86,11 @@ class LevelHistory:
         return min(residual[-STALLED_CYCLES:]) >= min(residual[:-STALLED_CYCLES])
 
     @property
+    def grew(self) -> bool:
+        """Whether the equations are further from holding than before the last cycle."""
+        return len(self.residual) > 1 and self.residual[-1] > self.residual[-2]
+
+    @property
     def swings(self) -> bool:
         """Whether the last cycle took the load from one side to the other and hardly nearer, on a
         mesh that resolves the film: on coarser ones the load does so in heavy contacts, too.

@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 class Damping:
     """Under-relaxation of one solve, all [-]."""
 
-    jacobi: float = 0.5  # of the distributive Jacobi changes
+    jacobi: float = 0.35  # of the distributive Jacobi changes
     gauss_seidel: float = 1.0  # factor on 0.4 + 0.6 eps/(eps + 1)
     correction: float = 1.0  # of the coarse-grid correction
     approach: float = 0.1  # of the change of H0 by the load balance, on the coarsest grid

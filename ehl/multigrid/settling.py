@@ -70,6 +70,8 @@ def settle(
             break
         state.swings |= history.swings
         if (state.swings or cycles > PLAIN_CYCLES) and cycles != most:
+            if history.grew and not state.swings:  # a combination that does harm is forgotten
+                acceleration = Acceleration()
             mixed, state.approach = acceleration.next(before, (level.P, state.approach))
             level.P = mixed if level.fill is None else np.where(level.P > 0.0, mixed, 0.0)
             update_film(state, index)

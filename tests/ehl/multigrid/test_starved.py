@@ -190,7 +190,7 @@ def test_oblique_contact_on_two_grids():
         film, _ = solve_attempts(conditions, options)
         supplied = replace(conditions, inlet_layer=layer(film.film_central_dimensionless.finest))
 
-        attempts = ATTEMPTS[turned : turned + 1]
+        attempts = tuple(a for a in ATTEMPTS if a.along_entrainment == turned)[:1]
         thin, _ = solve_attempts(
             supplied, options, attempts=attempts, film_guess=0.8 * film.film_central_dimensionless.value
         )
