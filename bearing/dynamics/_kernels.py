@@ -10,6 +10,7 @@ import numpy as np
 
 from ehl.compiled import compiled
 
+from ._handle_kernels import handle
 from ._state_kernels import (
     accumulators,
     ball_position,
@@ -56,18 +57,18 @@ def schedule_at(times, schedule, t, out):
     """Speeds, force and moment of the schedule at a time; returns the inner acceleration."""
     last = times.size - 1
     if t >= times[last] or last == 0:
-        out[:] = schedule[last]
+        for column in range(out.size):
+            out[column] = schedule[last, column]
         return 0.0
     k = 0
     while k < last - 1 and t >= times[k + 1]:
         k += 1
-    before = schedule[k]
-    after = schedule[k + 1]
     span = times[k + 1] - times[k]
     share = max(0.0, (t - times[k]) / span)
     for column in range(out.size):
-        out[column] = before[column] + share * (after[column] - before[column])
-    return (after[INNER_SPEED] - before[INNER_SPEED]) / span
+        before = schedule[k, column]
+        out[column] = before + share * (schedule[k + 1, column] - before)
+    return (schedule[k + 1, INNER_SPEED] - schedule[k, INNER_SPEED]) / span
 
 
 @compiled
@@ -95,8 +96,11 @@ def place_bodies(balls, y, inner_speed, outer_speed):
 
 
 @compiled
-def ball_equations(c, free, y, forces, power, dy):
+def ball_equations(p, y, dy):
     """Newton's and Euler's equations of the balls with drag and weight."""
+    c = p.constants
+    free = p.free
+    forces = p.forces
     gravity = c.gravity
     for j in range(c.balls):
         x = ball_position(j)
@@ -104,7 +108,7 @@ def ball_equations(c, free, y, forces, power, dy):
         w = ball_turn(c.balls, j)
         speed = norm(vector(y, v))
         pull = c.drag * speed
-        power[WORK.churning] += c.copies * pull * speed * speed
+        p.power[WORK.churning] += c.copies * pull * speed * speed
         for i in range(3):
             force = forces[j, FORCE + i] - pull * y[v + i]
             dy[x + i] = y[v + i]
@@ -113,8 +117,13 @@ def ball_equations(c, free, y, forces, power, dy):
 
 
 @compiled
-def ring_equations(c, free, y, given, acceleration, load, body, power, dy):
+def ring_equations(p, y, acceleration, body, dy):
     """The inner ring: contacts, loads, unbalance, support, weight, gyroscopic coupling."""
+    c = p.constants
+    free = p.free
+    given = p.given
+    load = p.loads[INNER]
+    power = p.power
     first = velocities(c.balls)
     phase = y[ring_angle(c.balls)] + c.unbalance_phase
     spin = given[INNER_SPEED]
@@ -149,8 +158,12 @@ def ring_equations(c, free, y, given, acceleration, load, body, power, dy):
 
 
 @compiled
-def cage_equations(c, free, y, load, body, power, dy):
+def cage_equations(p, y, body, dy):
     """The cage: pockets, lands, weight, unbalance, drag of the oil on its rotation."""
+    c = p.constants
+    free = p.free
+    load = p.loads[CAGE_LOAD]
+    power = p.power
     first = velocities(c.balls) + RING
     for i in range(CAGE):
         dy[RING + i] = y[first + i]
@@ -195,16 +208,10 @@ def add_copies(c, loads, power):
 
 
 @compiled
-def cage_lands(c, ring, cage, law, memory, loads, power, land_out):
-    """Both guiding lands of the cage on the ring that guides it."""
-    for side in range(2):
-        impact_speed = memory[LAND * c.balls + side]
-        cage_land(c, side, ring, cage, law, impact_speed, loads, power, land_out)
-
-
-@compiled
-def derivative(t, y, p, dy):
-    """Rates of the state vector; contact states and powers are left in the arrays of `p`."""
+def motion_rates(t, y, p, dy):
+    """Rates of the state vector; contact states and powers are left in the arrays of `p`, a
+    `handle` of `EquationData`.
+    """
     c = p.constants
     given = p.given
     acceleration = schedule_at(p.times, p.schedule, t, given)
@@ -213,38 +220,38 @@ def derivative(t, y, p, dy):
     p.loads[:] = 0.0
     p.forces[:] = 0.0
     # 1. races and balls
-    race_forces(
-        c, INNER, inner, p.friction_kind, p.friction_inner, p.normal[INNER], p.memory,
-        p.linear[INNER], y, p.friction, p.forces, p.loads[INNER], p.power, p.race_out[INNER],
-    )  # fmt: skip
-    race_forces(
-        c, OUTER, outer, p.friction_kind, p.friction_outer, p.normal[OUTER], p.memory,
-        p.linear[OUTER], y, p.friction, p.forces, p.loads[OUTER], p.power, p.race_out[OUTER],
-    )  # fmt: skip
+    race_forces(p, INNER, inner, y)
+    race_forces(p, OUTER, outer, y)
     # 2. pockets, or balls that meet
     if c.cage_mass > 0.0:
-        pocket_forces(
-            c, cage, p.normal[POCKET], p.memory, p.pocket_angle, p.pocket_play,
-            p.pocket_films, y, p.forces, p.loads[CAGE_LOAD], p.power, p.pocket_out,
-        )  # fmt: skip
+        pocket_forces(p, cage, y)
     elif c.copies == 1:
-        ball_collisions(c, p.normal[POCKET], p.memory, y, p.forces, p.power, p.pocket_out)
+        ball_collisions(p, y)
     # 3. friction that is stiff, balls that are not solved, and lands
     h = p.pace[0]
-    if h > 0.0 and h * largest_rate(c.balls, p.normal, p.linear, p.race_out) > STIFF:
+    if h > 0.0 and h * largest_rate(p) > STIFF:
         implicit_friction(p, y, inner, outer)
     if c.copies > 1:
         add_copies(c, p.loads, p.power)
     p.power[WORK.drive_outer] -= outer.turn[0] * p.loads[OUTER, MOMENT]
     if c.cage_mass > 0.0 and c.guide != GUIDED_BY_BALLS:
         ring = inner if c.guide == GUIDED_BY_INNER_RING else outer
-        cage_lands(c, ring, cage, p.normal[LAND], p.memory, p.loads, p.power, p.land_out)
+        for side in range(2):
+            cage_land(p, side, ring, cage)
     # 4. equations of motion
-    ball_equations(c, p.free, y, p.forces, p.power, dy)
-    ring_equations(c, p.free, y, given, acceleration, p.loads[INNER], inner, p.power, dy)
-    cage_equations(c, p.free, y, p.loads[CAGE_LOAD], cage, p.power, dy)
+    ball_equations(p, y, dy)
+    ring_equations(p, y, acceleration, inner, dy)
+    cage_equations(p, y, cage, dy)
     dy[ring_angle(c.balls)] = given[INNER_SPEED]
-    dy[accumulators(c.balls) :] = p.power
+    first = accumulators(c.balls)
+    for k in range(p.power.size):
+        dy[first + k] = p.power[k]
+
+
+@compiled
+def derivative(t, y, data, dy):
+    """`motion_rates` of `EquationData`."""
+    motion_rates(t, y, handle(data), dy)
 
 
 @compiled
@@ -263,17 +270,18 @@ def take(values, places, out):
 
 @compiled
 def solved_rates(t, y, p, dy):
-    """`derivative` of the coordinates that are solved; the others rest where `p.whole` has
+    """`motion_rates` of the coordinates that are solved; the others rest where `p.whole` has
     them.
     """
     put(y, p.solved, p.whole)
-    derivative(t, p.whole, p, p.rates)
+    motion_rates(t, p.whole, p, p.rates)
     take(p.rates, p.solved, dy)
 
 
 @compiled
-def energies(y, p, out):
+def energies(y, data, out):
     """Kinetic, elastic and potential energy [J] of a state whose `derivative` was just taken."""
+    p = handle(data)
     c = p.constants
     free = p.free
     gravity = c.gravity
@@ -310,3 +318,9 @@ def energies(y, p, out):
         sides = p.land_out[:, CONTACT.approach]
         elastic += elastic_energy(law, sides[0]) + elastic_energy(law, sides[1])
     out[KINETIC], out[ELASTIC], out[POTENTIAL] = kinetic, elastic, weight
+
+
+@compiled
+def solved_derivative(t, y, data, dy):
+    """`solved_rates` of `EquationData`."""
+    solved_rates(t, y, handle(data), dy)

@@ -8,11 +8,16 @@ from ._kernels import elastic_force, normal_force, ramped
 
 
 @compiled
-def ball_collisions(c, law, memory, y, forces, power, pocket_out):
+def ball_collisions(p, y):
     """Each ball and the next one: Hertz contact with Coulomb friction, in the places of the
     pockets, of which there are none.
     """
+    c = p.constants
+    law = p.normal[POCKET]
+    forces = p.forces
+    power = p.power
     for j in range(c.balls):
+        out = p.pocket_out[j]
         k = (j + 1) % c.balls
         position, velocity, turn = ball_motion(y, c.balls, j)
         other, other_velocity, other_turn = ball_motion(y, c.balls, k)
@@ -22,10 +27,10 @@ def ball_collisions(c, law, memory, y, forces, power, pocket_out):
         approach = 2.0 * c.ball_radius - distance
         relative = minus(velocity, other_velocity)
         rate = dot(relative, normal)
-        push = normal_force(law, approach, rate, memory[POCKET * c.balls + j])
-        pocket_out[j, CONTACT.load] = push
-        pocket_out[j, CONTACT.approach] = approach
-        pocket_out[j, CONTACT.approach_speed] = rate
+        push = normal_force(law, approach, rate, p.memory[POCKET * c.balls + j])
+        out[CONTACT.load] = push
+        out[CONTACT.approach] = approach
+        out[CONTACT.approach_speed] = rate
         if push <= 0.0:
             continue
         arm = times(c.ball_radius, normal)

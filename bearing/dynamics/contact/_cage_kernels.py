@@ -5,7 +5,7 @@ import numpy as np
 from ehl.compiled import compiled
 
 from .._state_kernels import accumulate, ball_motion, cross, dot, minus, norm, plus, times
-from ..arrays import CAGE_LOAD, CONTACT, FORCE, GUIDED_BY_INNER_RING, INNER, MOMENT, POCKET, WORK
+from ..arrays import CAGE_LOAD, CONTACT, FORCE, GUIDED_BY_INNER_RING, INNER, LAND, MOMENT, POCKET, WORK
 from ..layout import CAGE_ROTATION, RING
 from ._belt_kernels import film_by_matrix, film_holds, pocket_film
 from ._kernels import add_load, elastic_force, land_film, normal_force, point_velocity, ramped
@@ -48,42 +48,49 @@ def pocket_motion(c, body, frame, play, position, velocity, turn):
 
 
 @compiled
-def pocket_forces(c, body, law, memory, angles, plays, films, y, forces, load, power, pocket_out):
+def pocket_forces(p, body, y):
     """Forces of pockets on balls: contact with friction, film all around the ball."""
+    c = p.constants
+    law = p.normal[POCKET]
+    load = p.loads[CAGE_LOAD]
+    power = p.power
     rotation = y[RING + CAGE_ROTATION]
     for j in range(c.balls):
         # 1. contact
         position, velocity, turn = ball_motion(y, c.balls, j)
-        frame = pocket_frame(body, angles[j] + rotation)
+        play = p.pocket_play[j]
+        forces = p.forces[j]
+        out = p.pocket_out[j]
+        frame = pocket_frame(body, p.pocket_angle[j] + rotation)
         normal, point, slide, speed, rate, approach, place = pocket_motion(
-            c, body, frame, plays[j], position, velocity, turn
+            c, body, frame, play, position, velocity, turn
         )
-        push = normal_force(law, approach, rate, memory[POCKET * c.balls + j])
-        pocket_out[j, CONTACT.load] = push
-        pocket_out[j, CONTACT.approach] = approach
-        pocket_out[j, CONTACT.approach_speed] = rate
+        push = normal_force(law, approach, rate, p.memory[POCKET * c.balls + j])
+        out[CONTACT.load] = push
+        out[CONTACT.approach] = approach
+        out[CONTACT.approach_speed] = rate
         if push > 0.0:
             pull = push * ramped(c.pocket_friction, speed, c.friction_ramp) / max(speed, 1e-300)
             power[WORK.pocket_damping] += (push - elastic_force(law, approach)) * rate
             power[WORK.pocket_friction] += pull * speed * speed
             force = minus(times(-pull, slide), times(push, normal))
             add_load(load, body, point, times(-1.0, force))
-            accumulate(forces[j], FORCE, force)
-            accumulate(forces[j], MOMENT, cross(times(-c.ball_radius * pull, normal), slide))
+            accumulate(forces, FORCE, force)
+            accumulate(forces, MOMENT, cross(times(-c.ball_radius * pull, normal), slide))
         # 2. film
         if c.film_viscosity * c.pocket_height > 0.0:
             relative = minus(velocity, point_velocity(body, position))
             spin = minus(turn, body.turn)
-            film = films[j]
-            if film_holds(film, plays[j], place):
+            film = p.pocket_films[j]
+            if film_holds(film, play, place):
                 force, moment, lost = film_by_matrix(c, film, body.axis, relative, spin)
             else:
-                force, moment, lost = pocket_film(c, frame, plays[j], place, relative, spin)
+                force, moment, lost = pocket_film(c, frame, play, place, relative, spin)
             power[WORK.pocket_film] += lost
             add_load(load, body, position, times(-1.0, force))
             accumulate(load, MOMENT, times(-1.0, moment))
-            accumulate(forces[j], FORCE, force)
-            accumulate(forces[j], MOMENT, moment)
+            accumulate(forces, FORCE, force)
+            accumulate(forces, MOMENT, moment)
 
 
 @compiled
@@ -108,12 +115,14 @@ def land_contact(c, law, impact_speed, eccentricity, velocity, slide_about, out)
 
 
 @compiled
-def cage_land(c, side, ring, cage, law, impact_speed, loads, power, land_out):
+def cage_land(p, side, ring, cage):
     """One land of the guiding ring and the cage: film, its friction, and the solid contact.
 
     The friction of the film is the journal's, the couple of its force the sleeve's; the journal is
     the ring inside the cage (-1) or the cage inside the ring (+1).
     """
+    c = p.constants
+    loads = p.loads
     inside = c.guide == GUIDED_BY_INNER_RING
     journal = -1.0 if inside else 1.0
     # 1. eccentricity, its rate, and the speeds of the two surfaces
@@ -136,7 +145,8 @@ def cage_land(c, side, ring, cage, law, impact_speed, loads, power, land_out):
     # 3. solid contact with friction
     slide_about = journal * c.land_radius * speed_difference
     push, uy, uz, grip, stored_power = land_contact(
-        c, law, impact_speed, (ey, ez), (vy, vz), slide_about, land_out[side]
+        c, p.normal[LAND], p.memory[LAND * c.balls + side], (ey, ez), (vy, vz), slide_about,
+        p.land_out[side],
     )
     fy = fy - push * uy - grip * uz
     fz = fz - push * uz + grip * uy
@@ -149,7 +159,7 @@ def cage_land(c, side, ring, cage, law, impact_speed, loads, power, land_out):
         add_load(loads[INNER], ring, on_ring, (0.0, -fy, -fz))
         loads[INNER, MOMENT] += at_ring
     else:
-        power[WORK.drive_outer] -= ring_speed * at_ring
-    power[WORK.land_friction] -= (
+        p.power[WORK.drive_outer] -= ring_speed * at_ring
+    p.power[WORK.land_friction] -= (
         fy * vy + fz * vz + turning * cage_speed + at_ring * ring_speed + stored_power
     )

@@ -34,22 +34,22 @@ def load_share(law, linear, approach):
 
 
 @compiled
-def sliding_rate(normal, linear, race_out, ball):
+def sliding_rate(p, ball):
     """Rate at which friction on both races ends the sliding of a ball, by its slopes."""
     rate = 0.0
     for race in range(2):
-        approach = race_out[race, ball, CONTACT.approach]
-        share = load_share(normal[race], linear[race, ball], approach)
-        rate += share * linear[race, ball, LINEAR.rate]
+        approach = p.race_out[race, ball, CONTACT.approach]
+        share = load_share(p.normal[race], p.linear[race, ball], approach)
+        rate += share * p.linear[race, ball, LINEAR.rate]
     return rate
 
 
 @compiled
-def largest_rate(balls, normal, linear, race_out):
+def largest_rate(p):
     """Largest `sliding_rate` of the balls."""
     largest = 0.0
-    for j in range(balls):
-        largest = max(largest, sliding_rate(normal, linear, race_out, j))
+    for j in range(p.constants.balls):
+        largest = max(largest, sliding_rate(p, j))
     return largest
 
 
@@ -116,25 +116,31 @@ def solve(system):
 
 
 @compiled
-def begin_system(c, free, y, ball, forces, system):
+def begin_system(p, y, ball):
     """The unit matrix, and the acceleration of a ball as it would be."""
+    c = p.constants
+    free = p.free
+    system = p.system
     v = ball_velocity(c.balls, ball)
     pull = c.drag * norm(vector(y, v))
     system[:] = 0.0
     for row in range(FREEDOMS):
         system[row, row] = 1.0
-        push = forces[FORCE + row] - (pull * y[v + row] if row < 3 else 0.0)
+        push = p.forces[ball, FORCE + row] - (pull * y[v + row] if row < 3 else 0.0)
         system[row, FREEDOMS] = push * mobility(c, free, row)
         if row < 3:
             system[row, FREEDOMS] += free[BODIES + row] * c.gravity[row]
 
 
 @compiled
-def ball_friction(
-    c, body, race, law, linear, y, ball, delay, system, friction, forces, load, power, out
-):
+def ball_friction(p, body, race, y, ball, delay):
     """Add what friction gains by the acceleration of the ball, over a time `delay`."""
-    share = load_share(law, linear, out[CONTACT.approach])
+    c = p.constants
+    linear = p.linear[race, ball]
+    out = p.race_out[race, ball]
+    system = p.system
+    friction = p.friction
+    share = load_share(p.normal[race], linear, out[CONTACT.approach])
     if share == 0.0:
         return
     motion = motion_of(c, race, body, y, ball)
@@ -147,11 +153,11 @@ def ball_friction(
         for k in range(FORCES):
             slope = linear[LINEAR.slopes + MOTIONS * k + i]
             friction[k] += share * delay * slope * change
-    add_friction(c, motion, body, vector(friction, 0), friction[3], forces, load)
+    add_friction(c, motion, body, vector(friction, 0), friction[3], p.forces[ball], p.loads[race])
     out[CONTACT.friction_x] += friction[0]
     out[CONTACT.friction_y] += friction[1]
     slides = dot(vector(friction, 0), (motion.slide_x, motion.slide_y, motion.spin))
-    power[WORK.friction_inner + race] -= slides + friction[3] * motion.roll
+    p.power[WORK.friction_inner + race] -= slides + friction[3] * motion.roll
 
 
 @compiled
@@ -170,11 +176,11 @@ def implicit_friction(p, y, inner, outer):
     c = p.constants
     h = p.pace[0]
     for j in range(c.balls):
-        rate = sliding_rate(p.normal, p.linear, p.race_out, j)
+        rate = sliding_rate(p, j)
         if h * rate <= STIFF:
             continue
         delay = h / STIFF - 1.0 / rate
-        begin_system(c, p.free, y, j, p.forces[j], p.system)
+        begin_system(p, y, j)
         for race in range(2):
             body = inner if race == INNER else outer
             share = load_share(
@@ -186,7 +192,4 @@ def implicit_friction(p, y, inner, outer):
         solve(p.system)
         for race in range(2):
             body = inner if race == INNER else outer
-            ball_friction(
-                c, body, race, p.normal[race], p.linear[race, j], y, j, delay, p.system,
-                p.friction, p.forces[j], p.loads[race], p.power, p.race_out[race, j],
-            )  # fmt: skip
+            ball_friction(p, body, race, y, j, delay)

@@ -193,10 +193,15 @@ def add_friction(c, motion, body, along, roll, forces, load):
 
 
 @compiled
-def race_forces(
-    c, race, body, kind, data, law, memory, linear, y, friction, forces, load, power, race_out
-):
+def race_forces(p, race, body, y):
     """Forces of one race on every ball and back; powers; states of the contacts."""
+    c = p.constants
+    kind = p.friction_kind
+    data = p.friction_inner if race == INNER else p.friction_outer
+    law = p.normal[race]
+    friction = p.friction
+    load = p.loads[race]
+    power = p.power
     centre_radius = c.inner_centre if race == INNER else c.outer_centre
     groove_radius = c.inner_groove if race == INNER else c.outer_groove
     for j in range(c.balls):
@@ -204,18 +209,19 @@ def race_forces(
         motion = motion_on_race(c, body, centre_radius, groove_radius, y, j)
         approach, film = elastic_and_film(kind, data, law, motion)
         elastic = elastic_force(law, approach)
-        race_friction(c, kind, data, elastic, motion, linear[j], friction)
+        race_friction(c, kind, data, elastic, motion, p.linear[race, j], friction)
         if kind == TABLE:
             film = friction[CENTRAL_FILM]
-        record_contact(motion, approach, film, friction, race_out[j])
+        out = p.race_out[race, j]
+        record_contact(motion, approach, film, friction, out)
         if approach <= 0.0:
             continue
         rate = motion.approach_speed
         if kind == FILM:
             push = max(0.0, elastic + friction[FILM_DAMPING] * rate)
         else:
-            push = damped(law, elastic, rate, memory[race * c.balls + j])
-        race_out[j, CONTACT.load] = push
+            push = damped(law, elastic, rate, p.memory[race * c.balls + j])
+        out[CONTACT.load] = push
         # 2. power lost
         power[WORK.friction_inner + race] -= (
             friction[FORCE_X] * motion.slide_x
@@ -227,5 +233,6 @@ def race_forces(
         # 3. loads on ball and ring
         force = times(-push, motion.normal)
         add_load(load, body, motion.point, times(-1.0, force))
-        accumulate(forces[j], FORCE, force)
-        add_friction(c, motion, body, vector(friction, 0), friction[ROLL_MOMENT], forces[j], load)
+        forces = p.forces[j]
+        accumulate(forces, FORCE, force)
+        add_friction(c, motion, body, vector(friction, 0), friction[ROLL_MOMENT], forces, load)

@@ -11,7 +11,8 @@ import numpy as np
 
 from ehl.compiled import compiled, inlined
 
-from .._kernels import derivative, energies, put, solved_rates, take
+from .._handle_kernels import handle
+from .._kernels import energies, put, solved_rates
 from .._state_kernels import ball_turn, plus, times, vector
 from ..arrays import (
     ACCUMULATORS,
@@ -69,16 +70,14 @@ def stages(t, y, h, p, k, trial):
     """Stages 2 to 7 from the first one in k[0]; then the states of stages 6 and 7."""
     for i in range(STAGES - 1):
         for m in range(y.size):
-            total = 0.0
-            for j in range(i + 1):
-                total += A[i, j] * k[j, m]
-            trial[m] = y[m] + h * total
+            trial[m] = y[m]
+        for j in range(i + 1):
+            share = h * A[i, j]
+            for m in range(y.size):
+                trial[m] += share * k[j, m]
         if i == STAGES - 3:
             k[STATE_6, :] = trial
-        # `solved_rates`; a call more with all arrays costs a tenth of what one ball does
-        put(trial, p.solved, p.whole)
-        derivative(t + C[i] * h, p.whole, p, p.rates)
-        take(p.rates, p.solved, k[i + 1])
+        solved_rates(t + C[i] * h, trial, p, k[i + 1])
     k[STATE_7, :] = trial
 
 
@@ -314,11 +313,12 @@ def count_stiff(value, counters):
 
 
 @compiled
-def sample(y, p, history, record, row):
+def sample(y, data, history, record, row):
     """One row of a `Record`, right after `solved_rates` of the state.
 
     An open contact has no film there; its film goes on over the gap for `add_film_work` alone.
     """
+    p = handle(data)
     put(y, p.solved, p.whole)
     record.state[row] = p.whole
     record.races[row] = p.race_out
@@ -335,8 +335,30 @@ def sample(y, p, history, record, row):
 
 
 @compiled
-def advance_samples(t, y, h, p, control, scale, k, trial, history, counters, record):
+def begin_steps(t, y, data, dy):
+    """Before steps of which each evaluation asks the laws of friction and films."""
+    p = handle(data)
+    p.pocket_films[:] = 0.0
+    p.linear[:] = 0.0
+    solved_rates(t, y, p, dy)
+    remember_turns(p)
+    mark_films(p)
+
+
+@compiled
+def end_step(t, y, step, data, history, dy):
+    """After a step to a time `t`: attitudes, memory of impacts, work of films."""
+    p = handle(data)
+    solved_rates(t, y, p, dy)
+    turn_balls(p, step, history.attitude)
+    after_step(p, t, step, history.onset, history.states, history.shares)
+    add_film_work(p, y)
+
+
+@compiled
+def advance_samples(t, y, h, data, control, scale, k, trial, history, counters, record):
     """`advance` to each time of a record, and its rows. Status, rows written, time, next step."""
+    p = handle(data)
     p.pace[0] = h
     p.linear[:] = 0.0
     p.pocket_films[:] = 0.0

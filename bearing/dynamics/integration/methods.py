@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from scipy.integrate import LSODA
 
+from .._kernels import solved_derivative
 from ..arrays import Array, EquationData
 from ..record import ContactHistory, Record, SimulationState, StepControl, empty_record, first_rows
 from ..reduction import SolvedMotion, solved_motion
@@ -70,13 +71,9 @@ def _advance_to(
     y, history = moved
     data = motion.data
     rates = np.zeros_like(y)
-    data.pocket_films[:] = 0.0
-    data.linear[:] = 0.0  # every evaluation asks the law of the friction
-    _kernels.solved_rates(state.time, y, data, rates)
+    _kernels.begin_steps(state.time, y, data, rates)
     if limits[0] <= state.time:  # the explicit steps were given up right at a sample
         return True
-    _kernels.remember_turns(data)
-    _kernels.mark_films(data)
     solver = _solver(state, data, y, limits)
     while solver.status == "running":
         try:
@@ -87,10 +84,7 @@ def _advance_to(
             return False
         step = solver.t - solver.t_old
         y[: solver.n] = solver.y
-        _kernels.solved_rates(solver.t, y, data, rates)
-        _kernels.turn_balls(data, step, history.attitude)
-        _kernels.after_step(data, solver.t, step, history.onset, history.states, history.shares)
-        _kernels.add_film_work(data, y)
+        _kernels.end_step(solver.t, y, step, data, history, rates)
         state.counters[STEPS] += 1
         state.time = solver.t
         state.step = step
@@ -109,7 +103,7 @@ def _solver(
 
     def rates(t: float, y: Array) -> Array:
         full[:size] = y
-        _kernels.solved_rates(t, full, data, derivative)
+        solved_derivative(t, full, data, derivative)
         return derivative[:size].copy()
 
     def slopes(t: float, y: Array) -> Array:
