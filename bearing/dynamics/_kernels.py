@@ -46,7 +46,7 @@ from .arrays import (
 )
 from .contact._ball_kernels import ball_collisions
 from .contact._cage_kernels import cage_land, pocket_forces
-from .contact._implicit_kernels import STIFF, implicit_friction, largest_rate
+from .contact._implicit_kernels import friction_is_stiff, implicit_friction
 from .contact._kernels import elastic_energy
 from .contact._race_kernels import race_forces
 from .layout import BODIES, CAGE, CAGE_ROTATION, CAGE_TILT, FREE_TURN, RING, RING_TILT
@@ -228,8 +228,7 @@ def motion_rates(t, y, p, dy):
     elif c.copies == 1:
         ball_collisions(p, y)
     # 3. friction that is stiff, balls that are not solved, and lands
-    h = p.pace[0]
-    if h > 0.0 and h * largest_rate(p) > STIFF:
+    if friction_is_stiff(p):
         implicit_friction(p, y, inner, outer)
     if c.copies > 1:
         add_copies(c, p.loads, p.power)

@@ -197,6 +197,7 @@ class EquationData(NamedTuple):
     friction_outer: FrictionData
     free: Array  # 1 or 0 for the 5 coordinates of the ring, 6 of the cage, 6 of a ball
     pocket_angle: Array  # of each pocket in the cage, shape (Z,) [rad]
+    pocket_place: Array  # direction (y, z) of each pocket in the cage, shape (Z, 2) [-]
     pocket_play: Array  # radial, of each pocket, shape (Z,) [m]
     times: Array  # of the rows of the schedule, shape (n,) [s]
     # speeds of inner and outer ring [rad/s], force [N], moment [N m]; shape (n, GIVEN_COLUMNS)

@@ -53,6 +53,7 @@ def assemble(
     free = free_array(point.kind, operation, model)
     places = solved_places(free, n)
     layout = Layout(n)
+    azimuth = bearing.first_ball_azimuth + 2.0 * pi / n * np.arange(n)
     numbers = constants(bearing, model)
     laws = normal_laws(bearing, model, point.angles)
     races = [model.friction.data(race) for race in Race]
@@ -65,7 +66,8 @@ def assemble(
         friction_inner=races[0],
         friction_outer=races[1],
         free=free,
-        pocket_angle=np.asarray(bearing.first_ball_azimuth + 2.0 * pi / n * np.arange(n)),
+        pocket_angle=np.asarray(azimuth),
+        pocket_place=np.stack((np.cos(azimuth), np.sin(azimuth)), axis=1),
         pocket_play=0.5 * np.array((cage or NO_CAGE).clearances(n)),
         times=np.array(model.times, dtype=np.float64),
         schedule=np.array(model.rows(operation), dtype=np.float64),

@@ -113,7 +113,7 @@ def initial_state(
     """State vector at time zero, see `layout` [m, rad, m/s, rad/s]."""
     layout = Layout(bearing.balls)
     y = np.zeros(layout.size)
-    cosines, sines = np.cos(data.pocket_angle), np.sin(data.pocket_angle)
+    cosines, sines = data.pocket_place.T
     speeds = data.schedule[0, :GIVEN_FORCE]
     # 1. balls: place, speed of the orbit, spin about axis and radius
     if point.equilibrium is None:

@@ -86,12 +86,11 @@ class SolvedMotion:
         """Record of all balls."""
         if self.solved == self.balls:
             return record
-        each = np.zeros(self.balls, dtype=np.int64)
         return record._replace(
             state=all_states(record.state, self.balls, self.solved),
-            races=record.races[:, :, each],
-            pockets=record.pockets[:, each],
-            contact_state=record.contact_state[:, :, each],
+            races=np.repeat(record.races, self.balls, axis=2),
+            pockets=np.repeat(record.pockets, self.balls, axis=1),
+            contact_state=np.repeat(record.contact_state, self.balls, axis=2),
             attitude=turned_attitudes(record.attitude, self.balls),
         )
 
@@ -125,6 +124,7 @@ def _one_ball(data: EquationData) -> EquationData:
     return data._replace(
         constants=data.constants._replace(balls=1, copies=balls),
         pocket_angle=data.pocket_angle[:1].copy(),
+        pocket_place=data.pocket_place[:1].copy(),
         pocket_play=data.pocket_play[:1].copy(),
         memory=data.memory[_first_contacts(balls)],
         forces=np.zeros((1, LOAD_COLUMNS)),
@@ -170,7 +170,11 @@ def turned(vectors: Array, balls: int) -> Array:
     angle = 2.0 * np.pi / balls * np.arange(balls)
     c, s = np.cos(angle), np.sin(angle)
     x, y, z = (part[:, None] for part in vectors.T)
-    return np.stack([x + 0.0 * c, c * y - s * z, s * y + c * z], axis=-1)
+    out = np.empty((len(vectors), balls, 3))
+    out[..., 0] = x
+    out[..., 1] = c * y - s * z
+    out[..., 2] = s * y + c * z
+    return out
 
 
 def turned_attitudes(attitude: Array, balls: int) -> Array:

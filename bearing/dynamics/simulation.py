@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from copy import deepcopy
 from dataclasses import dataclass, field
+from functools import reduce
 from time import perf_counter
 
 import numpy as np
@@ -84,6 +85,10 @@ class Simulation:
     @property
     def control(self) -> StepControl:
         """Limits of the steps, by the vibration of the heaviest loaded ball between races [s]."""
+        return self._control(self.scale)
+
+    def _control(self, scale: Array) -> StepControl:
+        """`control` by the `scale` of the errors [SI]."""
         options = self.model.options
         stiffness = float(self.data.normal[: OUTER + 1, STIFFNESS].max())
         heaviest = HEAVIEST * self.reference_load
@@ -93,7 +98,7 @@ class Simulation:
             steepest=stiffness * (heaviest / stiffness) ** (1.0 / 3.0),
             longest=min(options.longest_step or STEP_ANGLE / frequency, options.sample_interval),
             stiff=STIFF_STEP * 2.0 * np.pi / frequency,
-            speed=float(self.scale[self.layout.ball_speed][0]),
+            speed=float(scale[self.layout.ball_speed][0]),
         )
 
     def sample_times(self) -> Array:
@@ -132,7 +137,7 @@ class Simulation:
         self.set_equations(before.kind)
         self.state.restore(before)
 
-    def _symmetric(self) -> bool:
+    def _symmetric(self, control: StepControl, scale: Array) -> bool:
         """Whether the general equations keep the motion as symmetric as the ones in use: no
         acceleration against the symmetry changes a speed in a step by an error that counts as one.
         """
@@ -145,23 +150,25 @@ class Simulation:
         derivative(self.state.time, self.state.y, general, rates)
         against = rates - symmetric_part(self.state.kind, self.data, rates)
         speeds = slice(layout.positions, layout.mechanical)
-        change = np.abs(against[speeds]) * self.control.longest
-        return bool(np.all(change <= self.scale[speeds]))
+        change = np.abs(against[speeds]) * control.longest
+        return bool(np.all(change <= scale[speeds]))
 
     def _advance(self, times: Array) -> Record:
         """A piece with the equations that hold, and general ones where their symmetry ends."""
+        scale = self.scale
+        method = (self._control(scale), scale)
         until = symmetric_until(self.state.kind, self.operation, self.model)
-        if self.state.kind in SYMMETRIC and not self._symmetric():
+        if self.state.kind in SYMMETRIC and not self._symmetric(*method):
             until = self.state.time
         held = times[times <= until]
         parts = [held] if held.size == times.size else [held, times[held.size :]]
-        record = empty_record(times[:0], self.bearing.balls)
+        records = []
         for part in parts:
             if part.size and part[0] > until:
                 self._break_symmetry()
             if part.size and self.converged:
-                record = join(record, self._steps(part))
-        return record
+                records.append(self._steps(part, method))
+        return reduce(join, records)
 
     def _break_symmetry(self) -> None:
         """Go on with the general equations, and say so."""
@@ -169,10 +176,9 @@ class Simulation:
         self.set_equations(LoadType.GENERAL)
         self._note(f"{lost} at t = {self.state.time:.6g} s; the general ones went on from there")
 
-    def _steps(self, times: Array) -> Record:
+    def _steps(self, times: Array, method: tuple[StepControl, Array]) -> Record:
         """Explicit steps; where they are given up, the rest by LSODA."""
         before = deepcopy(self.state)
-        method = (self.control, self.scale)
         # 1. explicit steps, after LSODA too: a stiff start may be over
         status, record = advance_explicit(self.state, self.data, times, *method)
         # 2. where they fail after LSODA, undo them: LSODA does the whole piece

@@ -135,15 +135,22 @@ def film_holds(film, play, place):
 
 
 @compiled
-def film_by_matrix(c, film, axis, velocity, turn):
+def film_by_matrix(c, film, velocity, turn):
     """`pocket_film` by its matrix: force, moment, power lost."""
-    force = film_rows(film, MATRIX, velocity, turn)
-    moment = film_rows(film, MATRIX + 18, velocity, turn)
-    power = -dot(force, velocity) - dot(moment, turn)
     if c.mirrored:
-        force = minus(force, times(dot(force, axis), axis))
-        moment = times(dot(moment, axis), axis)
-    return force, moment, power
+        motion = velocity[1], velocity[2], turn[0]
+        force = (0.0, -straight_row(film, 1, motion), -straight_row(film, 2, motion))
+        moment = (-straight_row(film, 3, motion), 0.0, 0.0)
+    else:
+        force = film_rows(film, MATRIX, velocity, turn)
+        moment = film_rows(film, MATRIX + 18, velocity, turn)
+    return force, moment, -dot(force, velocity) - dot(moment, turn)
+
+
+@compiled
+def straight_row(film, row, motion):
+    """A row of a film's matrix times a motion in the middle plane, and a turn across it."""
+    return dot(vector(film, MATRIX + 6 * row + 1), motion)
 
 
 @compiled

@@ -5,17 +5,33 @@ import numpy as np
 from ehl.compiled import compiled
 
 from .._state_kernels import accumulate, ball_motion, cross, dot, minus, norm, plus, times
-from ..arrays import CAGE_LOAD, CONTACT, FORCE, GUIDED_BY_INNER_RING, INNER, LAND, MOMENT, POCKET, WORK
+from ..arrays import (
+    CAGE_LOAD,
+    CONTACT,
+    FORCE,
+    GUIDED_BY_INNER_RING,
+    INNER,
+    LAND,
+    MOMENT,
+    POCKET,
+    WORK,
+)
 from ..layout import CAGE_ROTATION, RING
 from ._belt_kernels import film_by_matrix, film_holds, pocket_film
 from ._kernels import add_load, elastic_force, land_film, normal_force, point_velocity, ramped
 
 
 @compiled
-def pocket_frame(body, angle):
-    """Directions of a pocket: outward along its axis, around the cage, along the cage's axis."""
+def pocket_frame(c, body, place, turned):
+    """Directions of a pocket: outward along its axis, around the cage, along the cage's axis.
+
+    place: direction (y, z) of the pocket in the cage; turned: that of the cage's own z = 0.
+    """
     axis = body.axis
-    e1, e2 = np.cos(angle), np.sin(angle)
+    e1 = place[0] * turned[0] - place[1] * turned[1]
+    e2 = place[1] * turned[0] + place[0] * turned[1]
+    if c.mirrored:
+        return (0.0, e1, e2), (0.0, -e2, e1), axis
     tilted = e1 * axis[1] + e2 * axis[2]
     outward = (-tilted * axis[0], e1 - tilted * axis[1], e2 - tilted * axis[2])
     outward = times(1.0 / norm(outward), outward)
@@ -23,9 +39,9 @@ def pocket_frame(body, angle):
 
 
 @compiled
-def pocket_motion(c, body, frame, play, position, velocity, turn):
-    """Where a ball meets its pocket: normal, point, slide vector and size, approach and rate; the
-    ball's place around and along the axis in the pocket.
+def pocket_motion(c, body, frame, position):
+    """Where a ball stands in its pocket: normal and distance from the middle, and its place around
+    and along the axis.
     """
     outward, around, axis = frame
     offset = minus(position, body.centre)
@@ -39,12 +55,26 @@ def pocket_motion(c, body, frame, play, position, velocity, turn):
     if distance > 1e-15:
         p, q, r = across / distance, axial / distance, radial / distance
     normal = plus(plus(times(p, around), times(q, axis)), times(r, outward))
+    return normal, distance, (across, axial)
+
+
+@compiled
+def pocket_contact(c, position, relative, spin, normal, push):
+    """Force and moment on a ball that is pressed against its pocket, the point, and the power of
+    friction; relative, spin: velocity and turn of the ball in the pocket.
+    """
     arm = times(c.ball_radius, normal)
-    point = plus(position, arm)
-    slide = minus(plus(velocity, cross(turn, arm)), point_velocity(body, point))
-    rate = dot(slide, normal)
-    slide = minus(slide, times(rate, normal))
-    return normal, point, slide, norm(slide), rate, distance - play, (across, axial)
+    slide = plus(relative, cross(spin, arm))
+    slide = minus(slide, times(dot(slide, normal), normal))
+    speed = norm(slide)
+    pull = push * ramped(c.pocket_friction, speed, c.friction_ramp) / max(speed, 1e-300)
+    grip = times(-pull, slide)
+    return (
+        minus(grip, times(push, normal)),
+        cross(arm, grip),
+        plus(position, arm),
+        pull * speed * speed,
+    )
 
 
 @compiled
@@ -55,35 +85,34 @@ def pocket_forces(p, body, y):
     load = p.loads[CAGE_LOAD]
     power = p.power
     rotation = y[RING + CAGE_ROTATION]
+    turned = np.cos(rotation), np.sin(rotation)
     for j in range(c.balls):
         # 1. contact
         position, velocity, turn = ball_motion(y, c.balls, j)
         play = p.pocket_play[j]
         forces = p.forces[j]
         out = p.pocket_out[j]
-        frame = pocket_frame(body, p.pocket_angle[j] + rotation)
-        normal, point, slide, speed, rate, approach, place = pocket_motion(
-            c, body, frame, play, position, velocity, turn
-        )
-        push = normal_force(law, approach, rate, p.memory[POCKET * c.balls + j])
+        frame = pocket_frame(c, body, p.pocket_place[j], turned)
+        normal, distance, place = pocket_motion(c, body, frame, position)
+        relative = minus(velocity, point_velocity(body, position))
+        spin = minus(turn, body.turn)
+        rate = dot(relative, normal)
+        push = normal_force(law, distance - play, rate, p.memory[POCKET * c.balls + j])
         out[CONTACT.load] = push
-        out[CONTACT.approach] = approach
+        out[CONTACT.approach] = distance - play
         out[CONTACT.approach_speed] = rate
         if push > 0.0:
-            pull = push * ramped(c.pocket_friction, speed, c.friction_ramp) / max(speed, 1e-300)
-            power[WORK.pocket_damping] += (push - elastic_force(law, approach)) * rate
-            power[WORK.pocket_friction] += pull * speed * speed
-            force = minus(times(-pull, slide), times(push, normal))
+            force, moment, point, lost = pocket_contact(c, position, relative, spin, normal, push)
+            power[WORK.pocket_damping] += (push - elastic_force(law, distance - play)) * rate
+            power[WORK.pocket_friction] += lost
             add_load(load, body, point, times(-1.0, force))
             accumulate(forces, FORCE, force)
-            accumulate(forces, MOMENT, cross(times(-c.ball_radius * pull, normal), slide))
+            accumulate(forces, MOMENT, moment)
         # 2. film
         if c.film_viscosity * c.pocket_height > 0.0:
-            relative = minus(velocity, point_velocity(body, position))
-            spin = minus(turn, body.turn)
             film = p.pocket_films[j]
             if film_holds(film, play, place):
-                force, moment, lost = film_by_matrix(c, film, body.axis, relative, spin)
+                force, moment, lost = film_by_matrix(c, film, relative, spin)
             else:
                 force, moment, lost = pocket_film(c, frame, play, place, relative, spin)
             power[WORK.pocket_film] += lost
@@ -145,7 +174,12 @@ def cage_land(p, side, ring, cage):
     # 3. solid contact with friction
     slide_about = journal * c.land_radius * speed_difference
     push, uy, uz, grip, stored_power = land_contact(
-        c, p.normal[LAND], p.memory[LAND * c.balls + side], (ey, ez), (vy, vz), slide_about,
+        c,
+        p.normal[LAND],
+        p.memory[LAND * c.balls + side],
+        (ey, ez),
+        (vy, vz),
+        slide_about,
         p.land_out[side],
     )
     fy = fy - push * uy - grip * uz

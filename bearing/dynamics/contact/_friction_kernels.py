@@ -56,9 +56,12 @@ def slopes_hold(linear, load, motion):
 
 
 @compiled
-def friction_by_slopes(linear, load, motion, friction):
+def friction_by_slopes(mirrored, linear, load, motion, friction):
     """Friction linearised in the sliding and in proportion to the load; films as they were."""
     d_x = motion.slide_x - linear[LINEAR.motion]
+    if mirrored:
+        straight_by_slopes(linear, load / linear[LINEAR.load], d_x, friction)
+        return
     d_y = motion.slide_y - linear[LINEAR.motion + 1]
     d_n = motion.spin - linear[LINEAR.motion + 2]
     share = load / linear[LINEAR.load]
@@ -68,6 +71,20 @@ def friction_by_slopes(linear, load, motion, friction):
         s = LINEAR.slopes + MOTIONS * k
         change = linear[s] * d_x + linear[s + 1] * d_y + linear[s + 2] * d_n
         friction[k] = share * (linear[LINEAR.friction + k] + change)
+    for k in range(FORCES, FRICTION_COLUMNS):
+        friction[k] = linear[LINEAR.friction + k]
+
+
+@compiled
+def straight_by_slopes(linear, share, d_x, friction):
+    """`friction_by_slopes` where all sliding is along the entrainment: F_x and M_y alone."""
+    growth = 1.0 + (share - 1.0) / 3.0
+    last = FORCES - 1
+    friction[0] = share * (linear[LINEAR.friction] + linear[LINEAR.slopes] * d_x)
+    moment = linear[LINEAR.friction + last] + linear[LINEAR.slopes + MOTIONS * last] * d_x
+    friction[1] = 0.0
+    friction[2] = 0.0
+    friction[last] = share * growth * growth * moment
     for k in range(FORCES, FRICTION_COLUMNS):
         friction[k] = linear[LINEAR.friction + k]
 

@@ -13,7 +13,7 @@ of less than h/2. Forces and powers are of the friction that acts: energies clos
 from ehl.compiled import compiled
 
 from .._state_kernels import ball_velocity, cross, dot, norm, times, vector
-from ..arrays import CONTACT, FORCE, INNER, LINEAR, WORK
+from ..arrays import CONTACT, FORCE, INNER, LINEAR, OUTER, WORK
 from ..layout import BODIES, FREE_TURN
 from ._friction_kernels import FORCES, LOAD_CHANGE, MOTIONS
 from ._kernels import elastic_force
@@ -45,12 +45,15 @@ def sliding_rate(p, ball):
 
 
 @compiled
-def largest_rate(p):
-    """Largest `sliding_rate` of the balls."""
-    largest = 0.0
+def friction_is_stiff(p):
+    """Whether a step cannot resolve the sliding of some ball."""
+    h = p.pace[0]
     for j in range(p.constants.balls):
-        largest = max(largest, sliding_rate(p, j))
-    return largest
+        # shares of the loads are at most LOAD_CHANGE: most balls need no more than this
+        most = LOAD_CHANGE * (p.linear[INNER, j, LINEAR.rate] + p.linear[OUTER, j, LINEAR.rate])
+        if h * most > STIFF and h * sliding_rate(p, j) > STIFF:
+            return True
+    return False
 
 
 @compiled

@@ -39,12 +39,12 @@ def groove_contact(body, centre_radius, reach, position):
     axial = dot(offset, body.axis)
     outward = minus(offset, times(axial, body.axis))
     rho = norm(outward)
-    outward = (outward[0] / rho, outward[1] / rho, outward[2] / rho)
+    outward = times(1.0 / rho, outward)
     radial = rho - centre_radius
     distance = max(np.sqrt(axial * axial + radial * radial), 1e-12)
     sine, cosine = axial / distance, radial / distance
     normal = plus(times(sine, body.axis), times(cosine, outward))
-    angle = np.arctan2(sine, cosine) if cosine > 0.0 else np.arctan2(-sine, -cosine)
+    angle = np.arctan(sine / cosine)
     return normal, distance - reach, cosine, rho, cross(body.axis, outward), angle
 
 
@@ -92,7 +92,8 @@ def straight_motion(c, body, centre_radius, groove_radius, position, velocity, t
     """`race_motion` where all motion is in the middle plane and all turning about the axis."""
     _, ry, rz = minus(position, body.centre)
     rho = np.sqrt(ry * ry + rz * rz)
-    ny, nz = ry / rho, rz / rho
+    inverse = 1.0 / rho  # one division: they and the root are what this costs
+    ny, nz = ry * inverse, rz * inverse
     radial = rho - centre_radius
     side = 1.0 if radial >= 0.0 else -1.0  # of the race: outer, inner
     arm = side * c.ball_radius
@@ -102,7 +103,7 @@ def straight_motion(c, body, centre_radius, groove_radius, position, velocity, t
     drift = bz * ny - by * nz
     of_ball = along + turn[0] * arm
     of_race = drift + body.turn[0] * (rho + arm)
-    entrainment = 0.5 * (of_ball + of_race) - along - (along - drift) / rho * arm
+    entrainment = 0.5 * (of_ball + of_race) - along - (along - drift) * inverse * arm
     sense = 1.0 if entrainment >= 0.0 else -1.0
     _, py, pz = position
     return RaceMotion(
@@ -153,7 +154,7 @@ def race_friction(c, kind, data, load, motion, linear, friction):
         friction[:] = 0.0
         return
     if slopes_hold(linear, load, motion):
-        friction_by_slopes(linear, load, motion, friction)
+        friction_by_slopes(c.mirrored, linear, load, motion, friction)
     else:
         motions = (motion.slide_x, motion.slide_y, motion.spin)
         friction_law(kind, c.mirrored, data, load, motion.entrainment, motions, friction)

@@ -5,6 +5,8 @@ asked again after 1, 2, 4 or 8 steps: less often where its slopes foretold the f
 where they did not, at once where its load has doubled or halved.
 """
 
+import numpy as np
+
 from ehl.compiled import compiled
 
 from .._kernels import place_bodies
@@ -52,7 +54,7 @@ def renew_contact(c, kind, data, load, motion, linear, foretold, friction, time,
     """Friction of one contact from its law, and after how many steps again."""
     held = slopes_hold(linear, load, motion)
     if held:
-        friction_by_slopes(linear, load, motion, friction)
+        friction_by_slopes(c.mirrored, linear, load, motion, friction)
         foretold[:] = friction[:FORCES]
     motions = (motion.slide_x, motion.slide_y, motion.spin)
     friction_law(kind, c.mirrored, data, load, motion.entrainment, motions, friction)
@@ -105,18 +107,18 @@ def renew_friction(p, y, step, time, speed):
 
 
 @compiled
-def renew_pocket(c, frame, play, motion, axis, film, time, speed):
+def renew_pocket(c, frame, play, motion, film, time, speed):
     """The matrix of one pocket's film anew, and when again."""
     place, velocity, turn = motion
     error = 0.0
     held = film_holds(film, play, place)
     interval = film[INTERVAL]
     if held:
-        force, moment, _ = film_by_matrix(c, film, axis, velocity, turn)
+        force, moment, _ = film_by_matrix(c, film, velocity, turn)
     film_matrix(c, frame, play, place, velocity, film)
     film[INTERVAL] = 1.0
     if held:
-        real, about, _ = film_by_matrix(c, film, axis, velocity, turn)
+        real, about, _ = film_by_matrix(c, film, velocity, turn)
         off = norm(minus(real, force)) + norm(minus(about, moment)) / c.ball_radius
         mobility = 1.0 / c.ball_mass + c.ball_radius * c.ball_radius / c.ball_inertia
         error = 0.5 * interval * time * mobility * off / speed
@@ -135,16 +137,17 @@ def renew_pockets(p, y, step, time, speed):
     some = False
     _, _, body = place_bodies(c.balls, y, p.given[INNER_SPEED], p.given[OUTER_SPEED])
     rotation = y[RING + CAGE_ROTATION]
+    turned = np.cos(rotation), np.sin(rotation)
     for j in range(c.balls):
         film = p.pocket_films[j]
         position, velocity, turn = ball_motion(y, c.balls, j)
-        frame = pocket_frame(body, p.pocket_angle[j] + rotation)
-        place = pocket_motion(c, body, frame, p.pocket_play[j], position, velocity, turn)[6]
+        frame = pocket_frame(c, body, p.pocket_place[j], turned)
+        place = pocket_motion(c, body, frame, position)[2]
         due = step == 0 or step % int(film[INTERVAL]) == 0
         if not due and film_holds(film, p.pocket_play[j], place):
             continue
         some = True
         relative = minus(velocity, point_velocity(body, position))
         motion = (place, relative, minus(turn, body.turn))
-        renew_pocket(c, frame, p.pocket_play[j], motion, body.axis, film, time, speed)
+        renew_pocket(c, frame, p.pocket_play[j], motion, film, time, speed)
     return some

@@ -176,7 +176,7 @@ def test_the_film_of_a_pocket_as_a_matrix_is_the_film(eccentricity):
     for factor in (1.0, 2.5):  # the same direction: the same places are squeezed
         motion = tuple(factor * v for v in velocity), tuple(factor * v for v in turn)
         expected = pocket_film(c, frame, play, place, *motion)
-        found = film_by_matrix(c, film, frame[2], *motion)
+        found = film_by_matrix(c, film, *motion)
         for part, wanted in zip(found, expected, strict=True):
             assert_allclose(part, wanted, rtol=1e-10, atol=1e-12)
     matrix = film[2:].reshape(6, 6)
