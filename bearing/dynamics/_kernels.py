@@ -102,6 +102,8 @@ def ball_equations(p, y, dy):
     free = p.free
     forces = p.forces
     gravity = c.gravity
+    per_mass = 1.0 / c.ball_mass
+    per_inertia = 1.0 / c.ball_inertia
     for j in range(c.balls):
         x = ball_position(j)
         v = ball_velocity(c.balls, j)
@@ -112,8 +114,8 @@ def ball_equations(p, y, dy):
         for i in range(3):
             force = forces[j, FORCE + i] - pull * y[v + i]
             dy[x + i] = y[v + i]
-            dy[v + i] = free[BODIES + i] * (force / c.ball_mass + gravity[i])
-            dy[w + i] = free[FREE_TURN + i] * forces[j, MOMENT + i] / c.ball_inertia
+            dy[v + i] = free[BODIES + i] * (force * per_mass + gravity[i])
+            dy[w + i] = free[FREE_TURN + i] * forces[j, MOMENT + i] * per_inertia
 
 
 @compiled

@@ -53,7 +53,7 @@ def pocket_motion(c, body, frame, position):
     q = 0.0
     r = 0.0
     if distance > 1e-15:
-        p, q, r = across / distance, axial / distance, radial / distance
+        p, q, r = times(1.0 / distance, (across, axial, radial))
     normal = plus(plus(times(p, around), times(q, axis)), times(r, outward))
     return normal, distance, (across, axial)
 

@@ -40,6 +40,8 @@ def normal_force(law, approach, speed, impact_speed):
 @compiled
 def damped(law, elastic, speed, impact_speed):
     """Elastic force with its damping, never adhesive."""
+    if elastic <= 0.0:
+        return 0.0
     return max(0.0, elastic * (1.0 + law[DAMPING] * speed / impact_speed))
 
 

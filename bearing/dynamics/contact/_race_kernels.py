@@ -42,9 +42,10 @@ def groove_contact(body, centre_radius, reach, position):
     outward = times(1.0 / rho, outward)
     radial = rho - centre_radius
     distance = max(np.sqrt(axial * axial + radial * radial), 1e-12)
-    sine, cosine = axial / distance, radial / distance
+    inverse = 1.0 / distance
+    sine, cosine = axial * inverse, radial * inverse
     normal = plus(times(sine, body.axis), times(cosine, outward))
-    angle = np.arctan(sine / cosine)
+    angle = np.arctan(axial / radial)
     return normal, distance - reach, cosine, rho, cross(body.axis, outward), angle
 
 

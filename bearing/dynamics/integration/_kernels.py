@@ -115,12 +115,14 @@ def duration(law, mass, speed):
 
 
 @compiled
-def contact_state(c, law, approach, speed, age):
+def contact_state(c, law, approach, speed, age, before):
     """Whether a ball is separated from a race, in contact, or in an impact: within the duration of
-    an elastic one of the speed at which the contact began.
+    an elastic one of the speed at which the contact began. Impact turns to contact, not back.
     """
     if approach <= 0.0:
         return SEPARATED
+    if before == IN_CONTACT:
+        return IN_CONTACT
     if speed > c.floor and age < duration(law, c.ball_mass, speed):
         return IN_IMPACT
     return IN_CONTACT
@@ -145,7 +147,9 @@ def after_step(p, t, h, onset, states, shares):
             contact = p.race_out[race, j]
             age = t - onset[place]
             speed = memory[place]
-            state = contact_state(c, p.normal[race], contact[CONTACT.approach], speed, age)
+            state = contact_state(
+                c, p.normal[race], contact[CONTACT.approach], speed, age, states[race, j]
+            )
             states[race, j] = state
             shares[race, j, state] += h
             remember_onset(memory, onset, place, contact, c.floor, t)
