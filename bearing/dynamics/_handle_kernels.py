@@ -6,7 +6,6 @@ ten times the time of the physics of a ball. `handle` keeps the tuple where it i
 returns is read like the tuple, lives as long as that call, and counts nothing.
 """
 
-from llvmlite import ir
 from numba import types
 from numba.core import cgutils
 from numba.core.datamodel import models
@@ -32,7 +31,7 @@ class HandleModel(models.PrimitiveModel):
     """One pointer."""
 
     def __init__(self, manager, handle):
-        super().__init__(manager, handle, ir.PointerType(ir.IntType(8)))
+        super().__init__(manager, handle, cgutils.voidptr_t)
 
 
 @infer_getattr
@@ -71,7 +70,7 @@ def read_field(context, builder, handle, value, name):
     struct = context.get_value_type(handle.fields)
     place = cgutils.gep_inbounds(builder, builder.bitcast(value, struct.as_pointer()), 0, index)
     if isinstance(field, types.BaseNamedTuple):
-        return builder.bitcast(place, ir.PointerType(ir.IntType(8)))
+        return builder.bitcast(place, cgutils.voidptr_t)
     return uncounted(context, builder, field, builder.load(place))
 
 
@@ -86,6 +85,6 @@ def handle(typing, fields):
         kind = signature.args[0]
         room = cgutils.alloca_once(builder, context.get_value_type(kind))
         builder.store(uncounted(context, builder, kind, arguments[0]), room)
-        return builder.bitcast(room, ir.PointerType(ir.IntType(8)))
+        return builder.bitcast(room, cgutils.voidptr_t)
 
     return Handle(fields)(fields), build

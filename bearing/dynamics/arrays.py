@@ -2,8 +2,7 @@
 columns; SI, vectors along x (axial), y (load line) and z, inertial.
 
 `EquationData` is assembled once a simulation; the kernels write its scratch arrays and the memory
-of the impacts. Inner kernels get single arrays of it: a tuple of arrays passed to a compiled
-function costs an atomic count up and down for each, at 18 balls ten times the time of the physics.
+of the impacts. Those that Python calls make a `handle` of it for the others.
 """
 
 from typing import NamedTuple
@@ -144,7 +143,7 @@ class FrictionData(NamedTuple):
 
 
 class Constants(NamedTuple):
-    """Numbers of one bearing, SI; without arrays, so passed on at no cost."""
+    """Numbers of one bearing, SI."""
 
     balls: int  # those whose motion is solved
     copies: int  # balls that each of them stands for

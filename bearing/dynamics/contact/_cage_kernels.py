@@ -123,10 +123,13 @@ def pocket_forces(p, body, y):
 
 
 @compiled
-def land_contact(c, law, impact_speed, eccentricity, velocity, slide_about, out):
+def land_contact(p, side, eccentricity, velocity, slide_about):
     """Solid contact of cage and land where the gap is used up: normal force, its direction (y, z),
     friction, power stored; slide_about: sliding speed by the rotations.
     """
+    c = p.constants
+    law = p.normal[LAND]
+    out = p.land_out[side]
     ey, ez = eccentricity
     vy, vz = velocity
     e = np.sqrt(ey * ey + ez * ez)
@@ -135,7 +138,7 @@ def land_contact(c, law, impact_speed, eccentricity, velocity, slide_about, out)
     rate = vy * uy + vz * uz
     out[CONTACT.approach] = approach
     out[CONTACT.approach_speed] = rate
-    push = normal_force(law, approach, rate, impact_speed)
+    push = normal_force(law, approach, rate, p.memory[LAND * c.balls + side])
     out[CONTACT.load] = push
     slide = slide_about + uy * vz - uz * vy
     grip = -push * ramped(c.land_friction, abs(slide), c.friction_ramp)
@@ -164,24 +167,15 @@ def cage_land(p, side, ring, cage):
     ring_speed = ring.turn[0]
     speed_difference = cage_speed - ring_speed
     # 2. film
-    fy, fz, factor = land_film(
-        c.land_radius, c.land_clearance, c.land_width, c.film_viscosity, ey, ez, vy, vz,
-        0.5 * (cage_speed + ring_speed),
-    )  # fmt: skip
+    mean = 0.5 * (cage_speed + ring_speed)
+    gap = c.land_radius, c.land_clearance, c.land_width
+    fy, fz, factor = land_film(*gap, c.film_viscosity, ey, ez, vy, vz, mean)
     shear = -factor * 2.0 * np.pi * c.film_viscosity * c.land_radius**3
     turning = shear * c.land_width / c.land_clearance * speed_difference
     turning += min(journal, 0.0) * (ey * fz - ez * fy)
     # 3. solid contact with friction
     slide_about = journal * c.land_radius * speed_difference
-    push, uy, uz, grip, stored_power = land_contact(
-        c,
-        p.normal[LAND],
-        p.memory[LAND * c.balls + side],
-        (ey, ez),
-        (vy, vz),
-        slide_about,
-        p.land_out[side],
-    )
+    push, uy, uz, grip, stored_power = land_contact(p, side, (ey, ez), (vy, vz), slide_about)
     fy = fy - push * uy - grip * uz
     fz = fz - push * uz + grip * uy
     turning += journal * c.land_radius * grip

@@ -202,7 +202,6 @@ def race_forces(p, race, body, y):
     data = p.friction_inner if race == INNER else p.friction_outer
     law = p.normal[race]
     friction = p.friction
-    load = p.loads[race]
     power = p.power
     centre_radius = c.inner_centre if race == INNER else c.outer_centre
     groove_radius = c.inner_groove if race == INNER else c.outer_groove
@@ -234,7 +233,7 @@ def race_forces(p, race, body, y):
         power[WORK.race_damping] += (push - elastic) * rate
         # 3. loads on ball and ring
         force = times(-push, motion.normal)
+        load, forces = p.loads[race], p.forces[j]
         add_load(load, body, motion.point, times(-1.0, force))
-        forces = p.forces[j]
         accumulate(forces, FORCE, force)
         add_friction(c, motion, body, vector(friction, 0), friction[ROLL_MOMENT], forces, load)
