@@ -119,8 +119,10 @@ def ball_equations(p, y, dy):
 
 
 @compiled
-def ring_equations(p, y, acceleration, body, dy):
-    """The inner ring: contacts, loads, unbalance, support, weight, gyroscopic coupling."""
+def ring_equations(p, t, y, acceleration, body, dy):
+    """The inner ring: contacts, loads, also one that goes round, unbalance, support, weight,
+    gyroscopic coupling.
+    """
     c = p.constants
     free = p.free
     given = p.given
@@ -133,7 +135,10 @@ def ring_equations(p, y, acceleration, body, dy):
     steady = c.unbalance * spin * spin
     swing = c.unbalance * acceleration
     fx, fy, fz = vector(given, GIVEN_FORCE)
-    pushes = (fx, fy + steady * co + swing * si, fz + steady * si - swing * co)
+    turning = c.rotating_speed * t + c.rotating_phase
+    fy += steady * co + swing * si + c.rotating_force * np.cos(turning)
+    fz += steady * si - swing * co + c.rotating_force * np.sin(turning)
+    pushes = (fx, fy, fz)
     gravity = c.gravity
     for i in range(3):
         v = y[first + i]
@@ -241,7 +246,7 @@ def motion_rates(t, y, p, dy):
             cage_land(p, side, ring, cage)
     # 4. equations of motion
     ball_equations(p, y, dy)
-    ring_equations(p, y, acceleration, inner, dy)
+    ring_equations(p, t, y, acceleration, inner, dy)
     cage_equations(p, y, cage, dy)
     dy[ring_angle(c.balls)] = given[INNER_SPEED]
     first = accumulators(c.balls)

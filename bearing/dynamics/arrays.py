@@ -161,6 +161,9 @@ class Constants(NamedTuple):
     ring_damping: float  # of its support, along x, y, z [N s/m]
     unbalance: float  # of the inner ring [kg m]
     unbalance_phase: float  # from +y at time zero [rad]
+    rotating_force: float  # that goes round on the inner ring [N]
+    rotating_speed: float  # [rad/s]
+    rotating_phase: float  # from +y at time zero [rad]
     cage_mass: float  # [kg]; 0: no cage
     cage_transverse: float  # inertia [kg m^2]
     cage_polar: float

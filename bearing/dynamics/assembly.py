@@ -158,6 +158,7 @@ def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
         ring_damping=ring.damping,
         unbalance=ring.unbalance,
         unbalance_phase=ring.unbalance_phase,
+        **_rotating_numbers(model),
         **_cage_numbers(cage, bearing.balls),
         cage_mass=0.0 if model.cage is None else cage.mass,
         ball_friction=model.ball_friction,
@@ -167,6 +168,13 @@ def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
         gravity=model.options.gravity,
         floor=model.normal.impact_floor,
     )
+
+
+def _rotating_numbers(model: DynamicsModel) -> dict[str, Any]:
+    """Those of the load that goes round [SI]."""
+    load = model.rotating
+    numbers = (0.0, 0.0, 0.0) if load is None else (load.force, load.speed, load.phase)
+    return dict(zip(("rotating_force", "rotating_speed", "rotating_phase"), numbers, strict=True))
 
 
 def _cage_numbers(cage: CageBody, balls: int) -> dict[str, Any]:

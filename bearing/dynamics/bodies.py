@@ -166,6 +166,7 @@ def load_type(operation: Operation, model: DynamicsModel) -> LoadType:
         np.any(others)
         or any(model.options.gravity)
         or model.ring.unbalance > 0.0
+        or model.rotating is not None
         or (model.cage is not None and model.cage.unbalance > 0.0)
         or None in operation.force
         or any(value != 0.0 for value in operation.tilt)
@@ -182,6 +183,7 @@ def symmetric_until(kind: LoadType, operation: Operation, model: DynamicsModel) 
     rows = np.array(model.rows(operation))
     if kind is LoadType.AXIAL:
         even = model.ring.unbalance == 0.0 and (model.cage is None or model.cage.even)
+        even = even and model.rotating is None
         broken = np.any(gravity[1:]) or np.any(places[1:]) or not even
         loaded = np.any(rows[:, ACROSS], axis=1)
     elif kind in (LoadType.RADIAL, LoadType.PLANAR):

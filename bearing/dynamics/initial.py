@@ -1,6 +1,7 @@
 """Where a simulation starts: quasi-static equilibrium, or balls on the outer race."""
 
 from dataclasses import dataclass, replace
+from math import cos, sin
 from typing import Any
 
 import numpy as np
@@ -89,11 +90,13 @@ def first_operation(operation: Operation, model: DynamicsModel, kind: LoadType) 
         for a, b in zip(rows[0][:GIVEN_FORCE], rows[-1][:GIVEN_FORCE], strict=True)
     )
     ring = free_coordinates(kind, operation)[0]
+    given = [*rows[0][GIVEN_FORCE:]]
+    if model.rotating is not None:
+        given[1] += model.rotating.force * cos(model.rotating.phase)
+        given[2] += model.rotating.force * sin(model.rotating.phase)
     loads: list[Any] = []
     places: list[Any] = []
-    for load, place, free in zip(
-        rows[0][GIVEN_FORCE:], operation.displacements, ring, strict=True
-    ):
+    for load, place, free in zip(given, operation.displacements, ring, strict=True):
         loads.append(load if free else None)
         places.append(None if free else place or 0.0)
     return replace(

@@ -110,6 +110,18 @@ class RingBody:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class RotatingLoad:
+    """A force on the inner ring across the axis that goes round at a speed."""
+
+    force: float  # [N]
+    speed: float  # about x [rad/s]
+    phase: float = 0.0  # from +y at time zero [rad]
+
+    def __post_init__(self) -> None:
+        require_positive(self, "force")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Schedule:
     """Speeds and loads over time, linear between the rows, the last one kept."""
 
@@ -180,6 +192,7 @@ class DynamicsModel:
     cage: CageBody | None = None
     normal: NormalContact = field(default_factory=NormalContact)
     schedule: Schedule | None = None  # None: the operation's speeds and loads throughout
+    rotating: RotatingLoad | None = None  # beside them
     film_viscosity: float = 0.0  # of the oil in pockets and lands [Pa s]
     # sliding speed up to which friction of pockets and lands rises [m/s]
     friction_ramp: float = 0.01

@@ -83,6 +83,7 @@ class Simulation:
         """Largest load over the number of balls, at least `REFERENCE_LOAD` [N]."""
         forces = self.data.schedule[:, GIVEN_FORCE:GIVEN_MOMENT]
         largest = float(np.linalg.norm(forces, axis=1).max())
+        largest += self.data.constants.rotating_force
         return max(REFERENCE_LOAD, largest / self.bearing.balls)
 
     @property

@@ -19,10 +19,10 @@ FILM_SECONDS = 0.6
 FILM_POINTS = 257
 EQUILIBRIUM_SECONDS = 0.01  # of a bearing in a slip map, measured likewise on 7000C
 # of a simulation for each ball and simulated second, measured likewise on 7008_axial, 7008_radial
-# and 7008_combined (3.2 to 4.9), and on 6304_planar
-DYNAMICS_SECONDS = 4.0
-PLANAR_SECONDS = 1.0  # with the equations of a plane
-AXIAL_SECONDS = 9.0  # of one ball for all, with ring and cage; not for each ball
+# and 7008_combined (0.8 to 1.7), and on 6304_planar
+DYNAMICS_SECONDS = 1.6
+PLANAR_SECONDS = 0.4  # with the equations of a plane
+AXIAL_SECONDS = 2.0  # of one ball for all, with ring and cage; not for each ball
 # of a step in time on 257 nodes along x, of y >= 0, measured likewise on waviness_ball_on_disc
 STATE_SECONDS = (
     0.01  # a ball, of films without a solve in balance, with the heat of their friction
@@ -99,7 +99,12 @@ def _one_ball(case: Case, table: DynamicsTable) -> bool:
     """Whether a simulation most likely solves one ball: thrust alone throughout."""
     across = any(case.operation.force[1:]) or any(table.gravity_m_s2[1:])
     plain = table.load_table_N is None and table.moment_table_N_mm is None
-    return table.equations == "by load" and plain and not across and not table.unbalance_g_mm
+    return (
+        table.equations == "by load"
+        and plain
+        and not across
+        and not (table.unbalance_g_mm or table.rotating_load_N)
+    )
 
 
 def transient_cost(case: ContactCase) -> tuple[str, float]:

@@ -77,6 +77,13 @@ class DynamicsTable(Table):
     ball_drag_N: float | None = between(0, 1e4, "of a ball at its kinematic speed; grows as v^2")
     mixture_density_kg_m3: float | None = between(0, 2e4, "of oil and air; or ball_drag_N")
     drag_coefficient: float = between(0, 10, "of a ball in the mixture", 0.47)
+    rotating_load_N: float | None = above(
+        0, 1e9, "on the inner ring across the axis, goes round; beside the loads of [operation]"
+    )
+    rotating_load_speed_rpm: float | None = within(
+        1e6, "at which it does; left out, that of the inner ring in [operation]"
+    )
+    rotating_load_phase_deg: float = within(360, "from +y at time zero", 0.0)
     gravity_m_s2: Gravity = described("[x, y, z]", (0.0, 0.0, 0.0))
     ring_mass_kg: float | None = above(0, 1e6, "ring and what turns with it; else ring alone")
     ring_damping_N_s_m: float = between(0, 1e9, "of the inner ring's support along x, y, z", 0.0)
@@ -142,6 +149,10 @@ RELATIONS: tuple[Relation, ...] = (
     Excludes("dynamics.ball_drag_N", "dynamics.mixture_density_kg_m3"),
     Excludes("cage.pocket_clearances_mm", "cage.pocket_clearance_mm"),
     Below("dynamics.friction_dead_band_m_s", "dynamics.friction_full_m_s", low_default=0.0),
+    OnlyWith("dynamics.rotating_load_speed_rpm", (Where("dynamics.rotating_load_N"),)),
+    OnlyWith(
+        "dynamics.rotating_load_phase_deg", (Where("dynamics.rotating_load_N"),), default=0.0
+    ),
     *(
         Needs(f"cage.{name}", where, "needed where a ring guides the cage")
         for name in LAND

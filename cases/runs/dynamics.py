@@ -20,6 +20,7 @@ from bearing.dynamics.inputs import (
     DynamicsModel,
     DynamicsOptions,
     NormalContact,
+    RotatingLoad,
     Schedule,
 )
 from bearing.dynamics.laws import (
@@ -222,6 +223,7 @@ def build_model(case: Case, tables: Path | None, notify: Progress) -> DynamicsMo
             **race_stiffnesses(case.bearing, RaceStiffness(table.race_stiffness)),
         ),
         schedule=_schedule(case, si),
+        rotating=_rotating(case, si),
         film_viscosity=case.lubricant.viscosity if table.cage_film else 0.0,
         friction_ramp=si["cage_friction_ramp"],
         ball_friction=table.ball_on_ball_friction,
@@ -252,6 +254,20 @@ def _schedule(case: Case, si: dict[str, Any]) -> Schedule | None:
             GIVEN_FORCE: si["load_table"],
             GIVEN_MOMENT: si["moment_table"],
         },
+    )
+
+
+def _rotating(case: Case, si: dict[str, Any]) -> RotatingLoad | None:
+    """The load that goes round; CaseError where the ring is held against it."""
+    if si["rotating_load"] is None:
+        return None
+    if None in case.operation.force[1:]:
+        raise CaseError("dynamics.rotating_load_N: the ring is held across the axis; free it")
+    speed = si["rotating_load_speed"]
+    return RotatingLoad(
+        force=si["rotating_load"],
+        speed=case.operation.inner_speed if speed is None else speed,
+        phase=si["rotating_load_phase"],
     )
 
 

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import radians
+from math import pi, radians
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 from bearing import Operation, solve_quasistatic
+from bearing.dynamics._kernels import derivative
+from bearing.dynamics.arrays import Constants
+from bearing.dynamics.bodies import load_type
 from bearing.dynamics.choices import LoadType
 from bearing.dynamics.friction import race_friction
-from bearing.dynamics.inputs import Schedule
+from bearing.dynamics.inputs import RotatingLoad, Schedule
 from bearing.dynamics.simulation import simulation
 from bearing.friction.sources import CoefficientTraction
 from bearing.quasistatic.symmetric import solve_symmetric, unknowns
@@ -168,3 +171,44 @@ def test_the_start_is_solved_by_the_balls_that_differ(setup, force, solved):
     turned = replace(bearing, first_ball_azimuth=0.1)  # no two balls are mirror images
     assert unknowns(turned, operation)[1] - unknowns(turned, operation)[0] == (2 if force[1] is None else 36)
     assert_allclose(solve_symmetric(turned, operation).ring_force, every.ring_force, atol=1e-7)
+
+
+def test_a_load_that_goes_round_is_an_unbalance_at_a_steady_speed(setup):
+    """F = m e w^2 at the speed and phase of the ring: the same motion; general equations beside thrust."""
+    bearing = setup.bearing_7008(6)
+    speed, unbalance = 5000.0 * setup.RPM, 1e-4
+    base = setup.model(bearing, end_time=END, sample_interval=1e-4)
+    ring = replace(base.ring, unbalance=unbalance, unbalance_phase=0.7)
+    load = RotatingLoad(force=unbalance * speed**2, speed=speed, phase=0.7)
+    runs = [replace(base, ring=ring), replace(base, rotating=load)]
+    thrust = setup.operation(5000.0, 60.0, 0.0)
+    made_runs = [simulation(bearing, thrust, model) for model in runs]
+    assert [run.state.kind for run in made_runs] == [LoadType.GENERAL] * 2
+    # 1. accelerations, with the stiffnesses of one start
+    uneven, going_round = (run.data.constants for run in made_runs)
+    numbers = {name: getattr(going_round, name) for name in Constants._fields if name.startswith("rotating")}
+    data = made_runs[0].data
+    both = [data, data._replace(constants=uneven._replace(unbalance=0.0, **numbers))]
+    layout = made_runs[0].layout
+    y = made_runs[0].state.y
+    y[layout.mechanical] = speed * 0.003  # angle of the ring
+    rates = [np.zeros(layout.size) for _ in both]
+    for problem, row in zip(both, rates, strict=True):
+        derivative(0.003, y, problem, row)
+    assert_allclose(rates[1], rates[0], rtol=1e-9, atol=1e-9)
+    # 2. the equations that it leaves
+    pushed = load_type(setup.operation(5000.0, 0.0, 60.0), runs[1])
+    assert pushed is LoadType.RADIAL  # it stays in the middle plane
+    with pytest.raises(ValueError, match="force"):
+        RotatingLoad(force=-1.0, speed=speed)
+
+
+def test_a_run_begins_in_the_equilibrium_of_the_load_that_goes_round(setup):
+    """Ring pushed towards its phase."""
+    bearing = setup.bearing_7008(6)
+    base = setup.model(bearing, end_time=END, sample_interval=1e-4)
+    model = replace(base, rotating=RotatingLoad(force=50.0, speed=100.0, phase=pi / 2))
+    made_run = simulation(bearing, setup.operation(5000.0, 60.0, 0.0), model)
+    _, across, along = made_run.state.y[:3]
+    assert along > 1e-6
+    assert abs(across) < 0.2 * along

@@ -237,6 +237,7 @@ def test_ctrl_c_in_the_middle_of_the_steps(tmp_path):
         ([("restitution = 0.9", "speed_table_rpm = [[0.0, 1.0], [0.0, 2.0]]")], "rising"),
         ([("restitution = 0.9", "load_table_N = [[0.0, 1.0]]")], "rows of 4 numbers"),
         ([("restitution = 0.9", "gravity_m_s2 = [0.0, 9.81]")], "three numbers"),
+        ([("restitution = 0.9", "rotating_load_speed_rpm = 9.0")], "rotating_load_N"),
         ([("pocket_friction = 0.05", 'guided_by = "outer ring"')], "land_diameter_mm"),
     ],
 )
@@ -270,6 +271,20 @@ def test_tables_over_time_and_planar_equations(tmp_path):
     assert any("cage.pocket_clearance" in message for message in results.messages)
     with open_history(tmp_path / "h.nc") as data:
         assert float(data["ring_rotation"][-1]) == pytest.approx(0.003 * 800.0 * np.pi / 30.0, rel=1e-6)
+
+
+def test_a_load_that_goes_round_beside_thrust(tmp_path):
+    """At the speed of the ring, left out, it goes round with it: the general equations, and a ring that follows."""
+    load = "restitution = 0.9\nrotating_load_N = 40.0\nrotating_load_phase_deg = 90.0"
+    case = load_case(short(tmp_path / "case.toml", "7008_axial", ("restitution = 0.9", load)))
+    results = run_dynamics(case, "case", tmp_path / "h.nc")
+    made = results.simulation
+    assert made.model.rotating is not None
+    assert made.model.rotating.speed == pytest.approx(5000.0 * np.pi / 30.0)
+    assert made.equations["dynamic"] == 117
+    with open_history(tmp_path / "h.nc") as data:
+        y, z = (float(value) for value in data["ring_position"][0, 1:3])
+    assert z > 3.0 * abs(y)  # a start in equilibrium, towards the phase
 
 
 def test_shipped_cases_are_copied_whole(tmp_path):
