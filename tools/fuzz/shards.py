@@ -34,8 +34,27 @@ SWEEP = """case = "6208_full_ceramic"
 "operation.inner_speed_rpm" = {speeds}
 "operation.radial_load_N" = {loads}
 """
-KINDS = ("kill", "kill", "term", "int", "full", "flip", "cut", "zero", "journal")
+FILMS = """
+[[combinations]]
+"ehl.film_maps" = "loaded"
+"ehl.points" = 33
+"operation.radial_load_N" = {load}
+"surface.inner_ring_roughness_um" = 0.05
+"surface.outer_ring_roughness_um" = 0.05
+"surface.ball_roughness_um" = {roughness}
+"""  # points with solved films, of which two each share theirs
+SOLVED = 40  # of them
+KINDS = ("kill", "kill", "term", "int", "full", "flip", "cut", "zero", "journal", "contact")
+PLACES = {"journal": "points-*.sqlite-wal", "contact": "contacts/*.contact"}
 SAME = ("batch.csv", "results.nc")
+
+
+def sweep(wanted: int) -> tuple[str, int]:
+    """Text of a sweep with about as many points as wanted, most without films, and how many they are."""
+    loads = np.linspace(400.0, 3000.0, 20).round(3).tolist()
+    speeds = np.linspace(1000.0, 10000.0, max(1, (wanted - SOLVED) // 20)).round(3).tolist()
+    films = "".join(FILMS.format(load=500.0 + 20.0 * (k // 2), roughness=(0.01, 0.02)[k % 2]) for k in range(SOLVED))
+    return SWEEP.format(speeds=speeds, loads=loads) + films, len(speeds) * len(loads) + SOLVED
 
 
 def oilfilm(words: str, folder: Path, room: int | None = None) -> subprocess.Popen[str]:
@@ -70,8 +89,8 @@ def ended(
 
 
 def damage(kind: str, folder: Path, rng: random.Random) -> str:
-    """Change a file of points that nobody writes; its name."""
-    pattern = "points-*.sqlite-wal" if kind == "journal" else "points-*.sqlite"
+    """Change a file of points or a shared contact that nobody writes; its name."""
+    pattern = PLACES.get(kind, "points-*.sqlite")
     files = [path for path in sorted(folder.glob(pattern)) if path.stat().st_size > 200]
     if not files:
         return "nothing"
@@ -119,23 +138,30 @@ def main() -> int:
     parser.add_argument("--workers", type=int, default=2)
     chosen = parser.parse_args()
     rng = random.Random(chosen.seed)
-    loads = np.linspace(400.0, 3000.0, 20).round(3).tolist()
-    speeds = np.linspace(1000.0, 10000.0, chosen.points // 20).round(3).tolist()
+    text, points = sweep(chosen.points)
     with tempfile.TemporaryDirectory(prefix="shards-") as name:
         folder = Path(name)
-        (folder / "sweep.toml").write_text(SWEEP.format(speeds=speeds, loads=loads))
+        (folder / "sweep.toml").write_text(text)
         words = f"batch sweep.toml -q --workers {chosen.workers}"
         start = time.monotonic()
         faults = ended(oilfilm(f"{words} -o calm", folder), (0,), "the undisturbed batch", None)
         longest = max(3.0, (time.monotonic() - start) / chosen.shards + 3.0)
-        print(f"undisturbed: {time.monotonic() - start:.0f} s", flush=True)
+        spent = resource.getrusage(resource.RUSAGE_CHILDREN)
+        print(
+            f"undisturbed: {time.monotonic() - start:.0f} s, {spent.ru_utime + spent.ru_stime:.0f} s of processors",
+            flush=True,
+        )
         counts: dict[str, int] = {}
         for k in range(chosen.rounds):
+            begun = time.monotonic()
             kind = rng.choice(KINDS)
             counts[kind] = counts.get(kind, 0) + 1
             shard = f"{rng.randrange(chosen.shards) + 1}/{chosen.shards}"
             found = disturbed(kind, f"{words} -o out --shard {shard}", folder, rng, longest)
             faults += [f"round {k}, shard {shard}: {fault}" for fault in found]
+            print(
+                f"round {k}: {kind}, shard {shard}, {time.monotonic() - begun:.0f} s, {len(found)} faults", flush=True
+            )
         for k in range(chosen.shards):
             faults += ended(oilfilm(f"{words} -o out --shard {k + 1}/{chosen.shards}", folder), (0,), "at the end")
         faults += ended(oilfilm("batch sweep.toml -q -o out --collect", folder), (0,), "collecting")
@@ -146,7 +172,7 @@ def main() -> int:
     for fault in faults:
         print(fault)
     told = ", ".join(f"{number} {kind}" for kind, number in sorted(counts.items()))
-    print(f"{chosen.points} points, {chosen.shards} shards, {chosen.rounds} rounds ({told}): {len(faults)} faults")
+    print(f"{points} points, {chosen.shards} shards, {chosen.rounds} rounds ({told}): {len(faults)} faults")
     return bool(faults)
 
 
