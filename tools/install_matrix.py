@@ -5,24 +5,29 @@
     python tools/install_matrix.py --quick                         # cases validated, one run
 
 Each combination has an environment of its own in a temporary folder. Lowest dependencies are the lower bounds of
-pyproject.toml, written as `name==bound`. Warnings of Python are errors (`-W error`), but deprecations of libraries. A
-line for each combination; exit code 1 where one is not green.
+pyproject.toml, written as `name==bound`. Warnings of Python are errors (`-W error`), but deprecations of libraries.
+What the sdist installs is compared with what the wheel installs, file by file: where they are equal, as expected, its
+cases are validated and two of them run, and the runs of the wheel's hold for both. A line for each combination; exit
+code 1 where one is not green.
 """
 
 from __future__ import annotations
 
 import argparse
+import hashlib
 import os
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import time
 import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 WARNINGS = "error,ignore::DeprecationWarning,ignore::PendingDeprecationWarning"
+PACKAGES = ("ehl", "bearing", "postprocess", "verification", "cases", "oilfilm")
 RUN = ("6208_full_ceramic", "moes_20_10")  # run where the others are validated only
 
 
@@ -60,15 +65,31 @@ def built(folder: Path) -> list[Path]:
     return files
 
 
-def problems(python: str, package: Path, exact: list[str], folder: Path, *, quick: bool) -> list[str]:
-    """What is wrong with one combination."""
-    folder.mkdir()
-    run([python, "-m", "venv", "env"], folder)
-    own = str(folder / "env" / "bin" / "python")
+def installed(own: str, package: Path, exact: list[str], folder: Path) -> list[str]:
+    """What is wrong with an installation."""
     answer = run([own, "-m", "pip", "install", "-q", "--prefer-binary", str(package), *exact], folder)
-    if answer.returncode:
-        return [f"not installed: {answer.stderr[-800:]}"]
-    return failures(own, folder, quick=quick)
+    return [f"not installed: {answer.stderr[-800:]}"] * bool(answer.returncode)
+
+
+def contents(own: str, folder: Path) -> dict[str, str]:
+    """Digests of the files that a package brought, by their names."""
+    place = run([own, "-c", "import ehl, pathlib; print(pathlib.Path(ehl.__file__).parents[1])"], folder).stdout.strip()
+    files = [path for name in PACKAGES for path in sorted((Path(place) / name).rglob("*")) if path.is_file()]
+    return {
+        path.relative_to(place).as_posix(): hashlib.sha256(path.read_bytes()).hexdigest()
+        for path in files
+        if "__pycache__" not in path.parts
+    }
+
+
+def versions(own: str, folder: Path) -> str:
+    """Python and the libraries that matter most, with their versions."""
+    names = ("numpy", "scipy", "numba", "pydantic", "typer", "h5py", "scikit-fem", "pyvista", "vtk", "matplotlib")
+    code = (
+        "import platform; from importlib.metadata import version as v; "
+        f"print(platform.python_version(), *(n + ' ' + v(n) for n in {names}), sep=', ')"
+    )
+    return run([own, "-c", code], folder).stdout.strip()
 
 
 def failures(own: str, folder: Path, *, quick: bool) -> list[str]:
@@ -89,7 +110,33 @@ def failures(own: str, folder: Path, *, quick: bool) -> list[str]:
         words = [command, case, "-q", "-o", case] if whole else ["validate", case]
         answer = run([*oilfilm, *words], folder, PYTHONWARNINGS=WARNINGS)
         wrong += [f"{' '.join(words)}: code {answer.returncode}: {answer.stderr[-300:]}"] * (answer.returncode > 1)
-    return wrong
+    return wrong if cases.stdout.split() else [*wrong, f"no shipped cases: {cases.stderr[-300:]}"]
+
+
+def cell(python: str, packages: list[Path], exact: list[str], folder: Path, *, quick: bool) -> dict[str, list[str]]:
+    """What is wrong with wheel and sdist on one Python with one set of dependencies."""
+    folder.mkdir()
+    found = {}
+    brought: dict[str, dict[str, str]] = {}
+    for package in reversed(packages):  # the wheel first
+        kind = "wheel" if package.suffix == ".whl" else "sdist"
+        place = folder / kind
+        place.mkdir()
+        run([python, "-m", "venv", "env"], place)
+        own = str(place / "env" / "bin" / "python")
+        start = time.monotonic()
+        wrong = installed(own, package, exact, place)
+        if not wrong:
+            brought[kind] = contents(own, place)
+            equal = kind == "sdist" and brought[kind] == brought.get("wheel")
+            print(f"  {kind}: {versions(own, place)}; {len(brought[kind])} files", flush=True)
+            if kind == "sdist" and not equal:
+                wrong = ["what it installs is not what the wheel installs"]
+            wrong += failures(own, place, quick=quick or equal)
+        print(f"  {kind}: {time.monotonic() - start:.0f} s", flush=True)
+        found[kind] = wrong
+        shutil.rmtree(place)
+    return found
 
 
 def main() -> int:
@@ -108,18 +155,15 @@ def main() -> int:
                 print(f"{version}: there is no such Python here")
                 red += 1
                 continue
-            for package in packages:
-                kind = "wheel" if package.suffix == ".whl" else "sdist"
-                for which, exact in (("newest", []), ("lowest", lowest())):
-                    if chosen.only not in (None, which):
-                        continue
-                    place = folder / f"{version}-{kind}-{which}"
-                    wrong = problems(python, package, exact, place, quick=chosen.quick)
+            for which, exact in (("newest", []), ("lowest", lowest())):
+                if chosen.only not in (None, which):
+                    continue
+                found = cell(python, packages, exact, folder / f"{version}-{which}", quick=chosen.quick)
+                for kind, wrong in found.items():
                     print(f"{version}, {kind}, {which}: {'green' if not wrong else 'RED'}", flush=True)
                     for problem in wrong:
                         print(f"    {problem}", flush=True)
                     red += bool(wrong)
-                    shutil.rmtree(place)
     return bool(red)
 
 
