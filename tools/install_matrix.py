@@ -118,7 +118,7 @@ def cell(python: str, packages: list[Path], exact: list[str], folder: Path, *, q
     folder.mkdir()
     found = {}
     brought: dict[str, dict[str, str]] = {}
-    for package in reversed(packages):  # the wheel first
+    for package in sorted(packages, key=lambda path: path.suffix != ".whl"):  # the wheel first
         kind = "wheel" if package.suffix == ".whl" else "sdist"
         place = folder / kind
         place.mkdir()
