@@ -14,7 +14,7 @@ from pathlib import Path
 from time import monotonic
 from typing import Any
 
-from .records import DONE, Record, content_digest
+from .records import DONE, Record, content_digest, whole_digest
 
 PATTERN = "points*.sqlite"
 FORMAT = 1  # of the tables below
@@ -168,8 +168,8 @@ def _is_whole(row: tuple[Any, ...]) -> bool:
     """Whether a row is as it was written."""
     _, digest, layout, key, status, message, values, numbers, summary, files = row
     try:
-        texts = (key, status, message, values, files)
-        return bool(content_digest(texts, layout or "[]", numbers, summary) == digest)
+        content = ((key, status, message, values, files), layout or "[]", numbers, summary)
+        return content_digest(*content) == digest or whole_digest(*content) == digest
     except (TypeError, ValueError):
         return False
 

@@ -1,7 +1,8 @@
 """Points of the blocks of a sweep file: factorial, listed, Latin hypercube, differences."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import product
 from math import prod
 from typing import Any, overload
 
@@ -77,6 +78,9 @@ class Factorial(Lazy):
             place, k = divmod(place, len(choice))
             chosen.append(choice[k])
         return Variation("sweep", tuple(reversed(chosen)))
+
+    def __iter__(self) -> Iterator[Variation]:
+        return (Variation("sweep", chosen) for chosen in product(*self.choices) if chosen)
 
     def edges(self) -> set[int]:
         """Places where a key has the last value of its list, the others their first ones."""

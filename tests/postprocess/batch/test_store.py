@@ -10,7 +10,15 @@ from contextlib import closing
 
 import pytest
 
-from postprocess.batch.records import DONE, Record, record_of, summary_of, unpacked_numbers
+from postprocess.batch.records import (
+    DONE,
+    Record,
+    content_digest,
+    record_of,
+    summary_of,
+    unpacked_numbers,
+    whole_digest,
+)
 from postprocess.batch.store import PointStore, StoredPoints, is_sound, whole_records
 
 SEED = 5_271_803
@@ -45,6 +53,36 @@ def test_what_is_put_is_what_comes_back(tmp_path):
     assert stored.records(["no such point"]) == [None]
     assert summary_of(records[7]) == summary(7)
     assert [path.name for path in tmp_path.iterdir()] == ["points.sqlite"]  # closed without a journal
+
+
+def test_records_with_the_hash_of_every_byte_are_read_and_checked(tmp_path):
+    path = tmp_path / "points.sqlite"
+    records = filled(path, 40)
+    with closing(sqlite3.connect(path)) as file, file:
+        for number, record in enumerate(records, start=1):
+            texts = (record.key, record.status, record.message, record.values, record.files)
+            old = whole_digest(texts, record.layout, record.numbers, record.summary)
+            file.execute("UPDATE points SET digest = ? WHERE id = ?", (old, number))
+        damaged = bytearray(records[6].summary)
+        damaged[-9] ^= 4
+        file.execute("UPDATE points SET summary = ? WHERE id = 7", (bytes(damaged),))
+    stored = StoredPoints([path])
+    assert stored.damaged == {path: 1}
+    assert stored.records([record.key for record in records]) == [*records[:6], None, *records[7:]]
+
+
+def test_no_changed_byte_of_a_row_goes_unnoticed():
+    whole = record_of("a" * 20, summary(49), {"contact.load_N": 3}, {".nc": "0" * 20})
+    texts = (whole.key, whole.status, whole.message, whole.values, whole.files)
+    for part, data in enumerate((whole.numbers, whole.summary)):
+        for place in range(len(data)):
+            changed = bytearray(data)
+            changed[place] ^= 1 << place % 8
+            parts = [whole.numbers, whole.summary]
+            parts[part] = bytes(changed)
+            assert content_digest(texts, whole.layout, *parts) != whole.digest
+    cut = content_digest(texts, whole.layout, whole.numbers, whole.summary[:-1])
+    assert whole.digest not in (cut, content_digest(texts, whole.layout, whole.numbers, b""))
 
 
 def test_numbers_keep_their_kinds():
