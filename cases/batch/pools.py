@@ -279,11 +279,15 @@ def executor_factory(name: str) -> Callable[[], Executor]:
     allowed = "allowed: MODULE:FUNCTION, a function that makes a concurrent.futures.Executor"
     try:
         factory = getattr(importlib.import_module(module), function)
-    except (ImportError, AttributeError, ValueError) as error:
+    except (ImportError, AttributeError, ValueError, SyntaxError) as error:
         raise CaseError(f"--executor {name}: {error}; {allowed}") from None
 
     def make() -> Executor:
-        executor: Executor = factory()
+        try:
+            executor: Executor = factory()
+        except Exception as error:  # of whatever the user's own code stumbles over
+            words = f"{type(error).__name__}: {error}"
+            raise CaseError(f"--executor {name}: the function failed with {words}") from error
         if not callable(getattr(executor, "submit", None)):
             found = type(executor).__name__
             raise CaseError(f"--executor {name}: made a {found}, which has no submit; {allowed}")

@@ -16,7 +16,14 @@ from pathlib import Path
 
 from bearing.files import PARTIAL, write_bytes
 from postprocess.batch.records import DONE, Record, summary_of
-from postprocess.batch.store import PATTERN, PointStore, StoredPoints, store_files, whole_records
+from postprocess.batch.store import (
+    PATTERN,
+    PointStore,
+    StoredPoints,
+    holds_rows,
+    store_files,
+    whole_records,
+)
 
 from ..format.problems import CaseError
 from ..runs.integrity import DIGESTS
@@ -60,7 +67,7 @@ def open_folder(directory: Path, *, resume: bool, alone: bool = True) -> None:
 
 def has_points(directory: Path) -> bool:
     """Whether a folder holds points of a batch; those of old versions are files of their own."""
-    return bool(store_files(directory)) or any((directory / POINTS).glob("*.json"))
+    return any(map(holds_rows, store_files(directory))) or any((directory / POINTS).glob("*.json"))
 
 
 def remove_unfinished(directory: Path) -> None:

@@ -194,6 +194,15 @@ def is_sound(path: Path) -> bool:
     return True
 
 
+def holds_rows(path: Path) -> bool:
+    """Whether a file has points, or cannot be read and may have some."""
+    try:
+        with closing(_for_reading(path)) as file:
+            return file.execute("SELECT 1 FROM points LIMIT 1").fetchone() is not None
+    except sqlite3.DatabaseError:
+        return True
+
+
 class StoredPoints:
     """Finished points of several files: where each is, and what became of it."""
 

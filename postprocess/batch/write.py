@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import repeat
 from pathlib import Path
 from typing import Any
 
@@ -32,7 +33,8 @@ def _lines(columns: Columns) -> Iterator[tuple[Any, ...]]:
     keys = columns.source.keys
     for rows, values, kinds in columns.chunks():
         cells = [_cells(values[:, k], kinds[:, k]) for k in range(values.shape[1])]
-        for row, numbers in zip(rows, zip(*cells, strict=True), strict=True):
+        lines = zip(*cells, strict=True) if cells else repeat(())  # no point has a number
+        for row, numbers in zip(rows, lines, strict=bool(cells)):
             state = (row.number, row.block, row.status, row.converged)
             yield (*state, *(row.values.get(key) for key in keys), *numbers)
 

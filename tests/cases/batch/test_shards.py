@@ -23,12 +23,13 @@ from cases.batch.program import program_digest, program_sources
 from cases.batch.results import collected, gathered, write_batch
 from cases.batch.shards import Shard, shard_of
 from cases.batch.sweep import sweep_from_text
-from cases.batch.worker import compute_point
+from cases.batch.worker import compute_point, failure
 from cases.cli.main import app
 from cases.runs.output_lock import one_writer
 from postprocess.batch.columns import InMemory, columns_of
 from postprocess.batch.parquet import write_batch_parquet
 from postprocess.batch.read import read_batch, stored_summaries
+from postprocess.batch.records import FAILED
 
 from .test_batch import HEAD, QUICK, HerePool, stored
 
@@ -243,7 +244,7 @@ def test_an_executor_of_the_users_own(whole, tmp_path, monkeypatch):
     folder, sweep = whole
     (tmp_path / "mine.py").write_text(
         "from concurrent.futures import ThreadPoolExecutor\n\ndef make():\n    return ThreadPoolExecutor(1)\n\n"
-        "def nothing():\n    return 1\n"
+        "def nothing():\n    return 1\n\ndef fails():\n    raise RuntimeError('no nodes free')\n"
     )
     monkeypatch.syspath_prepend(tmp_path)
     batch = run_batch(sweep, tmp_path / "out", lambda: ExecutorPool("mine:make"))
@@ -252,6 +253,29 @@ def test_an_executor_of_the_users_own(whole, tmp_path, monkeypatch):
     for wrong in ("mine", "mine:other", "no_such_module:make", "mine:nothing"):
         with pytest.raises(CaseError, match="a function that makes a concurrent"):
             executor_factory(wrong)()
+    with pytest.raises(CaseError, match=r"--executor mine:fails: .* RuntimeError: no nodes free"):
+        executor_factory("mine:fails")()
+
+
+def test_a_folder_without_a_point_is_no_earlier_batch(whole, tmp_path, monkeypatch):
+    (tmp_path / "late.py").write_text("def fails():\n    raise RuntimeError('no nodes free')\n")
+    monkeypatch.syspath_prepend(tmp_path)
+    folder, sweep = whole
+    with pytest.raises(CaseError):
+        run_batch(sweep, tmp_path / "out", lambda: ExecutorPool("late:fails"))
+    write_batch(gathered(run_batch(sweep, tmp_path / "out", HerePool)), tmp_path / "out")
+    assert files(folder) == files(tmp_path / "out")
+
+
+def test_results_are_written_where_every_point_failed(tmp_path, monkeypatch):
+    monkeypatch.setattr("cases.batch.worker.compute_point", lambda task, tables=None: failure(task.key, FAILED, "no"))
+    sweep = sweep_from_text(QUICK, "sweep.toml")
+    with collected(run_batch(sweep, tmp_path / "out", HerePool)) as (results, columns):
+        write_batch(results, tmp_path / "out", columns)
+        write_batch_parquet(columns, tmp_path / "out" / "batch.parquet")
+    lines = (tmp_path / "out" / "batch.csv").read_text().splitlines()
+    assert len(lines) == len(sweep.points) + 1
+    assert all(",failed," in line for line in lines[1:])
 
 
 def test_points_travel_in_blocks_of_some_seconds(monkeypatch):
