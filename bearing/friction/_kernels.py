@@ -59,42 +59,54 @@ def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
 
 
 @compiled
-def film_friction(nodes, law, motion, least, gradient, slope):
-    """Friction (4,) of a sheared film, A tau s/|s| K summed over its nodes, and its slope (4, 4)
-    by the motion; s = (K_x, K_y) motion is the sliding.
+def film_frictions(nodes, first, laws, motion, own, least, gradient, slope):
+    """Friction (n, 4) of sheared films, A tau s/|s| K summed over the nodes of each, and its slope
+    (n, 4, 4) by the motions (n, 4); s = (K_x, K_y) motion is the sliding of `coulomb_sums`.
 
-    nodes: rows of area [m^2], gap [m], viscosity [Pa s], limiting stress [Pa], then the four of
-    K_x, the derivatives of the sliding along by the motion, and of K_y, shape (12, n); law: the
-    first four fields of `KernelRheology`; least: sliding below which the stress is proportional
-    to it [m/s].
+    nodes: rows of area [m^2], gap [m], viscosity [Pa s], limiting stress [Pa], x, y and height of
+    the surface [m], shape (7, m), those of film k from first[k] to first[k + 1]; laws (films, 4):
+    the first four fields of `KernelRheology`; own (n,): film of each motion; least: sliding below
+    which the stress is proportional to it [m/s].
     """
-    code, stress, exponent, breadth = law
-    pull = np.empty(4)
-    gradient[:] = 0.0
-    slope[:] = 0.0
-    for k in range(nodes.shape[1]):
-        area, gap, eta, limit = nodes[:4, k]
-        along = nodes[4:8, k]
-        across = nodes[8:, k]
-        x = 0.0
-        y = 0.0
-        for i in range(4):
-            x += motion[i] * along[i]
-            y += motion[i] * across[i]
-        speed = np.sqrt(x * x + y * y + least * least)
-        tau, by_rate = shear_stress_slope(speed / gap, eta, limit, code, stress, exponent, breadth)
-        secant = area * tau / speed
-        bend = (area * by_rate / gap - secant) / speed**2
-        for i in range(4):
-            pull[i] = x * along[i] + y * across[i]
-            gradient[i] += secant * pull[i]
-        for i in range(4):
-            for j in range(i + 1):
-                fixed = secant * (along[i] * along[j] + across[i] * across[j])
-                slope[i, j] += fixed + bend * pull[i] * pull[j]
-    for i in range(4):
-        for j in range(i):
-            slope[j, i] = slope[i, j]
+    for n in range(motion.shape[0]):
+        film = own[n]
+        code = int(laws[film, 0])
+        stress, exponent, breadth = laws[film, 1], laws[film, 2], laws[film, 3]
+        slide_x, slide_y, spin, rolling = motion[n]
+        g0 = g1 = g2 = g3 = c00 = c01 = c02 = c03 = c11 = c12 = c13 = c22 = c23 = c33 = 0.0
+        for k in range(first[film], first[film + 1]):
+            x, y, height = nodes[4, k], nodes[5, k], nodes[6, k]
+            gap = nodes[1, k]
+            s0 = slide_x - spin * y + rolling * height
+            s1 = slide_y + spin * x
+            s2 = s1 * x - s0 * y
+            s3 = s0 * height
+            square = s0 * s0 + s1 * s1 + least * least
+            speed = np.sqrt(square)
+            tau, by_rate = shear_stress_slope(
+                speed / gap, nodes[2, k], nodes[3, k], code, stress, exponent, breadth
+            )
+            pull = nodes[0, k] * tau / speed
+            bend = (nodes[0, k] * by_rate / gap - pull) / square
+            g0 += pull * s0
+            g1 += pull * s1
+            g2 += pull * s2
+            g3 += pull * s3
+            c00 += pull + bend * s0 * s0
+            c01 += bend * s0 * s1
+            c02 += bend * s0 * s2 - pull * y
+            c03 += bend * s0 * s3 + pull * height
+            c11 += pull + bend * s1 * s1
+            c12 += bend * s1 * s2 + pull * x
+            c13 += bend * s1 * s3
+            c22 += bend * s2 * s2 + pull * (x * x + y * y)
+            c23 += bend * s2 * s3 - pull * y * height
+            c33 += bend * s3 * s3 + pull * height * height
+        gradient[n] = g0, g1, g2, g3
+        slope[n, 0] = c00, c01, c02, c03
+        slope[n, 1] = c01, c11, c12, c13
+        slope[n, 2] = c02, c12, c22, c23
+        slope[n, 3] = c03, c13, c23, c33
 
 
 @compiled

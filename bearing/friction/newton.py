@@ -42,6 +42,9 @@ class MotionProblem:
     reference_force: Array  # (balls,) friction that the residual is measured against [N]
     driven: NDArray[np.bool_]  # (balls,) by the inner race
     ring_motion: Array  # (balls, 2, 4) change of the motion by the rings' speeds [m/s], [rad/s]
+    # of balls that are the same the first one, (n,), and the place there of each ball, (balls,)
+    first: NDArray[np.int64]
+    like: NDArray[np.int64]
 
 
 def evaluate(
@@ -122,10 +125,24 @@ def solve_with_couple_steps(problem: MotionProblem, start: Array) -> tuple[Array
 
 def minimise(problem: MotionProblem, start: Array) -> tuple[Array, Array]:
     """Newton's method with Levenberg's damping (Levenberg, 1944; Nocedal and Wright, 2006, sec.
-    10.3), every ball by itself; returns z and the residual of each ball [-].
+    10.3), every ball by itself, those that are the same once; returns z and the residual of each
+    ball [-].
     """
-    balls = np.arange(problem.start.shape[0])
-    friction = problem.reference_force + TINY
+    balls = problem.first
+    z = start[balls]
+    residual = np.zeros(balls.size)
+    free = np.flatnonzero(problem.free[balls].any(axis=1))
+    if free.size:
+        z[free], residual[free] = _minimise(problem, balls[free], z[free])
+    return z[problem.like], residual[problem.like]
+
+
+def _minimise(
+    problem: MotionProblem, balls: NDArray[np.int64], start: Array
+) -> tuple[Array, Array]:
+    """As `minimise`, of the balls with these indices."""
+    friction = problem.reference_force[balls] + TINY
+    slip = problem.reference_slip[balls]
     z = start.copy()
     damping = np.full(balls.size, FIRST_DAMPING)
     power, gradient, hessian = evaluate(z, problem, balls)
@@ -135,18 +152,16 @@ def minimise(problem: MotionProblem, start: Array) -> tuple[Array, Array]:
         # 1. balls that are neither balanced, nor run away, nor stuck
         residual = np.abs(gradient).max(axis=1) / friction
         active = residual > BALANCE_TARGET
-        active &= np.abs(z).max(axis=1) < RUNAWAY * problem.reference_slip
+        active &= np.abs(z).max(axis=1) < RUNAWAY * slip
         active &= damping < MAX_DAMPING
         at = np.flatnonzero(active)
         if at.size == 0:
             break
         # 2. damped Newton step, the damping scaled by the mean curvature
-        size = np.maximum(
-            np.trace(hessian[at], axis1=1, axis2=2), friction[at] / problem.reference_slip[at]
-        )
+        size = np.maximum(np.trace(hessian[at], axis1=1, axis2=2), friction[at] / slip[at])
         damped = hessian[at] + (damping[at] * size)[:, None, None] * np.eye(4)
         trial = z[at] - np.linalg.solve(damped, gradient[at][..., None])[..., 0]
-        new = evaluate(trial, problem, at)
+        new = evaluate(trial, problem, balls[at])
         # 3. accepted where the power falls (at round-off: where the residual does)
         noise = 1e-13 * np.abs(power[at])
         # where the friction is monotone, the length of the force left falls in small steps; its

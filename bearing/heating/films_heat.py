@@ -19,7 +19,8 @@ from ..torque.films_torque import films_as_they_run
 from ..torque.inlet import InletFactors
 from ..torque.inputs import FrictionInput
 from ..torque.shear_torque import no_balance_message
-from .friction_heat import FrictionHeat, contact_conductances, loaded_half
+from .contact_conductances import contact_conductances
+from .friction_heat import FrictionHeat, loaded_half
 
 
 @dataclass(slots=True, kw_only=True)
