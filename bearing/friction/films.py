@@ -124,8 +124,11 @@ def sheared_films(
     contacts: Sequence[BearingContact],
     films: RunningFilms,
     rheology: Rheology,
+    nodes: FilmNodes | None = None,
 ) -> ShearedFilms:
-    """Films of all contacts as they shear; arguments as in `film_balance`."""
+    """Films of all contacts as they shear; arguments as in `film_balance`; `nodes` [m], [Pa]: of
+    the same films where they are known.
+    """
     share = np.array([0.0 if film is None else film.asperity_share for film in films])
     boundary = np.array([0.0 if film is None else film.boundary for film in films])
     moment = np.array([0.0 if film is None else film.rolling_moment for film in films])
@@ -133,7 +136,7 @@ def sheared_films(
     along = np.array(along) - 2.0 / solution.bearing.ball_diameter
     zero = np.zeros_like(moment)
     return ShearedFilms(
-        nodes=film_nodes(solution, contacts, films, rheology),
+        nodes=nodes or film_nodes(solution, contacts, films, rheology),
         oil=1.0 - share,
         pumping=np.stack([along * moment, zero, zero, moment], axis=1),
         rubbing=contact_ellipses(solution, contacts, share * boundary),

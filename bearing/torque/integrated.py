@@ -67,8 +67,9 @@ def solved_shear(
     law = law_of_films(contacts, films, sheared)
     kinematics = motion_map(solution, contacts)
     motion = kinematics.motion(*ball_speeds(solution))
+    forces = -law.evaluate(motion, np.arange(len(contacts))).gradient
     hypothesis = replace(
-        integrated_torque(solution, kinematics, sheared, motion),
+        integrated_torque(solution, kinematics, sheared, motion, forces),
         resistance=resisted_power(solution, resistance),
     )
     mean = _asperity_share(contacts, films)
@@ -80,13 +81,15 @@ def solved_shear(
             tractions=_tractions(solution, contacts, films, rheology),
             note=no_balance_message(balance),
         )
-    torque = integrated_torque(solution, kinematics, sheared, _motion_of(balance))
+    torque = _torque_in_balance(solution, kinematics, sheared, balance)
     shear = _balanced_shear(solution, hypothesis, torque, balance)
     flooded = shear.balanced
     if not bound:
         flooded = None
     elif any(film is not None and film.rolling_factor != 1.0 for film in films):
-        flooded = _flooded_torque(solution, contacts, films, rheology, resistance, balance)
+        flooded = _flooded_torque(
+            solution, contacts, films, sheared, rheology, resistance, balance
+        )
     tractions = _tractions(solution, contacts, films, rheology, balance)
     return replace(shear, asperity_share=mean, tractions=tractions, flooded=flooded)
 
@@ -98,9 +101,15 @@ def _asperity_share(contacts: Sequence[BearingContact], films: RunningFilms) -> 
     return sum(film.asperity_share * c.load for c, film in pairs) / loads if loads > 0.0 else 0.0
 
 
-def _motion_of(balance: BalancedFriction) -> Array:
-    """Of all contacts in balance, (contacts, 4) [m/s], [rad/s]."""
-    return balance.kinematics.reshape(-1, 4)
+def _torque_in_balance(
+    solution: QuasistaticSolution,
+    kinematics: MotionMap,
+    films: ShearedFilms,
+    balance: BalancedFriction,
+) -> IntegratedTorque:
+    """Of films at the motion and forces of balls in balance [N m]."""
+    motion, forces = (part.reshape(-1, 4) for part in (balance.kinematics, balance.forces))
+    return integrated_torque(solution, kinematics, films, motion, forces)
 
 
 def _tractions(
@@ -131,6 +140,7 @@ def _flooded_torque(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     films: RunningFilms,
+    sheared: ShearedFilms,
     rheology: Rheology,
     resistance: Resistance,
     near: BalancedFriction,
@@ -139,7 +149,9 @@ def _flooded_torque(
     at one nearby.
     """
     whole = [film and film.flooded() for film in films]
-    sheared = sheared_films(solution, contacts, whole, rheology)
+    same = all(film is None or film.film is film.whole for film in films)
+    nodes = sheared.nodes if same else None
+    sheared = sheared_films(solution, contacts, whole, rheology, nodes)
     law = law_of_films(contacts, whole, sheared)
     balance = balance_balls(
         solution, contacts, law, driven=near.driven, initial_guess=near, resistance=resistance
@@ -149,7 +161,7 @@ def _flooded_torque(
     if not balance.converged:
         return None
     kinematics = motion_map(solution, contacts)
-    torque = integrated_torque(solution, kinematics, sheared, _motion_of(balance))
+    torque = _torque_in_balance(solution, kinematics, sheared, balance)
     return _as_balanced(torque, balance)
 
 
@@ -249,21 +261,21 @@ def _law_torque(
 
 
 def integrated_torque(
-    solution: QuasistaticSolution, kinematics: MotionMap, films: ShearedFilms, motion: Array
+    solution: QuasistaticSolution,
+    kinematics: MotionMap,
+    films: ShearedFilms,
+    motion: Array,
+    forces: Array,
 ) -> IntegratedTorque:
-    """Torque [N m] of the shear of all lubricated contacts at their motions (contacts, 4) [m/s],
-    [rad/s], and of the asperities of their films; the oil's sliding stress counts for the rest of
-    the load.
+    """Torque [N m] of the shear of all lubricated contacts, and of the asperities of their films,
+    at motions (contacts, 4) [m/s], [rad/s] with the forces of the films there (contacts, 4) [N],
+    [N m].
     """
-    every = np.arange(motion.shape[0])
-    shear = -films.shear(motion, every)[0]
-    rubbed = films.rub(motion, every)
-    asperity = np.zeros_like(shear) if rubbed is None else -rubbed[0]
-    pumped = -films.pumping
-    x, y, spin, curvature = (-shear * motion).T
+    rubbed = films.rub(motion, np.arange(motion.shape[0]))
+    asperity = np.zeros_like(forces) if rubbed is None else -rubbed[0]
+    x, y, spin, curvature = (-(forces - asperity + films.pumping) * motion).T
     powers = [(films.pumping * motion).sum(axis=1), x + y, spin, curvature]
     powers.append(-(asperity * motion).sum(axis=1))
-    forces = shear + asperity + pumped
     return _torque_of_powers(solution, kinematics, np.stack(powers, axis=1), forces)
 
 

@@ -17,6 +17,8 @@ LARGEST_ARGUMENT = 300.0  # as in `rheology`
 LIMIT_POWER = 32
 LIMIT_ROOTS = 5
 NEGLIGIBLE = 1e-17  # beside 1 in double precision [-]
+SMALL_SINE = 2e-3  # below which the series of asinh is exact [-]
+FAR_BELOW = 0.25  # of a limit, whose m-th power is negligible [-]
 NEWTON_STEPS = 30
 
 
@@ -37,7 +39,7 @@ def limiting_stress(
 @compiled
 def inverse_sine(x):
     """asinh(x), x >= 0, by a logarithm, faster than the library's; a series near zero."""
-    if x < 2e-3:
+    if x < SMALL_SINE:
         return x * (1.0 - x * x * (1.0 / 6.0 - 0.075 * x * x))
     return np.log(x + np.sqrt(x * x + 1.0))
 
@@ -98,8 +100,11 @@ def shear_stress_slope(rate, viscosity, limit, law, stress, exponent, breadth):
     tau = viscosity * rate
     slope = viscosity
     if law == REE_EYRING:
-        slope = viscosity / np.sqrt((tau / stress) ** 2 + 1.0)
-        tau = stress * inverse_sine(tau / stress)
+        x = tau / stress
+        root = np.sqrt(x * x + 1.0)
+        slope = viscosity / root
+        # the inverse sine as above, with the root that the slope has
+        tau = stress * np.log(x + root) if x >= SMALL_SINE else stress * inverse_sine(x)
     elif law == CARREAU_YASUDA:
         power = (tau / stress) ** breadth
         factor = (1.0 + power) ** ((exponent - 1.0) / breadth)
@@ -109,6 +114,8 @@ def shear_stress_slope(rate, viscosity, limit, law, stress, exponent, breadth):
         return tau, slope
     if law == NEWTONIAN:
         return limited(tau, limit, law), slope * np.exp(-tau / limit)
+    if tau < FAR_BELOW * limit:
+        return tau, slope
     ratio = min(tau, limit) / max(tau, limit)
     power = ratio
     for _ in range(LIMIT_ROOTS):

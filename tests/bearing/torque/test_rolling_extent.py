@@ -45,7 +45,9 @@ def rolling_part(state, contacts, running):
     """Of the torque at the motion of the equilibrium [N m]."""
     kinematics = motion_map(state, contacts)
     sheared = sheared_films(state, contacts, running, Rheology())
-    return integrated_torque(state, kinematics, sheared, kinematics.motion(*ball_speeds(state))).rolling
+    motion = kinematics.motion(*ball_speeds(state))
+    forces = -sheared.evaluate(motion, np.arange(len(contacts))).gradient
+    return integrated_torque(state, kinematics, sheared, motion, forces).rolling
 
 
 def test_integrated_torque_has_the_oil_up_to_its_meniscus(rolling):
