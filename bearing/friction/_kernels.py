@@ -9,8 +9,12 @@ tests/reference.
 import numpy as np
 
 from ehl.compiled import compiled
-from ehl.oil._rheology_kernels import shear_stress_slope
+from ehl.oil._rheology_kernels import FAR_BELOW, NEWTONIAN, REE_EYRING, shear_stress_slope
 from ehl.traction._kernels import hertz_friction, table_lookup
+
+# of the stress of oil at ambient pressure, up to which it counts as proportional to the rate [-]:
+# it makes some 1e-3 of the friction of a film
+PROPORTIONAL = 1.0e-6
 
 
 @compiled
@@ -59,14 +63,15 @@ def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
 
 
 @compiled
-def film_frictions(nodes, first, laws, motion, own, least, gradient, slope):
+def film_frictions(nodes, parts, thin, laws, motion, own, least, gradient, slope):
     """Friction (n, 4) of sheared films, A tau s/|s| K summed over the nodes of each, and its slope
     (n, 4, 4) by the motions (n, 4); s = (K_x, K_y) motion is the sliding of `coulomb_sums`.
 
     nodes: rows of area [m^2], gap [m], viscosity [Pa s], limiting stress [Pa], x, y and height of
-    the surface [m], shape (7, m), those of film k from first[k] to first[k + 1]; laws (films, 4):
-    the first four fields of `KernelRheology`; own (n,): film of each motion; least: sliding below
-    which the stress is proportional to it [m/s].
+    the surface [m], shape (7, m); parts (films, 3): where the nodes of a film begin, those of oil
+    at ambient pressure, and where they end; thin (films, 11): of these what `thin_sums` gives;
+    laws (films, 4): the first four fields of `KernelRheology`; own (n,): film of each motion;
+    least: sliding below which the stress is proportional to it [m/s].
     """
     for n in range(motion.shape[0]):
         film = own[n]
@@ -74,7 +79,16 @@ def film_frictions(nodes, first, laws, motion, own, least, gradient, slope):
         stress, exponent, breadth = laws[film, 1], laws[film, 2], laws[film, 3]
         slide_x, slide_y, spin, rolling = motion[n]
         g0 = g1 = g2 = g3 = c00 = c01 = c02 = c03 = c11 = c12 = c13 = c22 = c23 = c33 = 0.0
-        for k in range(first[film], first[film + 1]):
+        end = parts[film, 2]
+        if proportional(thin[film], motion[n], code, stress, breadth):
+            end = parts[film, 1]
+            c00, c02, c03, c12, c22, c23, c33 = thin[film, 4:11]
+            c11 = c00
+            g0 = c00 * slide_x + c02 * spin + c03 * rolling
+            g1 = c11 * slide_y + c12 * spin
+            g2 = c02 * slide_x + c12 * slide_y + c22 * spin + c23 * rolling
+            g3 = c03 * slide_x + c23 * spin + c33 * rolling
+        for k in range(parts[film, 0], end):
             x, y, height = nodes[4, k], nodes[5, k], nodes[6, k]
             gap = nodes[1, k]
             s0 = slide_x - spin * y + rolling * height
@@ -107,6 +121,48 @@ def film_frictions(nodes, first, laws, motion, own, least, gradient, slope):
         slope[n, 1] = c01, c11, c12, c13
         slope[n, 2] = c02, c12, c22, c23
         slope[n, 3] = c03, c13, c23, c33
+
+
+@compiled
+def proportional(thin, motion, code, stress, breadth):
+    """Whether the stress of oil at ambient pressure is that of a Newtonian to `PROPORTIONAL`
+    wherever a film has some, at a motion (4,).
+    """
+    most = thin[0] * (abs(motion[0]) + abs(motion[1])) + thin[1] * abs(motion[2])
+    most += thin[2] * abs(motion[3])
+    limit = thin[3]
+    if code == NEWTONIAN:
+        return most < 2.0 * PROPORTIONAL * limit
+    if not most < FAR_BELOW * limit:
+        return False
+    if code == REE_EYRING:
+        return most * most < 6.0 * PROPORTIONAL * stress * stress
+    return (most / stress) ** breadth < PROPORTIONAL
+
+
+@compiled
+def thin_sums(nodes, out):
+    """Of nodes as in `film_frictions` (7, m): largest viscosity over gap, times |x| + |y|, times
+    the height of the surface, least limiting stress; then of A eta/gap the sums over K_i K_j, i <=
+    j, that are not zero or that of another: 00, 02, 03, 12, 22, 23, 33.
+    """
+    out[:] = 0.0
+    out[3] = np.inf
+    for k in range(nodes.shape[1]):
+        x, y, height = nodes[4, k], nodes[5, k], nodes[6, k]
+        rate = nodes[2, k] / nodes[1, k]
+        out[0] = max(out[0], rate)
+        out[1] = max(out[1], rate * (abs(x) + abs(y)))
+        out[2] = max(out[2], rate * abs(height))
+        out[3] = min(out[3], nodes[3, k])
+        pull = nodes[0, k] * rate
+        out[4] += pull
+        out[5] -= pull * y
+        out[6] += pull * height
+        out[7] += pull * x
+        out[8] += pull * (x * x + y * y)
+        out[9] -= pull * y * height
+        out[10] += pull * height * height
 
 
 @compiled

@@ -26,21 +26,32 @@ from ..contacts.shape import groove_curvature_radius
 from ..contacts.traction import TRACTION_POINTS
 from ..geometry import Array, Bearing
 from ..quasistatic.solution import QuasistaticSolution
+from ._kernels import thin_sums
 from .alike import alike
 from .flat_film import FlatFilm, flat_nodes
 from .law import TINY
 from .running_films import RunningFilm, RunningFilms
 
 ROWS = 7  # area, gap, viscosity, limiting stress, x, y and height of the surface
+THIN = 11  # numbers of `_kernels.thin_sums`
 
 
 class FilmNodes(NamedTuple):
     """Films of contacts as `_kernels.film_frictions` takes them."""
 
     nodes: Array  # (7, m)
-    first: NDArray[np.int64]  # (films + 1,)
+    parts: NDArray[np.int64]  # (films, 3)
+    thin: Array  # (films, 11)
     laws: Array  # (films, 4)
     own: NDArray[np.int64]  # (contacts,) film of each contact; the first one has no nodes
+
+
+class _Block(NamedTuple):
+    """Nodes of one film (7, n), those of oil at ambient pressure behind the others."""
+
+    nodes: Array
+    pressed: int  # nodes under pressure [-]
+    law: Array  # (4,)
 
 
 class _Sheared(NamedTuple):
@@ -64,7 +75,7 @@ def film_nodes(
     """Nodes that shear in the films of contacts, None without one, in [m], [Pa], [Pa s]."""
     bearing = solution.bearing
     own = np.zeros(len(contacts), dtype=np.int64)
-    blocks: list[tuple[Array, Array]] = [(np.empty((ROWS, 0)), np.zeros(4))]
+    blocks = [_Block(np.empty((ROWS, 0)), 0, np.zeros(4))]
     temperature = solution.operation.temperature
     # 1. solved films, one by one
     known: dict[tuple[int, float], int] = {}
@@ -86,11 +97,22 @@ def film_nodes(
     like, found = _flat_films(places, rheology, temperature)
     own[flat] = len(blocks) + like
     blocks += found
-    counts = [nodes.shape[1] for nodes, _ in blocks]
+    return _joined(blocks, own)
+
+
+def _joined(blocks: Sequence[_Block], own: NDArray[np.int64]) -> FilmNodes:
+    """Films one after the other."""
+    ends = np.cumsum([block.nodes.shape[1] for block in blocks])
+    starts = np.concatenate([[0], ends[:-1]])
+    thin = np.empty((len(blocks), THIN))
+    for block, sums in zip(blocks, thin, strict=True):
+        thin_sums(block.nodes[:, block.pressed :], sums)
+    pressed = np.array([block.pressed for block in blocks])
     return FilmNodes(
-        nodes=np.concatenate([nodes for nodes, _ in blocks], axis=1),
-        first=np.concatenate([[0], np.cumsum(counts)]).astype(np.int64),
-        laws=np.stack([law for _, law in blocks]),
+        nodes=np.concatenate([block.nodes for block in blocks], axis=1),
+        parts=np.stack([starts, starts + pressed, ends], axis=1).astype(np.int64),
+        thin=thin,
+        laws=np.stack([block.law for block in blocks]),
         own=own,
     )
 
@@ -108,8 +130,8 @@ def _law(rheology: Rheology) -> Array:
 
 def _solved_nodes(
     sheared: _Sheared, rheology: Rheology, temperature: float | None
-) -> tuple[Array, Array]:
-    """Nodes (7, n) and law (4,) of a solved film; sums of `integrate_traction`."""
+) -> _Block:
+    """Those of a solved film; sums of `integrate_traction`."""
     solved = sheared.film.film
     assert not isinstance(solved, FlatFilm)
     rheology = solution_rheology(solved, rheology)
@@ -125,15 +147,16 @@ def _solved_nodes(
     gap = np.maximum(thickness[chosen], TINY)
     y = y[chosen]
     rows = (area[chosen], gap, film_viscosity(film)[chosen], limit)
-    return np.stack([*rows, x[chosen], y, sheared.height(y)]), _law(rheology)
+    nodes = np.stack([*rows, x[chosen], y, sheared.height(y)])
+    full = film.pressure[chosen] > 0.0
+    nodes = np.concatenate([nodes[:, full], nodes[:, ~full]], axis=1)
+    return _Block(nodes, int(full.sum()), _law(rheology))
 
 
 def _flat_films(
     films: Sequence[_Sheared], rheology: Rheology, temperature: float | None
-) -> tuple[NDArray[np.int64], list[tuple[Array, Array]]]:
-    """Which of the flat films that differ each one is, and nodes and law of these; all of one
-    oil.
-    """
+) -> tuple[NDArray[np.int64], list[_Block]]:
+    """Which of the flat films that differ each one is, and these; all of one oil."""
     if not films:
         return np.zeros(0, dtype=np.int64), []
     flat = [one.film.film for one in films if isinstance(one.film.film, FlatFilm)]
@@ -158,4 +181,5 @@ def _flat_films(
     rows = (a * b * at.area * share, height, viscosity, limit, x, y, surface)
     nodes = np.stack(rows, axis=1)
     laws = [_law(contact_rheology(rheology, oil, flat[n].mean_pressure)) for n in first]
-    return like, list(zip(nodes, laws, strict=True))
+    pressed = int(at.inside.sum())
+    return like, [_Block(own, pressed, law) for own, law in zip(nodes, laws, strict=True)]

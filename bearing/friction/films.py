@@ -97,8 +97,9 @@ class ShearedFilms:
         """
         n = len(indices)
         gradient, slope = np.empty((n, 4)), np.empty((n, 4, 4))
-        nodes, first, laws, own = self.nodes
-        film_frictions(nodes, first, laws, motion, own[indices], MIN_SLIDING, gradient, slope)
+        nodes, parts, thin, laws, own = self.nodes
+        films = (nodes, parts, thin, laws)
+        film_frictions(*films, motion, own[indices], MIN_SLIDING, gradient, slope)
         oil = self.oil[indices]
         return oil[:, None] * gradient, oil[:, None, None] * slope
 

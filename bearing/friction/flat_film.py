@@ -190,12 +190,14 @@ def flat_nodes() -> FlatNodes:
     squares, level = np.unique(left[chosen], return_inverse=True)
     opening = np.where(x > 1.0, 0.5 * (x**2 - 1.0), 0.0)[:, None] + np.zeros_like(y)
     X, Y = np.broadcast_arrays(x[:, None], y)
+    area = trapezoidal_weights(x, y)
+    behind = np.argsort(~full[chosen], kind="stable")  # nodes with pressure first
     return FlatNodes(
-        x=X[chosen],
-        y=Y[chosen],
-        area=trapezoidal_weights(x, y)[chosen],
+        x=X[chosen][behind],
+        y=Y[chosen][behind],
+        area=area[chosen][behind],
         pressure=np.sqrt(squares) / steps,
-        level=level.astype(np.int64),
-        opening=opening[chosen],
-        inside=full[chosen],
+        level=level.astype(np.int64)[behind],
+        opening=opening[chosen][behind],
+        inside=full[chosen][behind],
     )
