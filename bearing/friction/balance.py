@@ -31,7 +31,7 @@ from .cage import (
     with_land,
 )
 from .law import TINY, ContactLaw
-from .newton import BALANCE_TOLERANCE, MotionProblem, contacts_of, pocket_friction
+from .newton import BALANCE_TOLERANCE, MotionProblem, contacts_of, pocket_power
 from .resistance import NO_RESISTANCE, Resistance, ResistedPower
 
 # sliding over entrainment from which a ball counts as driven by the cage [-]; of 160 balls of ten
@@ -296,7 +296,7 @@ def _resisted(
 ) -> ResistedPower:
     """Beside the contacts at the unknowns z [m/s], in [W]."""
     load = np.where(problem.driven, solution.inner_load, 0.0)
-    pocket = pocket_friction(z, problem, np.arange(load.size)).power.sum()
+    pocket = pocket_power(z, problem).sum()
     pocket += taken_pocket_power(solution, problem, z, resistance).sum()
     drag = float((problem.drag * (orbit_velocities(solution) + z[:, 0])).sum())
     power = ResistedPower(drag=drag, pocket=float(pocket))
