@@ -67,7 +67,7 @@ def film_frictions(nodes, parts, thin, laws, motion, own, least, gradient, slope
     """Friction (n, 4) of sheared films, A tau s/|s| K summed over the nodes of each, and its slope
     (n, 4, 4) by the motions (n, 4); s = (K_x, K_y) motion is the sliding of `coulomb_sums`.
 
-    nodes: rows of area [m^2], gap [m], viscosity [Pa s], limiting stress [Pa], x, y and height of
+    nodes: rows of area [m^2], 1 over the gap [1/m], viscosity [Pa s], limiting stress [Pa], x, y and height of
     the surface [m], shape (7, m); parts (films, 3): where the nodes of a film begin, those of oil
     at ambient pressure, and where they end; thin (films, 11): of these what `thin_sums` gives;
     laws (films, 4): the first four fields of `KernelRheology`; own (n,): film of each motion;
@@ -90,18 +90,19 @@ def film_frictions(nodes, parts, thin, laws, motion, own, least, gradient, slope
             g3 = c03 * slide_x + c23 * spin + c33 * rolling
         for k in range(parts[film, 0], end):
             x, y, height = nodes[4, k], nodes[5, k], nodes[6, k]
-            gap = nodes[1, k]
             s0 = slide_x - spin * y + rolling * height
             s1 = slide_y + spin * x
             s2 = s1 * x - s0 * y
             s3 = s0 * height
             square = s0 * s0 + s1 * s1 + least * least
             speed = np.sqrt(square)
+            over = 1.0 / speed
+            opening = nodes[1, k]
             tau, by_rate = shear_stress_slope(
-                speed / gap, nodes[2, k], nodes[3, k], code, stress, exponent, breadth
+                speed * opening, nodes[2, k], nodes[3, k], code, stress, exponent, breadth
             )
-            pull = nodes[0, k] * tau / speed
-            bend = (nodes[0, k] * by_rate / gap - pull) / square
+            pull = nodes[0, k] * tau * over
+            bend = (nodes[0, k] * by_rate * opening - pull) * over * over
             g0 += pull * s0
             g1 += pull * s1
             g2 += pull * s2
@@ -150,7 +151,7 @@ def thin_sums(nodes, out):
     out[3] = np.inf
     for k in range(nodes.shape[1]):
         x, y, height = nodes[4, k], nodes[5, k], nodes[6, k]
-        rate = nodes[2, k] / nodes[1, k]
+        rate = nodes[2, k] * nodes[1, k]
         out[0] = max(out[0], rate)
         out[1] = max(out[1], rate * (abs(x) + abs(y)))
         out[2] = max(out[2], rate * abs(height))

@@ -32,7 +32,7 @@ from .flat_film import FlatFilm, flat_nodes
 from .law import TINY
 from .running_films import RunningFilm, RunningFilms
 
-ROWS = 7  # area, gap, viscosity, limiting stress, x, y and height of the surface
+ROWS = 7  # area, 1 over the gap, viscosity, limiting stress, x, y and height of the surface
 THIN = 11  # numbers of `_kernels.thin_sums`
 
 
@@ -144,9 +144,9 @@ def _solved_nodes(
     chosen = width > 0.0
     local = inlet[chosen] if isinstance(inlet, np.ndarray) else inlet
     limit = limiting_stress(film.pressure[chosen], rheology, local)
-    gap = np.maximum(thickness[chosen], TINY)
+    opening = 1.0 / np.maximum(thickness[chosen], TINY)
     y = y[chosen]
-    rows = (area[chosen], gap, film_viscosity(film)[chosen], limit)
+    rows = (area[chosen], opening, film_viscosity(film)[chosen], limit)
     nodes = np.stack([*rows, x[chosen], y, sheared.height(y)])
     full = film.pressure[chosen] > 0.0
     nodes = np.concatenate([nodes[:, full], nodes[:, ~full]], axis=1)
@@ -178,7 +178,7 @@ def _flat_films(
     share = np.where(at.inside, 1.0, np.minimum(gap / height, 1.0))
     x, y = a * at.x, b * at.y
     surface = -curvature * np.minimum(y * y, width**2)
-    rows = (a * b * at.area * share, height, viscosity, limit, x, y, surface)
+    rows = (a * b * at.area * share, 1.0 / height, viscosity, limit, x, y, surface)
     nodes = np.stack(rows, axis=1)
     laws = [_law(contact_rheology(rheology, oil, flat[n].mean_pressure)) for n in first]
     pressed = int(at.inside.sum())

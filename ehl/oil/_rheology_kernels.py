@@ -18,6 +18,7 @@ LIMIT_POWER = 32
 LIMIT_ROOTS = 5
 NEGLIGIBLE = 1e-17  # beside 1 in double precision [-]
 SMALL_SINE = 2e-3  # below which the series of asinh is exact [-]
+SMALL_POWER = 1e-4  # below which the series of the m-th root is exact [-]
 FAR_BELOW = 0.25  # of a limit, whose m-th power is negligible [-]
 NEWTON_STEPS = 30
 
@@ -52,10 +53,9 @@ def blend(ratio):
         power *= power
     if power < NEGLIGIBLE:
         return 1.0
-    power += 1.0
-    for _ in range(LIMIT_ROOTS):
-        power = np.sqrt(power)
-    return power
+    if power < SMALL_POWER:
+        return 1.0 + power / LIMIT_POWER * (1.0 - 31.0 / 64.0 * power * (1.0 - 21.0 / 32.0 * power))
+    return np.exp(np.log(1.0 + power) / LIMIT_POWER)
 
 
 @compiled
