@@ -9,7 +9,13 @@ tests/reference.
 import numpy as np
 
 from ehl.compiled import compiled
-from ehl.oil._rheology_kernels import FAR_BELOW, NEWTONIAN, REE_EYRING, shear_stress_slope
+from ehl.oil._rheology_kernels import (
+    FAR_BELOW,
+    NEWTONIAN,
+    REE_EYRING,
+    eyring_stress_slope,
+    shear_stress_slope,
+)
 from ehl.traction._kernels import hertz_friction, table_lookup
 
 # of the stress of oil at ambient pressure, up to which it counts as proportional to the rate [-]:
@@ -73,6 +79,12 @@ def film_frictions(nodes, parts, thin, laws, motion, own, least, gradient, slope
     laws (films, 4): the first four fields of `KernelRheology`; own (n,): film of each motion;
     least: sliding below which the stress is proportional to it [m/s].
     """
+    most = 0
+    for film in range(parts.shape[0]):
+        most = max(most, parts[film, 2] - parts[film, 0])
+    speeds = np.empty(most)
+    pulls = np.empty(most)
+    bends = np.empty(most)
     for n in range(motion.shape[0]):
         film = own[n]
         code = int(laws[film, 0])
@@ -88,21 +100,34 @@ def film_frictions(nodes, parts, thin, laws, motion, own, least, gradient, slope
             g1 = c11 * slide_y + c12 * spin
             g2 = c02 * slide_x + c12 * slide_y + c22 * spin + c23 * rolling
             g3 = c03 * slide_x + c23 * spin + c33 * rolling
-        for k in range(parts[film, 0], end):
-            x, y, height = nodes[4, k], nodes[5, k], nodes[6, k]
+        begin = parts[film, 0]
+        area, opening = nodes[0, begin:end], nodes[1, begin:end]
+        eta, limit = nodes[2, begin:end], nodes[3, begin:end]
+        places = (nodes[4, begin:end], nodes[5, begin:end], nodes[6, begin:end])
+        # three loops: compiled for several nodes at a time, as one with all sums is not
+        for k in range(area.size):
+            s0 = slide_x - spin * places[1][k] + rolling * places[2][k]
+            s1 = slide_y + spin * places[0][k]
+            speeds[k] = np.sqrt(s0 * s0 + s1 * s1 + least * least)
+        if code == REE_EYRING:
+            for k in range(area.size):
+                rate = speeds[k] * opening[k]
+                pulls[k], bends[k] = eyring_stress_slope(rate, eta[k], limit[k], stress)
+        else:
+            for k in range(area.size):
+                rate = speeds[k] * opening[k]
+                pulls[k], bends[k] = shear_stress_slope(
+                    rate, eta[k], limit[k], code, stress, exponent, breadth
+                )
+        for k in range(area.size):
+            over = 1.0 / speeds[k]
+            pull = area[k] * pulls[k] * over
+            bend = (area[k] * bends[k] * opening[k] - pull) * over * over
+            x, y, height = places[0][k], places[1][k], places[2][k]
             s0 = slide_x - spin * y + rolling * height
             s1 = slide_y + spin * x
             s2 = s1 * x - s0 * y
             s3 = s0 * height
-            square = s0 * s0 + s1 * s1 + least * least
-            speed = np.sqrt(square)
-            over = 1.0 / speed
-            opening = nodes[1, k]
-            tau, by_rate = shear_stress_slope(
-                speed * opening, nodes[2, k], nodes[3, k], code, stress, exponent, breadth
-            )
-            pull = nodes[0, k] * tau * over
-            bend = (nodes[0, k] * by_rate * opening - pull) * over * over
             g0 += pull * s0
             g1 += pull * s1
             g2 += pull * s2

@@ -9,7 +9,8 @@ STEP = 1e-5  # relative change of the rate for a difference quotient [-]
 
 def film_friction_twin(nodes: np.ndarray, rheology: Rheology, motion: np.ndarray, least: float):
     """Gradient (4,) and slope (4, 4) of one film as the kernel, with the limiting stress of the nodes by their pressure."""
-    area, gap, eta, pressure, x, y, height = nodes
+    area, opening, eta, pressure, x, y, height = nodes
+    gap = 1.0 / opening
     along = np.stack([np.ones_like(x), np.zeros_like(x), -y, height])
     across = np.stack([np.zeros_like(x), np.ones_like(x), x, np.zeros_like(x)])
     s_x, s_y = motion @ along, motion @ across

@@ -24,7 +24,7 @@ def test_film_friction_agrees_with_its_twin(law, limit):
     rheology = Rheology(law=law, limiting_coefficient=limit, **STRESSES[law])
     pressure = 2e9 * rng.random(300)
     places = rng.normal(size=(3, 300)) * np.array([1e-3, 1e-3, 1e-6])[:, None]
-    rows = (1e-10 * rng.random(300), 1e-6 * (0.5 + rng.random(300)), 10.0 ** rng.uniform(-2, 5, 300))
+    rows = (1e-10 * rng.random(300), 1e6 / (0.5 + rng.random(300)), 10.0 ** rng.uniform(-2, 5, 300))
     nodes = np.stack([*rows, limiting_stress(pressure, rheology), *places])
     laws = np.array([kernel_rheology(rheology)[:4]] * 2)
     parts = np.array([[0, 0, 0], [0, 300, 300]])
@@ -49,7 +49,7 @@ def test_oil_at_ambient_pressure_is_summed_once(law, limit):
     rng = np.random.default_rng(4187)
     rheology = Rheology(law=law, limiting_coefficient=limit, **STRESSES[law])
     places = rng.normal(size=(3, 200)) * np.array([1e-3, 1e-3, 1e-6])[:, None]
-    rows = (1e-10 * rng.random(200), 1e-6 * (0.5 + rng.random(200)), np.full(200, 0.02))
+    rows = (1e-10 * rng.random(200), 1e6 / (0.5 + rng.random(200)), np.full(200, 0.02))
     nodes = np.stack([*rows, limiting_stress(np.zeros(200), rheology), *places])
     sums = np.empty(11)
     thin_sums(nodes, sums)
