@@ -66,25 +66,31 @@ def left_on_balls(given, at, z, friction, left):
                     for m in range(4):
                         hessian[i, j] += turn[m, i] * bent[m, j]
         # 3. friction in the pocket
-        s0 = rubbing[ball, 0] + z[n, 1]
-        s1 = rubbing[ball, 1] + z[n, 2]
-        speed = np.hypot(s0, s1) + TINY
-        power += pocket[ball] * speed
-        s0 /= speed
-        s1 /= speed
-        gradient[1] += pocket[ball] * s0
-        gradient[2] += pocket[ball] * s1
-        bend = pocket[ball] / speed
-        hessian[1, 1] += bend * (1.0 - s0 * s0)
-        hessian[1, 2] -= bend * s0 * s1
-        hessian[2, 1] -= bend * s0 * s1
-        hessian[2, 2] += bend * (1.0 - s1 * s1)
+        power += add_pocket(pocket[ball], rubbing[ball], z[n], gradient, hessian)
         # 4. what is not free stays
         for i in range(4):
             gradient[i] *= free[ball, i]
             for j in range(4):
                 hessian[i, j] *= free[ball, i] * free[ball, j]
         left[0][n] = power
+
+
+@compiled
+def add_pocket(force, rubbing, z, gradient, hessian):
+    """Power of Coulomb's friction in a pocket, which is added to force and slope."""
+    s0 = rubbing[0] + z[1]
+    s1 = rubbing[1] + z[2]
+    speed = np.hypot(s0, s1) + TINY
+    s0 /= speed
+    s1 /= speed
+    bend = force / speed
+    gradient[1] += force * s0
+    gradient[2] += force * s1
+    hessian[1, 1] += bend * (1.0 - s0 * s0)
+    hessian[1, 2] -= bend * s0 * s1
+    hessian[2, 1] -= bend * s0 * s1
+    hessian[2, 2] += bend * (1.0 - s1 * s1)
+    return force * speed
 
 
 @compiled

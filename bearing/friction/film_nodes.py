@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ehl.arrays import alike
 from ehl.oil.rheology import Rheology, contact_rheology, kernel_rheology, limiting_stress
 from ehl.traction.shear import (
     Cavitation,
@@ -27,7 +28,6 @@ from ..contacts.traction import TRACTION_POINTS
 from ..geometry import Array, Bearing
 from ..quasistatic.solution import QuasistaticSolution
 from ._kernels import thin_sums
-from .alike import alike
 from .flat_film import FlatFilm, flat_nodes
 from .law import TINY
 from .running_films import RunningFilm, RunningFilms
@@ -128,9 +128,7 @@ def _law(rheology: Rheology) -> Array:
     return np.array(kernel_rheology(rheology)[:4], dtype=np.float64)
 
 
-def _solved_nodes(
-    sheared: _Sheared, rheology: Rheology, temperature: float | None
-) -> _Block:
+def _solved_nodes(sheared: _Sheared, rheology: Rheology, temperature: float | None) -> _Block:
     """Those of a solved film; sums of `integrate_traction`."""
     solved = sheared.film.film
     assert not isinstance(solved, FlatFilm)

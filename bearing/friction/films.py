@@ -96,7 +96,8 @@ class ShearedFilms:
         contacts [m/s], [rad/s].
         """
         n = len(indices)
-        gradient, slope = np.empty((n, 4)), np.empty((n, 4, 4))
+        gradient = np.empty((n, 4))
+        slope = np.empty((n, 4, 4))
         nodes, parts, thin, laws, own = self.nodes
         films = (nodes, parts, thin, laws)
         film_frictions(*films, motion, own[indices], MIN_SLIDING, gradient, slope)
@@ -116,7 +117,8 @@ class ShearedFilms:
         gradient += self.pumping[indices]
         more = self.rub(motion, indices)
         if more is not None:
-            gradient, slope = gradient + more[0], slope + more[1]
+            gradient += more[0]
+            slope += more[1]
         return Dissipation(np.zeros(len(indices)), gradient, slope)
 
 
@@ -133,8 +135,8 @@ def sheared_films(
     share = np.array([0.0 if film is None else film.asperity_share for film in films])
     boundary = np.array([0.0 if film is None else film.boundary for film in films])
     moment = np.array([0.0 if film is None else film.rolling_moment for film in films])
-    along = [0.0 if c.hertz is None else 0.5 / c.hertz.radius_x for c in contacts]
-    along = np.array(along) - 2.0 / solution.bearing.ball_diameter
+    curvature = np.array([0.0 if c.hertz is None else 0.5 / c.hertz.radius_x for c in contacts])
+    along = curvature - 2.0 / solution.bearing.ball_diameter
     zero = np.zeros_like(moment)
     return ShearedFilms(
         nodes=nodes or film_nodes(solution, contacts, films, rheology),
@@ -169,7 +171,9 @@ def law_of_films(
 ) -> ContactLaw:
     """Films as the law of their contacts; `scale` [-] as in `film_law`."""
     if scale is not None:
-        sheared = replace(sheared, oil=scale * sheared.oil, pumping=scale[:, None] * sheared.pumping)
+        sheared = replace(
+            sheared, oil=scale * sheared.oil, pumping=scale[:, None] * sheared.pumping
+        )
     pairs = zip(contacts, films, strict=True)
     load = np.array([0.0 if film is None else contact.load for contact, film in pairs])
     kinds = [sheared.nodes.own[:, None], sheared.oil[:, None], sheared.pumping]

@@ -174,8 +174,8 @@ def _left() -> NDArray[np.int64]:
 
 @cache
 def flat_nodes() -> FlatNodes:
-    """Those of `POINTS` lines over the ellipse, of its lee, and of `ehl.traction.shear.with_outlet`
-    behind; ahead of the ellipse nothing shears.
+    """Those of `POINTS` lines over the ellipse, of its lee, and of the lines behind as those of
+    `ehl.traction.shear.with_outlet`; ahead of the ellipse nothing shears.
     """
     steps = POINTS // 2
     places = np.arange(-steps, steps + 1)

@@ -160,11 +160,7 @@ def _supplied(film: RunningFilm, contact: BearingContact, supply: OilAtInlets) -
         whole = film.whole
         least = None if isinstance(whole, FlatFilm) else whole.film_minimum
         return replace(
-            film,
-            film=whole,
-            central=film.flooded_central,
-            minimum=least,
-            rolling_factor=1.0,
+            film, film=whole, central=film.flooded_central, minimum=least, rolling_factor=1.0
         )
     share = left.central.value / central
     thick = share * film.central

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from ehl.arrays import alike
 from ehl.closed_form.hertz import HertzContact
 from ehl.oil.lubricant import Lubricant, heat_properties
 from ehl.solid.film_conductance import (
@@ -17,7 +18,6 @@ from ehl.solution import ContactSolution
 from ehl.traction.shear import dimensional_conditions, dimensional_grid
 
 from ..contacts.contact import BearingContact
-from ..friction.alike import alike
 from ..friction.flat_film import CONTACT_PRESSURE, FlatFilm, flat_pressures
 from ..geometry import Array, Bearing, Race
 from .friction_heat import solid_thermal

@@ -1,6 +1,6 @@
 """Heat of friction by where it arises."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -12,6 +12,7 @@ from ..material import Material
 from ..quasistatic.solution import QuasistaticSolution
 from .conductances import Conductance
 from .network import node_values
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FrictionHeat:

@@ -125,8 +125,9 @@ def heat_state(
     clearance: float,
     near: QuasistaticSolution | None = None,
 ) -> HeatState:
-    """Equilibrium, friction and temperatures at a film temperature [K] and a clearance [m]; `near`:
-    an equilibrium nearby.
+    """Equilibrium, friction and temperatures at a film temperature [K] and a clearance [m].
+
+    `near`: an equilibrium nearby.
 
     Raises
     ------

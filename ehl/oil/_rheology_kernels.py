@@ -57,7 +57,9 @@ def blend(ratio):
 def root_of(power):
     """(1 + power)^(1/m), of a power up to 1 [-]."""
     if power < SMALL_POWER:
-        return 1.0 + power / LIMIT_POWER * (1.0 - 31.0 / 64.0 * power * (1.0 - 21.0 / 32.0 * power))
+        return 1.0 + power / LIMIT_POWER * (
+            1.0 - 31.0 / 64.0 * power * (1.0 - 21.0 / 32.0 * power)
+        )
     return np.exp(np.log(1.0 + power) / LIMIT_POWER)
 
 

@@ -8,7 +8,7 @@ STEP = 1e-5  # relative change of the rate for a difference quotient [-]
 
 
 def film_friction_twin(nodes: np.ndarray, rheology: Rheology, motion: np.ndarray, least: float):
-    """Gradient (4,) and slope (4, 4) of one film as the kernel, with the limiting stress of the nodes by their pressure."""
+    """Gradient (4,) and slope (4, 4) of one film as the kernel, limiting stresses by the nodes' pressure."""
     area, opening, eta, pressure, x, y, height = nodes
     gap = 1.0 / opening
     along = np.stack([np.ones_like(x), np.zeros_like(x), -y, height])

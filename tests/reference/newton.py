@@ -7,9 +7,7 @@ from bearing.friction.newton import MotionProblem, contacts_of
 from bearing.geometry import Array
 
 
-def left_on_balls_twin(
-    z: Array, problem: MotionProblem, balls: Array
-) -> tuple[Array, Array, Array]:
+def left_on_balls_twin(z: Array, problem: MotionProblem, balls: Array) -> tuple[Array, Array, Array]:
     """Power (n,), force left (n, 4) and its slope (n, 4, 4) by the scaled unknowns of the balls
     with these indices.
     """
@@ -30,11 +28,7 @@ def left_on_balls_twin(
     hessian = (slopes.swapaxes(2, 3) @ curvature @ slopes).sum(axis=1)
     hessian = hessian + problem.gyroscopic_matrix[balls]
     hessian[:, 1:3, 1:3] += pocket.curvature
-    return (
-        power,
-        np.where(free, gradient, 0.0),
-        np.where(free[:, :, None] & free[:, None, :], hessian, 0.0),
-    )
+    return (power, np.where(free, gradient, 0.0), np.where(free[:, :, None] & free[:, None, :], hessian, 0.0))
 
 
 def pocket_friction_twin(z: Array, problem: MotionProblem, balls: Array) -> Dissipation:
@@ -49,9 +43,7 @@ def pocket_friction_twin(z: Array, problem: MotionProblem, balls: Array) -> Diss
     along = slide / speed[:, None]
     force = problem.pocket[balls]
     across = np.eye(2) - along[:, :, None] * along[:, None, :]
-    return Dissipation(
-        force * speed, force[:, None] * along, (force / speed)[:, None, None] * across
-    )
+    return Dissipation(force * speed, force[:, None] * along, (force / speed)[:, None, None] * across)
 
 
 def damped_step_twin(z: Array, gradient: Array, hessian: Array, damping: Array, size: Array) -> Array:

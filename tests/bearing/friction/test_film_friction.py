@@ -61,7 +61,17 @@ def test_oil_at_ambient_pressure_is_summed_once(law, limit):
         for parts in ([[0, 0, 200]], [[0, 200, 200]]):
             gradient, slope = np.empty((1, 4)), np.empty((1, 4, 4))
             thin = sums[None] if parts[0][1] == 0 else np.zeros((1, 11))
-            film_frictions(nodes, np.array(parts), thin, laws, speed * direction[None], np.zeros(1, int), MIN_SLIDING, gradient, slope)
+            film_frictions(
+                nodes,
+                np.array(parts),
+                thin,
+                laws,
+                speed * direction[None],
+                np.zeros(1, int),
+                MIN_SLIDING,
+                gradient,
+                slope,
+            )
             found.append((gradient[0], slope[0]))
         shares.append(max(np.abs(a - b).max() / np.abs(b).max() for a, b in zip(*found, strict=True)))
     assert max(shares) < 4.0 * PROPORTIONAL  # of the slope, which bends more than the stress

@@ -59,7 +59,10 @@ def test_integrated_torque_has_the_oil_up_to_its_meniscus(rolling):
     # strips prolong the box beyond its outlet, whose corners carry 1e-5 of the moment
     own = Cavitation.FULL_WIDTH
     boxes = [
-        film and replace(run, flooded_moment=-integrate_traction(film, t.kinematics, Rheology(), cavitation=own).hydrodynamic_moment)
+        film
+        and replace(
+            run, flooded_moment=-integrate_traction(film, t.kinematics, Rheology(), cavitation=own).hydrodynamic_moment
+        )
         for run, t, film in zip(running, tractions, films, strict=True)
     ]
     assert found.box == pytest.approx(rolling_part(state, contacts, boxes), rel=1e-9)
