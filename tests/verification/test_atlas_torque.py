@@ -1,4 +1,4 @@
-"""Torque and films of the atlas beside those of solved films: an axially loaded 7012AC, a preloaded pair of 7014C, a 6306."""
+"""Torque and films of the atlas beside those of solved films: 7012AC under thrust, preloaded pair of 7014C, 6306."""
 
 from __future__ import annotations
 
