@@ -1,9 +1,16 @@
-"""Processor time of a torque point from ready inputs: `python benchmarks/torque.py`. Target: below 50 ms."""
+"""Processor time of a torque point: from ready inputs, and with films of the atlas.
+
+`python benchmarks/torque.py [POINTS]`. Targets: from tables below 60 ms; with films of the atlas 80 ms (40 s for 1000
+points on two cores), with temperatures solved 180 ms (90 s).
+"""
 
 from __future__ import annotations
 
+import sys
 from dataclasses import replace
 from time import process_time
+
+import numpy as np
 
 from bearing import Operation, Race, contact_conditions, solve_quasistatic, solve_traction_equilibrium
 from bearing.friction.coulomb import balanced_friction
@@ -12,11 +19,23 @@ from bearing.friction.race_tables import build_race_tables
 from bearing.friction.sources import LawTraction
 from bearing.torque.breakdown import torque_breakdown
 from bearing.torque.integrated import law_torque
-from cases import Case, load_case
+from cases import Case, load_case, run_case
+from cases.format.case import case_of_document
 from ehl.traction.table.build import TableOptions
 from ehl.traction.table.table import TractionTable
+from postprocess import summary
 
 REPEATS = 40
+POINTS = 20  # of each kind with films of the atlas
+SEED = 20261124
+KINDS = (  # bearing, speeds [r/min], axial and radial loads [N], whether it warms itself
+    ("7012AC", (2000.0, 12000.0), (1000.0, 3000.0), (0.0, 0.0), False),
+    ("7012AC", (2000.0, 12000.0), (1000.0, 3000.0), (0.0, 1000.0), False),
+    ("6208", (1000.0, 8000.0), (0.0, 0.0), (1000.0, 3000.0), False),
+    ("7012AC", (2000.0, 8000.0), (1000.0, 3000.0), (0.0, 1000.0), True),
+    ("6208", (1000.0, 6000.0), (0.0, 0.0), (1000.0, 3000.0), True),
+)
+HEAT = {"heat_transfer_W_K": 2.8, "ambient_C": 25.0, "cooling_oil_mL_min": 900.0, "cooling_oil_C": 40.0}
 TABLE_LOADS = ((0.0, 3000.0), (400.0, 1500.0))
 LOADS = ((0.0, 3000.0), (500.0, 0.0), (1000.0, 1000.0))  # axial, radial [N]
 
@@ -83,8 +102,53 @@ def measure_table(case: Case, laws: dict[Race, TractionTable], axial: float, rad
     )
 
 
+def atlas_point(name: str, speed: float, axial: float, radial: float, heated: bool) -> Case:
+    """A case of a catalogue bearing in oil, all films of the atlas, at a speed [r/min] and loads [N]."""
+    operation = {"inner_speed_rpm": speed, "axial_load_N": axial, "radial_load_N": radial, "temperature_C": 60.0}
+    friction = {"lubrication": "oil jet", "oil_fraction": 0.05}
+    rough = {"inner_ring_roughness_um": 0.05, "outer_ring_roughness_um": 0.05, "ball_roughness_um": 0.02}
+    document = {
+        "schema_version": 1,
+        "bearing": {"name": name},
+        "lubricant": {"name": "iso vg 32"},
+        "operation": operation | ({"temperature": "self-heated"} if heated else {}),
+        "friction": friction | (HEAT if heated else {}),
+        "surface": rough,
+        "ehl": {"film_maps": "none"},
+    }
+    case = case_of_document(document)
+    assert isinstance(case, Case)
+    return case
+
+
+def measure_atlas(points: int) -> None:
+    """A line for every kind: mean over random points [ms], each computed once, as a batch computes it in a worker."""
+    print("films of the atlas:")
+    print("bearing  load        temperatures  points  converged  run ms  summary ms")
+    random = np.random.default_rng(SEED)
+    for name, *ranges, heated in KINDS:
+        cases = [atlas_point(name, *(random.uniform(*r) for r in ranges), heated) for _ in range(points)]
+        summary(run_case(cases[0], 1))
+        start = process_time()
+        results = [run_case(case, 1) for case in cases]
+        ran = process_time() - start
+        documents = [summary(result) for result in results]
+        written = process_time() - start - ran
+        load = "axial" if ranges[2][1] == 0.0 else "radial" if ranges[1][1] == 0.0 else "combined"
+        converged = sum(bool(document["converged"]) for document in documents)
+        words = (
+            f"{name:7s}",
+            f"{load:10s}",
+            f"{'solved' if heated else 'given':12s}",
+            f"{points:6d}",
+            f"{converged:9d}",
+        )
+        print("  ".join((*words, f"{1e3 * ran / points:6.1f}", f"{1e3 * written / points:10.1f}")), flush=True)
+
+
 def main() -> None:
-    """A line for every load."""
+    """A line for every load, and for every kind of points with films of the atlas."""
+    measure_atlas(int(sys.argv[1]) if len(sys.argv) > 1 else POINTS)
     print("axial N  radial N  equilibrium ms  all models ms  balanced lines ms  Coulomb 2-D ms")
     for axial, radial in LOADS:
         print(f"{axial:7.0f}  {radial:8.0f}  " + "  ".join(f"{1e3 * t:14.1f}" for t in measure(axial, radial)))

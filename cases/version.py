@@ -1,8 +1,10 @@
 """The version, written down in pyproject.toml only."""
 
+from functools import cache
 from importlib import metadata
 
 
+@cache
 def version() -> str:
     """Version of the installed program."""
     return metadata.version("oilfilm")

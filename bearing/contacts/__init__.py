@@ -6,6 +6,7 @@ electrical    - capacitance and breakdown voltage of a bearing between its rings
 film_numbers  - film and rolling moment where no film is solved: film atlas, and formulas
 finite_bodies - difference of ring, ball and groove to half-spaces, radii of films with it
 formula_moment - moment that resists rolling in a flooded contact, by formulas
+heavy_moment - moment that resists rolling in a heavily loaded contact, by a formula
 hertz         - Hertz contacts of many balls at once
 motion        - the one kinematics of ball on race: rolling, sliding and spin of both
 shape         - curvatures and ellipse of a contact, as the laws of friction take them

@@ -14,10 +14,10 @@ f fitted to solved contacts (`SLOPE`, `START`, `WIDTH`).
 
 from math import pi, sqrt
 
-import scipy
-
 from ehl.conditions import ContactConditions
 from ehl.traction.kapitza import kapitza_moment
+
+from .heavy_moment import rolling_moment
 
 # Fitted to 275 solved contacts, M 1 to 3000, L 5 to 29, Rx/Ry 0.02 to 1, layers of 50, 100 and 400
 # um: s and t over Rx/Ry, linear, and w [-]
@@ -50,19 +50,3 @@ def _unit(conditions: ContactConditions) -> float:
     ratio = c.radius_x / c.radius_y
     shape = (3.0 + 2.0 * ratio) * sqrt(ratio)
     return 24.0 * pi * c.lubricant.viscosity * c.entrainment_speed * c.radius_x**2 / shape
-
-
-def rolling_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_x: float) -> float:
-    """Moment that resists rolling in a lubricated contact [N m], Biboulet and Houpert (2010),
-    elastohydrodynamic limit; its power is the moment times the rolling speed u_m/Rx.
-
-    Twice t = 1.8 beta^(-1/4) (2 a_y/Rx) (2 U)^(3/4) E' Rx^3, beta = (4/pi) E(m)/(1 + Rx/Ry), m = 1
-    - (a_x/a_y)^2, with the Hertz semi-axes across and along rolling [m]. t is Rx times the force
-    that the pressure flow pulls one body with; both are pulled (checked against solved contacts).
-    """
-    c = conditions
-    speed = c.lubricant.viscosity * c.entrainment_speed / (c.reduced_modulus * c.radius_x)
-    shape = min(semi_axis_x, semi_axis_y) / max(semi_axis_x, semi_axis_y)
-    beta = 4.0 / pi * float(scipy.special.ellipe(1.0 - shape**2)) / (1.0 + c.radius_x / c.radius_y)
-    width = 2.0 * semi_axis_y / c.radius_x
-    return 3.6 * beta**-0.25 * width * (2.0 * speed) ** 0.75 * c.reduced_modulus * c.radius_x**3

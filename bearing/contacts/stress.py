@@ -5,7 +5,9 @@ hypotheses: none in the middle, spin about the normal, and the difference of rad
 curved contact (Heathcote).
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 from math import pi
 
 import numpy as np
@@ -13,10 +15,11 @@ import numpy as np
 from ehl.closed_form.hertz import HertzContact
 from ehl.closed_form.hertz_stress import hertz_maximum_shear, hertz_orthogonal_shear
 
-from ..geometry import Race
+from ..geometry import Array, Race
 from ..quasistatic.solution import QuasistaticSolution
 from .contact import BearingContact
-from .motion import bearing_kinematics
+from .motion import ball_speeds, motion_map
+from .shape import groove_curvature_radius
 from .shoulder import Truncation, truncation
 
 # points at which pressure times sliding is evaluated, around and across half the ellipse
@@ -39,7 +42,27 @@ class ContactStress:
 
 
 def contact_stress(solution: QuasistaticSolution, contact: BearingContact) -> ContactStress | None:
-    """Stress, sliding and truncation of a contact of an equilibrium; None where it is unloaded."""
+    """Stress [Pa], sliding [m/s] and truncation of a contact of an equilibrium; None where it is
+    unloaded.
+    """
+    return contact_stresses(solution, [contact])[0]
+
+
+def contact_stresses(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact]
+) -> list[ContactStress | None]:
+    """As `contact_stress`, of many contacts [Pa], [m/s]."""
+    motion = motion_map(solution, contacts).motion(*ball_speeds(solution))
+    return [
+        _stress(solution, contact, float(spin), float(rolling))
+        for contact, (spin, rolling) in zip(contacts, motion[:, 2:].tolist(), strict=True)
+    ]
+
+
+def _stress(
+    solution: QuasistaticSolution, contact: BearingContact, spin: float, rolling: float
+) -> ContactStress | None:
+    """Of a contact with the relative angular speeds of its bodies [rad/s]."""
     hertz = contact.hertz
     if hertz is None:
         return None
@@ -49,8 +72,7 @@ def contact_stress(solution: QuasistaticSolution, contact: BearingContact) -> Co
     axes = (hertz.semi_axis_x, hertz.semi_axis_y)
     shear = hertz_maximum_shear(axes, hertz.pressure, ring.poisson_ratio)
     orthogonal = hertz_orthogonal_shear(*axes, hertz.pressure)
-    motion = bearing_kinematics(solution, contact)
-    sliding = largest_sliding(hertz, motion.spin, motion.rolling, motion.curvature_radius)
+    sliding = largest_sliding(hertz, spin, rolling, groove_curvature_radius(bearing, race))
     return ContactStress(
         mean_pressure=2.0 / 3.0 * hertz.pressure,
         shear_maximum=shear[0],
@@ -73,9 +95,17 @@ def largest_sliding(
     normal and w_r about the transverse direction [rad/s]; `radius`: R of the deformed surface
     across the rolling direction, 2 r D/(2 r + D) [m]. The product in [W/m^2].
     """
-    angle = np.linspace(0.0, 2.0 * pi, ANGLES, endpoint=False)[:, None]
-    share = np.linspace(0.0, 1.0, RINGS + 1)[None, :]
-    x, y = hertz.semi_axis_x * share * np.cos(angle), hertz.semi_axis_y * share * np.sin(angle)
+    along, across, pressure = _places()
+    x, y = hertz.semi_axis_x * along, hertz.semi_axis_y * across
     speed = np.hypot(-spin * y + 0.5 * rolling * y * y / radius, spin * x)
-    pressure = hertz.pressure * np.sqrt(1.0 - share**2)
-    return float(speed.max()), float((pressure * speed).max())
+    return float(speed.max()), hertz.pressure * float((pressure * speed).max())
+
+
+@cache
+def _places() -> tuple[Array, Array, Array]:
+    """x and y over the semi-axes, shape (ANGLES // 2 + 1, RINGS + 1), and pressure over Hertz',
+    (RINGS + 1,), of the half of an ellipse with x >= 0: speeds are even in x.
+    """
+    angle = np.linspace(-0.5 * pi, 0.5 * pi, ANGLES // 2 + 1)[:, None]
+    share = np.linspace(0.0, 1.0, RINGS + 1)
+    return share * np.cos(angle), share * np.sin(angle), np.sqrt(1.0 - share**2)

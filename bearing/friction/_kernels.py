@@ -9,8 +9,18 @@ tests/reference.
 import numpy as np
 
 from ehl.compiled import compiled
-from ehl.oil._rheology_kernels import shear_stress_slope
+from ehl.oil._rheology_kernels import (
+    FAR_BELOW,
+    NEWTONIAN,
+    REE_EYRING,
+    eyring_stress_slope,
+    shear_stress_slope,
+)
 from ehl.traction._kernels import hertz_friction, table_lookup
+
+# of the stress of oil at ambient pressure, up to which it counts as proportional to the rate [-]:
+# it makes some 1e-3 of the friction of a film
+PROPORTIONAL = 1.0e-6
 
 
 @compiled
@@ -59,42 +69,178 @@ def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
 
 
 @compiled
-def film_friction(nodes, law, motion, least, gradient, slope):
-    """Friction (4,) of a sheared film, A tau s/|s| K summed over its nodes, and its slope (4, 4)
-    by the motion; s = (K_x, K_y) motion is the sliding.
+def film_frictions(nodes, parts, thin, laws, motion, own, least, gradient, slope):
+    """Friction (n, 4) of sheared films, A tau s/|s| K summed over the nodes of each, and its slope
+    (n, 4, 4) by the motions (n, 4); s = (K_x, K_y) motion is the sliding of `coulomb_sums`.
 
-    nodes: rows of area [m^2], gap [m], viscosity [Pa s], limiting stress [Pa], then the four of
-    K_x, the derivatives of the sliding along by the motion, and of K_y, shape (12, n); law: the
-    first four fields of `KernelRheology`; least: sliding below which the stress is proportional
-    to it [m/s].
+    nodes: rows of area [m^2], 1 over the gap [1/m], viscosity [Pa s], limiting stress [Pa], x, y
+    and height of the surface [m], shape (7, m); parts (films, 3): where the nodes of a film begin,
+    those of oil at ambient pressure, and where they end; thin (films, 11): of these what
+    `thin_sums` gives; laws (films, 4): the first four fields of `KernelRheology`; own (n,): film
+    of each motion; least: sliding below which the stress is proportional to it [m/s].
     """
-    code, stress, exponent, breadth = law
-    pull = np.empty(4)
-    gradient[:] = 0.0
-    slope[:] = 0.0
-    for k in range(nodes.shape[1]):
-        area, gap, eta, limit = nodes[:4, k]
-        along = nodes[4:8, k]
-        across = nodes[8:, k]
-        x = 0.0
-        y = 0.0
-        for i in range(4):
-            x += motion[i] * along[i]
-            y += motion[i] * across[i]
-        speed = np.sqrt(x * x + y * y + least * least)
-        tau, by_rate = shear_stress_slope(speed / gap, eta, limit, code, stress, exponent, breadth)
-        secant = area * tau / speed
-        bend = (area * by_rate / gap - secant) / speed**2
-        for i in range(4):
-            pull[i] = x * along[i] + y * across[i]
-            gradient[i] += secant * pull[i]
-        for i in range(4):
-            for j in range(i + 1):
-                fixed = secant * (along[i] * along[j] + across[i] * across[j])
-                slope[i, j] += fixed + bend * pull[i] * pull[j]
+    most = 0
+    for film in range(parts.shape[0]):
+        most = max(most, parts[film, 2] - parts[film, 0])
+    work = np.empty((3, most))
+    for n in range(motion.shape[0]):
+        film = own[n]
+        law = laws[film]
+        begin, end = parts[film, 0], parts[film, 2]
+        gradient[n] = 0.0
+        slope[n] = 0.0
+        if proportional(thin[film], motion[n], int(law[0]), law[1], law[3]):
+            end = parts[film, 1]
+            thin_friction(thin[film], motion[n], gradient[n], slope[n])
+        place = (nodes[4, begin:end], nodes[5, begin:end], nodes[6, begin:end])
+        oil = (nodes[1, begin:end], nodes[2, begin:end], nodes[3, begin:end])
+        area = nodes[0, begin:end]
+        stresses(oil, place, motion[n], law, least, work[0], work[1], work[2])
+        sums = pull_sums(area, oil[0], place, motion[n], work[0], work[1], work[2])
+        add_sums(sums, gradient[n], slope[n])
+
+
+@compiled
+def stresses(oil, place, motion, law, least, speeds, tau, bent):
+    """Sliding [m/s], stress [Pa] and its derivative by the rate [Pa s] at nodes; loops apart, that
+    each be compiled for several nodes at a time.
+    """
+    opening, eta, limit = oil
+    x, y, height = place
+    slide_x, slide_y, spin, rolling = motion
+    code = int(law[0])
+    stress, exponent, breadth = law[1], law[2], law[3]
+    for k in range(x.size):
+        s0 = slide_x - spin * y[k] + rolling * height[k]
+        s1 = slide_y + spin * x[k]
+        speeds[k] = np.sqrt(s0 * s0 + s1 * s1 + least * least)
+    if code == REE_EYRING:
+        for k in range(x.size):
+            rate = speeds[k] * opening[k]
+            tau[k], bent[k] = eyring_stress_slope(rate, eta[k], limit[k], stress)
+    else:
+        for k in range(x.size):
+            rate = speeds[k] * opening[k]
+            tau[k], bent[k] = shear_stress_slope(
+                rate, eta[k], limit[k], code, stress, exponent, breadth
+            )
+
+
+@compiled
+def pull_sums(area, opening, place, motion, speeds, tau, bent):
+    """Friction of nodes by their stress: its four parts, and of its slope the ten above and on the
+    diagonal.
+    """
+    slide_x, slide_y, spin, rolling = motion
+    g0 = g1 = g2 = g3 = c00 = c01 = c02 = c03 = c11 = c12 = c13 = c22 = c23 = c33 = 0.0
+    for k in range(area.size):
+        over = 1.0 / speeds[k]
+        pull = area[k] * tau[k] * over
+        bend = (area[k] * bent[k] * opening[k] - pull) * over * over
+        x, y, height = place[0][k], place[1][k], place[2][k]
+        s0 = slide_x - spin * y + rolling * height
+        s1 = slide_y + spin * x
+        s2 = s1 * x - s0 * y
+        s3 = s0 * height
+        g0 += pull * s0
+        g1 += pull * s1
+        g2 += pull * s2
+        g3 += pull * s3
+        c00 += pull + bend * s0 * s0
+        c01 += bend * s0 * s1
+        c02 += bend * s0 * s2 - pull * y
+        c03 += bend * s0 * s3 + pull * height
+        c11 += pull + bend * s1 * s1
+        c12 += bend * s1 * s2 + pull * x
+        c13 += bend * s1 * s3
+        c22 += bend * s2 * s2 + pull * (x * x + y * y)
+        c23 += bend * s2 * s3 - pull * y * height
+        c33 += bend * s3 * s3 + pull * height * height
+    return (g0, g1, g2, g3), (c00, c01, c02, c03, c11, c12, c13, c22, c23, c33)
+
+
+@compiled
+def add_sums(sums, gradient, slope):
+    """Add `pull_sums` to a gradient (4,) and a slope (4, 4)."""
+    (g0, g1, g2, g3), (c00, c01, c02, c03, c11, c12, c13, c22, c23, c33) = sums
+    gradient[0] += g0
+    gradient[1] += g1
+    gradient[2] += g2
+    gradient[3] += g3
+    slope[0, 0] += c00
+    slope[0, 1] += c01
+    slope[0, 2] += c02
+    slope[0, 3] += c03
+    slope[1, 1] += c11
+    slope[1, 2] += c12
+    slope[1, 3] += c13
+    slope[2, 2] += c22
+    slope[2, 3] += c23
+    slope[3, 3] += c33
     for i in range(4):
         for j in range(i):
-            slope[j, i] = slope[i, j]
+            slope[i, j] = slope[j, i]
+
+
+@compiled
+def thin_friction(thin, motion, gradient, slope):
+    """Friction of oil at ambient pressure, proportional to the motion: the upper half of its slope
+    and its gradient.
+    """
+    c00, c02, c03, c12, c22, c23, c33 = thin[4:11]
+    slide_x, slide_y, spin, rolling = motion
+    gradient[0] = c00 * slide_x + c02 * spin + c03 * rolling
+    gradient[1] = c00 * slide_y + c12 * spin
+    gradient[2] = c02 * slide_x + c12 * slide_y + c22 * spin + c23 * rolling
+    gradient[3] = c03 * slide_x + c23 * spin + c33 * rolling
+    slope[0] = c00, 0.0, c02, c03
+    slope[1, 1] = c00
+    slope[1, 2] = c12
+    slope[2, 2] = c22
+    slope[2, 3] = c23
+    slope[3, 3] = c33
+
+
+@compiled
+def proportional(thin, motion, code, stress, breadth):
+    """Whether the stress of oil at ambient pressure is that of a Newtonian to `PROPORTIONAL`
+    wherever a film has some, at a motion (4,).
+    """
+    most = thin[0] * (abs(motion[0]) + abs(motion[1])) + thin[1] * abs(motion[2])
+    most += thin[2] * abs(motion[3])
+    limit = thin[3]
+    if code == NEWTONIAN:
+        return most < 2.0 * PROPORTIONAL * limit
+    if not most < FAR_BELOW * limit:
+        return False
+    if code == REE_EYRING:
+        return most * most < 6.0 * PROPORTIONAL * stress * stress
+    return (most / stress) ** breadth < PROPORTIONAL
+
+
+@compiled
+def thin_sums(nodes, out):
+    """Of nodes as in `film_frictions` (7, m): largest viscosity over gap, times |x| + |y|, times
+    the height of the surface, least limiting stress; then of A eta/gap the sums over K_i K_j, i <=
+    j, that are not zero or that of another: 00, 02, 03, 12, 22, 23, 33.
+    """
+    out[:] = 0.0
+    out[3] = np.inf
+    for k in range(nodes.shape[1]):
+        x, y, height = nodes[4, k], nodes[5, k], nodes[6, k]
+        rate = nodes[2, k] * nodes[1, k]
+        out[0] = max(out[0], rate)
+        out[1] = max(out[1], rate * (abs(x) + abs(y)))
+        out[2] = max(out[2], rate * abs(height))
+        out[3] = min(out[3], nodes[3, k])
+        pull = nodes[0, k] * rate
+        out[4] += pull
+        out[5] -= pull * y
+        out[6] += pull * height
+        out[7] += pull * x
+        out[8] += pull * (x * x + y * y)
+        out[9] -= pull * y * height
+        out[10] += pull * height * height
 
 
 @compiled

@@ -15,6 +15,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ehl.arrays import alike
+
 from ..contacts.contact import BearingContact
 from ..contacts.motion import BallMotion, MotionMap, ball_speeds, motion_map
 from ..contacts.shape import groove_curvature_radius
@@ -30,7 +32,7 @@ from .cage import (
     with_land,
 )
 from .law import TINY, ContactLaw
-from .newton import BALANCE_TOLERANCE, MotionProblem, contacts_of, pocket_friction
+from .newton import BALANCE_TOLERANCE, MotionProblem, contacts_of, pocket_power
 from .resistance import NO_RESISTANCE, Resistance, ResistedPower
 
 # sliding over entrainment from which a ball counts as driven by the cage [-]; of 160 balls of ten
@@ -153,6 +155,7 @@ def balance_balls(
     if gyroscopic and not law.longitudinal_only:
         couple, matrix = _gyroscopic(solution, race_driven)
         problem = replace(problem, gyroscopic_couple=couple, gyroscopic_matrix=matrix)
+    problem = _same_balls(problem, solution.inner_load)
     shape = problem.gyroscopic_couple.shape
     start = np.zeros(shape) if initial_guess is None else initial_guess.unknowns
     balance = balance_cage(solution, problem, start, resistance)
@@ -192,7 +195,42 @@ def _problem(
         reference_force=law.reference_force.reshape(shape).max(axis=1),
         driven=driven,
         ring_motion=kinematics.ring.reshape(*shape, 4),
+        first=np.arange(balls),
+        like=np.arange(balls),
     )
+
+
+def _same_balls(problem: MotionProblem, load: Array) -> MotionProblem:
+    """The problem with balls that are the same told; they push the cage by their loads at the
+    inner race [N].
+    """
+    kinds = problem.law.kinds
+    if kinds is None:
+        return problem
+    surface = np.abs(problem.ring_motion[..., 0]).max()
+    turning = np.abs(problem.start[..., 3]).max()
+    speeds = np.array([surface, surface, turning, turning]) + TINY
+    arrays = (
+        problem.start / speeds,
+        problem.slopes / np.abs(problem.slopes).max(axis=(0, 1, 3), keepdims=True),
+        *(
+            values / (np.abs(values).max() + TINY)
+            for values in (
+                problem.gyroscopic_couple,
+                problem.gyroscopic_matrix,
+                problem.drag,
+                problem.rubbing,
+                problem.reference_slip,
+                problem.reference_force,
+                load,
+            )
+        ),
+        problem.free,
+        kinds / (np.abs(kinds).max(axis=0) + TINY),
+    )
+    rows = np.concatenate([np.reshape(values, (load.size, -1)) for values in arrays], axis=1)
+    first, like = alike(rows)
+    return replace(problem, first=first, like=like)
 
 
 def _gyroscopic(solution: QuasistaticSolution, driven: NDArray[np.bool_]) -> tuple[Array, Array]:
@@ -220,10 +258,10 @@ def _result(
     resistance: Resistance,
 ) -> BalancedFriction:
     problem, z, residual, change = balance
-    shape = problem.start.shape[:2]
     k = problem.start + np.einsum("bckj,bj->bck", problem.slopes, z)
-    friction = problem.law.evaluate(k.reshape(-1, 4), contacts_of(np.arange(shape[0])))
-    forces = -friction.gradient.reshape(*shape, 4)
+    first = problem.first
+    friction = problem.law.evaluate(k[first].reshape(-1, 4), contacts_of(first))
+    forces = -friction.gradient.reshape(-1, 2, 4)[problem.like]
     power = -np.einsum("bck,bck->bc", forces, k)
     orbit, rotation = ball_speeds(solution)
     orbit = orbit + z[:, 0] * 2.0 / solution.bearing.pitch_diameter
@@ -236,7 +274,7 @@ def _result(
         motions=tuple(BallMotion(orbit_speed=speed, rotation=turn) for speed, turn in motions),
         kinematics=k,
         forces=forces,
-        ball_rolling=ball_rolling.reshape(shape),
+        ball_rolling=ball_rolling.reshape(-1, 2),
         power=power,
         shaft_power=-float(np.einsum("bck,bck->", forces, problem.ring_motion)),
         resisted=_resisted(solution, problem, z, resistance),
@@ -259,7 +297,7 @@ def _resisted(
 ) -> ResistedPower:
     """Beside the contacts at the unknowns z [m/s], in [W]."""
     load = np.where(problem.driven, solution.inner_load, 0.0)
-    pocket = pocket_friction(z, problem, np.arange(load.size)).power.sum()
+    pocket = pocket_power(z, problem).sum()
     pocket += taken_pocket_power(solution, problem, z, resistance).sum()
     drag = float((problem.drag * (orbit_velocities(solution) + z[:, 0])).sum())
     power = ResistedPower(drag=drag, pocket=float(pocket))

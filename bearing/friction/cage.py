@@ -152,14 +152,14 @@ def _driven_power(solution: QuasistaticSolution, problem: MotionProblem, z: Arra
     """Heat less what the rings feed in, and drag, of balls that the cage drives, (balls,) [W];
     zero of the others.
     """
-    others = np.flatnonzero(~problem.driven)
+    others = problem.first[~problem.driven[problem.first]]
     speed = orbit_velocities(solution) + z[:, 0]
     power = np.zeros(problem.driven.size)
     k = problem.start[others] + np.einsum("bckj,bj->bck", problem.slopes[others], z[others])
     gradient = problem.law.evaluate(k.reshape(-1, 4), contacts_of(others)).gradient
     heat = (gradient.reshape(k.shape) * (k - problem.ring_motion[others])).sum(axis=(1, 2))
     power[others] = heat + (problem.drag * speed)[others]
-    return power
+    return power[problem.first][problem.like]
 
 
 def taken_pocket_power(

@@ -169,6 +169,7 @@ def _law(
         reference_force=ellipses.friction * ellipses.load,
         longitudinal_only=longitudinal_only,
         has_rolling_resistance=False,
+        kinds=np.stack(ellipses, axis=1),
     )
 
 

@@ -1,28 +1,17 @@
-"""Friction law of solved films, and the balance of balls under it."""
+"""Friction law of films, and the balance of balls under it."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.oil.rheology import Rheology, kernel_rheology, limiting_stress, shear_stress
-from ehl.traction.shear import (
-    Cavitation,
-    dimensional_grid,
-    film_temperature,
-    film_viscosity,
-    sheared_width,
-    solution_rheology,
-    trapezoidal_weights,
-    with_outlet,
-)
+from ehl.oil.rheology import Rheology
 
 from ..contacts.contact import BearingContact
-from ..contacts.motion import bearing_kinematics
-from ..contacts.traction import TRACTION_POINTS
 from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
-from ._kernels import film_friction
+from ._kernels import film_frictions
 from .balance import (
     SKID_RATIO,
     BalancedFriction,
@@ -31,16 +20,12 @@ from .balance import (
     may_be_driven,
     sliding_ratio,
 )
-from .coulomb import contact_ellipses, coulomb_dissipation
-from .law import REFERENCE_TRACTION, TINY, ContactLaw, Dissipation
+from .coulomb import Ellipses, contact_ellipses, coulomb_dissipation
+from .film_nodes import FilmNodes, film_nodes
+from .law import REFERENCE_TRACTION, ContactLaw, Dissipation
 from .resistance import NO_RESISTANCE, Resistance
-from .running_films import RunningFilm, RunningFilms
+from .running_films import RunningFilms
 
-FilmLaw = Callable[[Array, float], tuple[Array, Array]]
-# Half and double of each change the integrated torque of 6206_combined_1000N by 6e-13 at most.
-# part of the shear of a contact in nodes that a first, coarse balance leaves out [-]
-COARSE_SHARE_LEFT_OUT = 1.0e-2
-REFERENCE_SLIDE_RATIO = 1.0e-2  # sliding over entrainment at which nodes are weighed [-]
 MIN_SLIDING = 1.0e-12  # [m/s] below which the stress counts as proportional to it
 
 
@@ -59,27 +44,26 @@ def film_balance(
     `resistance`: what holds the balls back beside the races; `near`: of a similar state, where the
     search begins.
     """
-    begun = None if near is None else _begun(solution, contacts, films, rheology, resistance, near)
-    if begun is not None:
-        return begun
-    # 1. which balls the inner race drives, and their motion, with the nodes that matter most
-    coarse, exact = (
-        film_law(solution, contacts, films, rheology, left_out=left_out)
-        for left_out in (COARSE_SHARE_LEFT_OUT, 0.0)
-    )
-    first = balance_driven_balls(solution, contacts, coarse, resistance)
-    # 2. the same balls with all nodes
-    guess = first if first.converged else None
-    return balance_balls(
-        solution, contacts, exact, driven=first.driven, initial_guess=guess, resistance=resistance
-    )
+    law = film_law(solution, contacts, films, rheology)
+    return film_law_balance(solution, contacts, law, resistance, near)
+
+
+def film_law_balance(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    law: ContactLaw,
+    resistance: Resistance = NO_RESISTANCE,
+    near: BalancedFriction | None = None,
+) -> BalancedFriction:
+    """As `film_balance`, by the law of the films, SI."""
+    begun = None if near is None else _begun(solution, contacts, law, resistance, near)
+    return begun or balance_driven_balls(solution, contacts, law, resistance)
 
 
 def _begun(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: RunningFilms,
-    rheology: Rheology,
+    law: ContactLaw,
     resistance: Resistance,
     near: BalancedFriction,
 ) -> BalancedFriction | None:
@@ -90,12 +74,77 @@ def _begun(
         return None
     if not np.array_equal(near.driven, may_be_driven(solution, contacts)):
         return None
-    law = film_law(solution, contacts, films, rheology)
     balance = balance_balls(
         solution, contacts, law, driven=near.driven, initial_guess=near, resistance=resistance
     )
     skids = balance.driven & (sliding_ratio(balance, contacts) > SKID_RATIO)
     return balance if balance.converged and not skids.any() else None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ShearedFilms:
+    """Friction of films of contacts by its parts, numbered as the contacts."""
+
+    nodes: FilmNodes
+    oil: Array  # (contacts,) share of the load on the oil [-]
+    pumping: Array  # (contacts, 4) minus the hydrodynamic rolling moment, its share along [N m]
+    rubbing: Ellipses  # of asperities
+    rubs: NDArray[np.bool_]  # (contacts,) where there are any
+
+    def shear(self, motion: Array, indices: NDArray[np.int64]) -> tuple[Array, Array]:
+        """Gradient (n, 4) and slope (n, 4, 4) of the oil's sliding stress at motions (n, 4) of
+        contacts [m/s], [rad/s].
+        """
+        n = len(indices)
+        gradient = np.empty((n, 4))
+        slope = np.empty((n, 4, 4))
+        nodes, parts, thin, laws, own = self.nodes
+        films = (nodes, parts, thin, laws)
+        film_frictions(*films, motion, own[indices], MIN_SLIDING, gradient, slope)
+        oil = self.oil[indices]
+        return oil[:, None] * gradient, oil[:, None, None] * slope
+
+    def rub(self, motion: Array, indices: NDArray[np.int64]) -> tuple[Array, Array] | None:
+        """The same of asperities; None where there are none."""
+        if not self.rubs[indices].any():
+            return None
+        _, gradient, slope = coulomb_dissipation(motion, self.rubbing.take(indices))
+        return gradient, slope
+
+    def evaluate(self, motion: Array, indices: NDArray[np.int64]) -> Dissipation:
+        """All of it."""
+        gradient, slope = self.shear(motion, indices)
+        gradient += self.pumping[indices]
+        more = self.rub(motion, indices)
+        if more is not None:
+            gradient += more[0]
+            slope += more[1]
+        return Dissipation(np.zeros(len(indices)), gradient, slope)
+
+
+def sheared_films(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    films: RunningFilms,
+    rheology: Rheology,
+    nodes: FilmNodes | None = None,
+) -> ShearedFilms:
+    """Films of all contacts as they shear; arguments as in `film_balance`; `nodes` [m], [Pa]: of
+    the same films where they are known.
+    """
+    share = np.array([0.0 if film is None else film.asperity_share for film in films])
+    boundary = np.array([0.0 if film is None else film.boundary for film in films])
+    moment = np.array([0.0 if film is None else film.rolling_moment for film in films])
+    curvature = np.array([0.0 if c.hertz is None else 0.5 / c.hertz.radius_x for c in contacts])
+    along = curvature - 2.0 / solution.bearing.ball_diameter
+    zero = np.zeros_like(moment)
+    return ShearedFilms(
+        nodes=nodes or film_nodes(solution, contacts, films, rheology),
+        oil=1.0 - share,
+        pumping=np.stack([along * moment, zero, zero, moment], axis=1),
+        rubbing=contact_ellipses(solution, contacts, share * boundary),
+        rubs=share * boundary > 0.0,
+    )
 
 
 def film_law(
@@ -104,107 +153,34 @@ def film_law(
     films: RunningFilms,
     rheology: Rheology,
     *,
-    left_out: float = 0.0,
     scale: Array | None = None,
 ) -> ContactLaw:
     """Friction of all contacts by the shear of their films; arguments as in `film_balance`.
 
-    `left_out`: part of the friction in the weakest nodes, left out [-]; `scale` (contacts,):
-    load of each contact over that of its film, by which the film's friction is multiplied [-].
+    `scale` (contacts,): load of each contact over that of its film, by which the film's friction
+    is multiplied [-].
     """
-    pairs = list(zip(contacts, films, strict=True))
-    laws = [
-        None if film is None else _film_law(solution, c, film, rheology, left_out)
-        for c, film in pairs
-    ]
-    share = np.array([0.0 if film is None else film.asperity_share for film in films])
-    boundary = np.array([0.0 if film is None else film.boundary for film in films])
-    rubbing = contact_ellipses(solution, contacts, share * boundary)
-    load_ratio = np.ones(len(laws)) if scale is None else scale
+    return law_of_films(contacts, films, sheared_films(solution, contacts, films, rheology), scale)
 
-    def evaluate(motion: Array, indices: NDArray[np.int64]) -> Dissipation:
-        gradient = np.zeros((indices.size, 4))
-        curvature = np.zeros((indices.size, 4, 4))
-        for row, number in enumerate(indices):
-            law = laws[number]
-            if law is not None:
-                gradient[row], curvature[row] = law(motion[row], 1.0 - share[number])
-        gradient = gradient * load_ratio[indices, None]
-        curvature = curvature * load_ratio[indices, None, None]
-        if share[indices].any():
-            _, more, steeper = coulomb_dissipation(motion, rubbing.take(indices))
-            gradient, curvature = gradient + more, curvature + steeper
-        return Dissipation(np.zeros(indices.size), gradient, curvature)
 
+def law_of_films(
+    contacts: Sequence[BearingContact],
+    films: RunningFilms,
+    sheared: ShearedFilms,
+    scale: Array | None = None,
+) -> ContactLaw:
+    """Films as the law of their contacts; `scale` [-] as in `film_law`."""
+    if scale is not None:
+        sheared = replace(
+            sheared, oil=scale * sheared.oil, pumping=scale[:, None] * sheared.pumping
+        )
+    pairs = zip(contacts, films, strict=True)
     load = np.array([0.0 if film is None else contact.load for contact, film in pairs])
+    kinds = [sheared.nodes.own[:, None], sheared.oil[:, None], sheared.pumping]
+    kinds.append(np.stack(sheared.rubbing, axis=1))
     return ContactLaw(
-        evaluate=evaluate, reference_force=REFERENCE_TRACTION * load, is_potential=False
+        evaluate=sheared.evaluate,
+        reference_force=REFERENCE_TRACTION * load,
+        is_potential=False,
+        kinds=np.concatenate(kinds, axis=1),
     )
-
-
-def _film_law(
-    solution: QuasistaticSolution,
-    contact: BearingContact,
-    film: RunningFilm,
-    rheology: Rheology,
-    left_out: float,
-) -> FilmLaw:
-    """Gradient (4,) and slope (4, 4) of a film's friction by motion and oil's share; sums of
-    `integrate_traction`, without the weakest nodes, which make `left_out` [-] of the friction.
-    """
-    rheology = solution_rheology(film.film, rheology)
-    nodes, pumping = _film_nodes(solution, contact, film, rheology, left_out)
-    own = kernel_rheology(rheology)
-    base = (own.law, own.stress, own.exponent, own.breadth)
-
-    def law(motion: Array, oil: float) -> tuple[Array, Array]:
-        gradient = np.empty(4)
-        slope = np.empty((4, 4))
-        film_friction(nodes, base, motion, MIN_SLIDING, gradient, slope)
-        return oil * gradient + pumping, oil * slope
-
-    return law
-
-
-def _film_nodes(
-    solution: QuasistaticSolution,
-    contact: BearingContact,
-    running: RunningFilm,
-    rheology: Rheology,
-    left_out: float,
-) -> tuple[Array, Array]:
-    """Nodes that shear, shape (12, n) as `film_friction` takes them, and minus the hydrodynamic
-    rolling moment with its share along, (4,) [N], [N m].
-    """
-    film = with_outlet(running.film.thinned(TRACTION_POINTS))
-    film_x, film_y, thickness = dimensional_grid(film)
-    x, y = np.broadcast_arrays(film_x[:, None], film_y[None, :])
-    width = sheared_width(thickness, film.pressure, Cavitation.STRIATED)
-    area = trapezoidal_weights(film_x, film_y)
-    kinematics = bearing_kinematics(solution, contact)
-    inlet = film_temperature(film, solution.operation.temperature)
-    gap = np.maximum(thickness, TINY)
-    eta = film_viscosity(film)
-    rate = REFERENCE_SLIDE_RATIO * abs(kinematics.entrainment_speed) / gap
-    stress = shear_stress(rate, eta, film.pressure, rheology, inlet)
-    chosen = (width > 0.0) & _counting(area * width * stress, left_out)
-    temperature = inlet[chosen] if isinstance(inlet, np.ndarray) else inlet
-    x, y = x[chosen], y[chosen]
-    pressure = film.pressure[chosen]
-    limit = limiting_stress(pressure, rheology, temperature)
-    moment = running.rolling_moment * np.array(
-        [0.5 * kinematics.curvature_difference, 0.0, 0.0, 1.0]
-    )
-    zeros, ones = np.zeros_like(x), np.ones_like(x)
-    along = (ones, zeros, -y, kinematics.curvature_height(y))
-    across = (zeros, ones, x, zeros)
-    strips = ((area * width)[chosen], gap[chosen], eta[chosen], limit)
-    return np.stack([*strips, *along, *across]), moment
-
-
-def _counting(parts: Array, left_out: float) -> NDArray[np.bool_]:
-    """All but the smallest parts, which together make `left_out` of the sum [-]."""
-    order = np.argsort(parts, axis=None)
-    counting = np.ones(parts.size, dtype=np.bool_)
-    counting[order[np.cumsum(parts.ravel()[order]) < left_out * parts.sum()]] = False
-    return counting.reshape(parts.shape)

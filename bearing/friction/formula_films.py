@@ -7,27 +7,21 @@ numbers here and there.
 """
 
 from dataclasses import dataclass, replace
-from math import inf, log
-from typing import Any
+from math import log
 
 import numpy as np
 
 from ehl.closed_form.film import MAX_FILM_OVER_RADIUS
-from ehl.closed_form.hertz import hertz_deflection
 from ehl.conditions import ContactConditions
-from ehl.options import SolverOptions
-from ehl.scaling import ScaledContact, scale_contact
-from ehl.solution import ContactSolution, ConvergenceRecord, FilmValue
+from ehl.scaling import scale_contact
+from ehl.solution import ContactSolution
 from ehl.traction.rolling_moment import rolling_moment
 
 from ..contacts.contact import BearingContact
 from ..contacts.film_numbers import film_numbers
 from ..geometry import Array
+from .flat_film import CONTACT_PRESSURE, FlatFilm, film_scale, film_values
 
-POINTS = 33  # along and across the ellipse [-]; 65 change the torque of a 6208 by 0.1 %
-# of Hertz' pressure, from which on a node counts to the contact, whose gap goes with the film;
-# ahead of it the gap is that of the bodies [-]
-CONTACT_PRESSURE = 0.01
 # of a scaled film, per unit of the logarithm of the speed [-]: from 3000 to 40 r/min the solved
 # films of a 6208 fall by 0.05 of that more slowly or faster than the formula
 WAY_ERROR = 0.05
@@ -37,7 +31,7 @@ WAY_ERROR = 0.05
 class FormulaFilm:
     """A film that was not solved, in the form of one that was."""
 
-    film: ContactSolution
+    film: ContactSolution | FlatFilm
     central: float  # [m]
     minimum: float | None  # [m]; None: no formula for an oil without pressure-viscosity
     moment: float  # that resists rolling, flooded and isothermal [N m]
@@ -86,7 +80,7 @@ def formula_film(
     central = min(central, limit)
     minimum = None if ratio is None else min(ratio, 1.0) * central
     return FormulaFilm(
-        film=_flat(conditions, central, minimum)
+        film=FlatFilm(conditions=conditions, central=central, minimum=minimum)
         if base is None
         else _scaled(base, conditions, central, minimum),
         central=central,
@@ -105,70 +99,6 @@ def _known(film: float | None) -> float:
     return film
 
 
-def _flat(conditions: ContactConditions, central: float, minimum: float | None) -> ContactSolution:
-    """Hertz' pressure and a flat film [m] over the ellipse."""
-    contact = scale_contact(conditions)
-    X = np.linspace(-contact.half_extent_x, contact.half_extent_x, POINTS)
-    Y = np.linspace(-contact.half_extent_y, contact.half_extent_y, POINTS)
-    pressure = contact.dry_pressure(X[:, None], Y[None, :])
-    film = np.full_like(pressure, central / _scale(contact))
-    none = ConvergenceRecord(
-        residual=(),
-        force_error=(),
-        film_change=(),
-        cycles=0,
-        fft_equivalents=0.0,
-        fallbacks=(),
-        wall_time=0.0,
-    )
-    return ContactSolution(
-        conditions=conditions,
-        options=SolverOptions(),
-        X=X,
-        Y=Y,
-        P=pressure,
-        H=film,
-        semi_axis_ratio=contact.semi_axis_ratio,
-        frame_angle=contact.frame_angle,
-        domain=(float(X[0]), float(X[-1]), float(Y[-1])),
-        resolved=False,
-        converged=True,
-        message="film of a formula",
-        record=none,
-        **_values(contact, central, minimum),
-    )
-
-
-def _values(contact: ScaledContact, central: float, minimum: float | None) -> dict[str, Any]:
-    """Numbers of a solution of a film [m], under Hertz' pressure."""
-    scale = _scale(contact)
-    least = central if minimum is None else minimum
-    ratio = contact.semi_axis_ratio
-    approach = central / scale - contact.deformation * contact.load * hertz_deflection(
-        0.0, 0.0, ratio
-    )
-    return {
-        "approach_dimensionless": FilmValue(value=approach, uncertainty=inf, finest=approach),
-        "film_central_dimensionless": _value(central / scale),
-        "film_minimum_dimensionless": _value(least / scale),
-        "moes_load": contact.moes_load,
-        "moes_lubricant": contact.moes_lubricant,
-        "semi_axis_x": contact.semi_axis_x,
-        "hertz_pressure": contact.hertz_pressure,
-        "film_scale": scale,
-    }
-
-
-def _value(film: float) -> FilmValue:
-    return FilmValue(value=film, uncertainty=0.0, finest=film)
-
-
-def _scale(contact: ScaledContact) -> float:
-    """a^2/Rx of a contact with dimensions [m]."""
-    assert contact.film_scale is not None
-    return contact.film_scale
-
-
 def _scaled(
     base: ContactSolution, conditions: ContactConditions, central: float, minimum: float | None
 ) -> ContactSolution:
@@ -176,19 +106,11 @@ def _scaled(
     contact = scale_contact(conditions)
     assert base.film_scale is not None
     ratio = central / _known(base.film_central)
-    gap: Array = base.H * base.film_scale / _scale(contact)
+    gap: Array = base.H * base.film_scale / film_scale(contact)
     return replace(
         base,
         conditions=conditions,
         H=np.where(base.P > CONTACT_PRESSURE, ratio * gap, gap),
         message="film of a formula, scaled to a solved one",
-        **_values(contact, central, minimum),
+        **film_values(contact, central, minimum),
     )
-
-
-def with_gap(film: ContactSolution, share: float) -> ContactSolution:
-    """A film whose gap in the contact is a share of what it was [-]."""
-    if share == 1.0:
-        return film
-    inside = film.P > CONTACT_PRESSURE
-    return replace(film, H=np.where(inside, share * film.H, film.H))

@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..geometry import Array
-from .law import TINY, ContactLaw, Dissipation
+from ._newton_kernels import accept_steps, damped_steps, left_on_balls, motions
+from .law import TINY, ContactLaw
 
 # Measured on Coulomb friction of 25 random bearings: each halved and doubled leaves all balls
 # balanced and the friction power equal to 2e-11, in 1421 to 1664 evaluations (1444 as they are).
@@ -42,53 +43,51 @@ class MotionProblem:
     reference_force: Array  # (balls,) friction that the residual is measured against [N]
     driven: NDArray[np.bool_]  # (balls,) by the inner race
     ring_motion: Array  # (balls, 2, 4) change of the motion by the rings' speeds [m/s], [rad/s]
+    # of balls that are the same the first one, (n,), and the place there of each ball, (balls,)
+    first: NDArray[np.int64]
+    like: NDArray[np.int64]
 
 
-def evaluate(
-    z: Array, problem: MotionProblem, balls: NDArray[np.int64]
-) -> tuple[Array, Array, Array]:
-    """Power (n,), force left (n, 4) and its slope (n, 4, 4) by the scaled unknowns of the balls
-    with these indices.
-    """
-    slopes = problem.slopes[balls]
-    free = problem.free[balls]
-    k = problem.start[balls] + np.einsum("bckj,bj->bck", slopes, z)
-    friction = problem.law.evaluate(k.reshape(-1, 4), contacts_of(balls))
-    shape = k.shape[:2]
+def _of_balls(problem: MotionProblem, balls: NDArray[np.int64]) -> tuple[Array, ...]:
+    """What the kernels take of the balls with these indices."""
     along_orbit = (problem.cage_force + problem.drag)[balls, None] * np.eye(4)[0]
-    fixed = problem.gyroscopic_couple[balls] + along_orbit
-    pocket = pocket_friction(z, problem, balls)
-    power = friction.power.reshape(shape).sum(axis=1) + np.einsum("bj,bj->b", fixed, z)
-    power += pocket.power
-    gradient = np.einsum("bckj,bck->bj", slopes, friction.gradient.reshape(*shape, 4)) + fixed
-    gradient[:, 1:3] += pocket.gradient
-    gradient += np.einsum("bij,bj->bi", problem.gyroscopic_matrix[balls], z)
-    curvature = friction.curvature.reshape(*shape, 4, 4)
-    hessian = (slopes.swapaxes(2, 3) @ curvature @ slopes).sum(axis=1)
-    hessian = hessian + problem.gyroscopic_matrix[balls]
-    hessian[:, 1:3, 1:3] += pocket.curvature
     return (
-        power,
-        np.where(free, gradient, 0.0),
-        np.where(free[:, :, None] & free[:, None, :], hessian, 0.0),
+        problem.start[balls],
+        problem.slopes[balls],
+        problem.gyroscopic_couple[balls] + along_orbit,
+        problem.gyroscopic_matrix[balls],
+        problem.pocket[balls],
+        problem.rubbing[balls],
+        problem.free[balls].astype(np.float64),
     )
 
 
-def pocket_friction(z: Array, problem: MotionProblem, balls: NDArray[np.int64]) -> Dissipation:
-    """Coulomb's friction of balls in their pockets, power (n,) [W], gradient (n, 2) [N] and
-    curvature (n, 2, 2) [N s/m] by the scaled rotations along e_x and e_r.
+def _evaluate(
+    problem: MotionProblem,
+    given: tuple[Array, ...],
+    balls: NDArray[np.int64],
+    at: NDArray[np.int64],
+    z: Array,
+) -> tuple[Array, Array, Array]:
+    """Power (n,), force left (n, 4) and its slope (n, 4, 4) by the scaled unknowns z (n, 4) of the
+    balls at these places of `balls`.
+    """
+    k = np.empty((at.size, 2, 4))
+    motions(given, at, z, k)
+    friction = problem.law.evaluate(k.reshape(-1, 4), contacts_of(balls[at]))
+    left = (np.empty(at.size), np.empty((at.size, 4)), np.empty((at.size, 4, 4)))
+    left_on_balls(given, at, z, tuple(map(np.ascontiguousarray, friction)), left)
+    return left
+
+
+def pocket_power(z: Array, problem: MotionProblem) -> Array:
+    """Coulomb's friction of balls in their pockets at the unknowns of all balls, (balls,) [W].
 
     The pocket touches the ball ahead or behind on its orbit, where its surface moves by its
     rotation in the frame of the orbit; that turns with the cage.
     """
-    slide = problem.rubbing[balls] + z[:, 1:3]
-    speed = np.hypot(slide[:, 0], slide[:, 1]) + TINY
-    along = slide / speed[:, None]
-    force = problem.pocket[balls]
-    across = np.eye(2) - along[:, :, None] * along[:, None, :]
-    return Dissipation(
-        force * speed, force[:, None] * along, (force / speed)[:, None, None] * across
-    )
+    slide = problem.rubbing + z[:, 1:3]
+    return np.asarray(problem.pocket * np.hypot(slide[:, 0], slide[:, 1]))
 
 
 def contacts_of(balls: NDArray[np.int64]) -> NDArray[np.int64]:
@@ -122,42 +121,40 @@ def solve_with_couple_steps(problem: MotionProblem, start: Array) -> tuple[Array
 
 def minimise(problem: MotionProblem, start: Array) -> tuple[Array, Array]:
     """Newton's method with Levenberg's damping (Levenberg, 1944; Nocedal and Wright, 2006, sec.
-    10.3), every ball by itself; returns z and the residual of each ball [-].
+    10.3), every ball by itself, those that are the same once; returns z and the residual of each
+    ball [-].
     """
-    balls = np.arange(problem.start.shape[0])
-    friction = problem.reference_force + TINY
+    balls = problem.first
+    z = start[balls]
+    residual = np.zeros(balls.size)
+    free = np.flatnonzero(problem.free[balls].any(axis=1))
+    if free.size:
+        z[free], residual[free] = _minimise(problem, balls[free], z[free])
+    return z[problem.like], residual[problem.like]
+
+
+def _minimise(
+    problem: MotionProblem, balls: NDArray[np.int64], start: Array
+) -> tuple[Array, Array]:
+    """As `minimise`, of the balls with these indices."""
+    friction = problem.reference_force[balls] + TINY
+    slip = problem.reference_slip[balls]
+    given = _of_balls(problem, balls)
+    every = np.arange(balls.size)
     z = start.copy()
     damping = np.full(balls.size, FIRST_DAMPING)
-    power, gradient, hessian = evaluate(z, problem, balls)
+    state = (z, *_evaluate(problem, given, balls, every, z), damping)
     # a skew gyroscopic matrix has no potential: the residual has to fall instead of the power
     descent = problem.law.is_potential and not problem.gyroscopic_matrix.any()
+    limits = (BALANCE_TARGET, RUNAWAY, MAX_DAMPING)
+    at = np.empty(balls.size, dtype=np.int64)
+    trial = np.empty((balls.size, 4))
     for _ in range(MAX_STEPS):
-        # 1. balls that are neither balanced, nor run away, nor stuck
-        residual = np.abs(gradient).max(axis=1) / friction
-        active = residual > BALANCE_TARGET
-        active &= np.abs(z).max(axis=1) < RUNAWAY * problem.reference_slip
-        active &= damping < MAX_DAMPING
-        at = np.flatnonzero(active)
-        if at.size == 0:
+        # 1. damped steps of balls that are neither balanced, nor run away, nor stuck
+        count = damped_steps(state, friction, slip, limits, at, trial)
+        if count == 0:
             break
-        # 2. damped Newton step, the damping scaled by the mean curvature
-        size = np.maximum(
-            np.trace(hessian[at], axis1=1, axis2=2), friction[at] / problem.reference_slip[at]
-        )
-        damped = hessian[at] + (damping[at] * size)[:, None, None] * np.eye(4)
-        trial = z[at] - np.linalg.solve(damped, gradient[at][..., None])[..., 0]
-        new = evaluate(trial, problem, at)
-        # 3. accepted where the power falls (at round-off: where the residual does)
-        noise = 1e-13 * np.abs(power[at])
-        # where the friction is monotone, the length of the force left falls in small steps; its
-        # largest component may not
-        flatter = np.linalg.norm(new[1], axis=1) < np.linalg.norm(gradient[at], axis=1)
-        lower = (new[0] < power[at] - noise) | ((new[0] <= power[at] + noise) & flatter)
-        better = lower if descent else flatter
-        accepted = at[better]
-        z[accepted] = trial[better]
-        power[accepted], gradient[accepted], hessian[accepted] = (part[better] for part in new)
-        # 4. less damping after a step taken, more after one refused
-        factor = np.where(better, 0.2, 6.0)
-        damping[at] = np.clip(factor * damping[at], 1e-14, 10.0 * MAX_DAMPING)
-    return z, np.abs(gradient).max(axis=1) / friction
+        # 2. accepted where the power or the force left falls
+        new = _evaluate(problem, given, balls, at[:count], trial[:count])
+        accept_steps(state, at[:count], trial[:count], new, descent, MAX_DAMPING)
+    return z, np.abs(state[2]).max(axis=1) / friction

@@ -9,7 +9,7 @@ from math import cos, pi
 import numpy as np
 
 from ..contacts.contact import BearingContact
-from ..contacts.formula_moment import rolling_moment
+from ..contacts.heavy_moment import rolling_moment
 from ..geometry import Array, Bearing
 from ..quasistatic.solution import QuasistaticSolution
 

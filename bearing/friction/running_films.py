@@ -15,15 +15,16 @@ from ehl.traction.rolling_moment import rolling_moment
 from ..contacts.contact import BearingContact
 from ..supply.supply import InletFilm, Supply, supplied_shares
 from .asperities import Asperities
-from .formula_films import FormulaFilm, formula_film, with_gap
+from .flat_film import FlatFilm, with_gap
+from .formula_films import FormulaFilm, formula_film
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RunningFilm:
     """Film of one contact as it shears, what resists rolling, and the load on asperities."""
 
-    film: ContactSolution
-    whole: ContactSolution  # the same with the gap that a flooded inlet gives it
+    film: ContactSolution | FlatFilm
+    whole: ContactSolution | FlatFilm  # the same with the gap that a flooded inlet gives it
     central: float  # as it runs [m]
     minimum: float | None  # [m]; None where no formula has it
     flooded_central: float  # central film with a flooded inlet [m]
@@ -39,7 +40,7 @@ class RunningFilm:
     @property
     def error(self) -> float:
         """Of the central film over it [-]."""
-        if self.formula:
+        if self.formula or isinstance(self.film, FlatFilm):
             return self.formula_error
         return self.film.film_central_dimensionless.relative_uncertainty
 
@@ -146,22 +147,20 @@ def _supplied(film: RunningFilm, contact: BearingContact, supply: OilAtInlets) -
     what the flooded film of that was.
     """
     central = minimum = moment = 1.0
-    layer = film.film.supply
-    if layer is not None:
+    solved = film.film
+    layer = None if isinstance(solved, FlatFilm) else solved.supply
+    if layer is not None and not isinstance(solved, FlatFilm):
         if supply.solved in (None, supply.oil) or not layer.rolling_moment_ratio > 0.0:
             return film
-        central = film.film.film_central_dimensionless.value / layer.flooded_central.value
-        minimum = film.film.film_minimum_dimensionless.value / layer.flooded_minimum.value
+        central = solved.film_central_dimensionless.value / layer.flooded_central.value
+        minimum = solved.film_minimum_dimensionless.value / layer.flooded_minimum.value
         moment = layer.rolling_moment_ratio
     left = supplied_shares(contact, film.flooded_central, supply.oil, supply.balls)
     if left == FLOODED and layer is not None:
         whole = film.whole
+        least = None if isinstance(whole, FlatFilm) else whole.film_minimum
         return replace(
-            film,
-            film=whole,
-            central=film.flooded_central,
-            minimum=whole.film_minimum,
-            rolling_factor=1.0,
+            film, film=whole, central=film.flooded_central, minimum=least, rolling_factor=1.0
         )
     share = left.central.value / central
     thick = share * film.central

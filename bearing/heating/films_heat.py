@@ -19,7 +19,8 @@ from ..torque.films_torque import films_as_they_run
 from ..torque.inlet import InletFactors
 from ..torque.inputs import FrictionInput
 from ..torque.shear_torque import no_balance_message
-from .friction_heat import FrictionHeat, contact_conductances, loaded_half
+from .contact_conductances import contact_conductances
+from .friction_heat import FrictionHeat, loaded_half
 
 
 @dataclass(slots=True, kw_only=True)
@@ -28,6 +29,8 @@ class FilmsHeat:
 
     friction: FrictionInput
     last: BalancedFriction | None = field(default=None)
+    # the last equilibrium, its oil and its heat
+    known: tuple[QuasistaticSolution, Lubricant, FrictionHeat] | None = field(default=None)
 
     def heat(
         self,
@@ -44,6 +47,11 @@ class FilmsHeat:
         ValueError
             If the balls find no balance.
         """
+        if self.known is not None:
+            before, same, heat = self.known
+            # loads of one equilibrium at several temperatures are one array
+            if before.inner_load is solution.inner_load and same == oil:
+                return heat
         none = (None,) * len(contacts)
         running = films_as_they_run(solution, contacts, none, self.friction, inlet)
         resistance = self.friction.resistance(solution.bearing, oil)
@@ -55,7 +63,7 @@ class FilmsHeat:
         pumped = pumped.reshape(-1, 2) * np.abs(balance.kinematics[..., 3])
         resisted = balance.resisted
         speed = solution.operation.shaft_speed
-        return FrictionHeat(
+        found = FrictionHeat(
             torque=(float(balance.power.sum()) + resisted.heat) / speed,
             speed=speed,
             contact=balance.power - pumped,
@@ -65,6 +73,8 @@ class FilmsHeat:
             conductance=running_conductances(solution, contacts, running),
             loaded=loaded_half(solution),
         )
+        self.known = (solution, oil, found)
+        return found
 
 
 def formula_conductances(

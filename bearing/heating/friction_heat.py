@@ -1,30 +1,17 @@
-"""Heat of friction by where it arises, and how its contacts conduct."""
+"""Heat of friction by where it arises."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from ehl.closed_form.hertz import HertzContact
-from ehl.oil.lubricant import Lubricant, heat_properties
-from ehl.solid.film_conductance import marched_conductance, moving_speed
 from ehl.solid.heat import SolidThermal
-from ehl.solution import ContactSolution
-from ehl.traction.shear import dimensional_grid
 
-from ..contacts.contact import BearingContact
-from ..geometry import Array, Bearing, Race
+from ..geometry import Array, Bearing
 from ..material import Material
 from ..quasistatic.solution import QuasistaticSolution
 from .conductances import Conductance
 from .network import node_values
-
-POINTS = 129  # of a solved film along rolling, at most, that a contact is marched on [-]
-# of Hertz' pressure, above which a node belongs to the contact [-]
-CONTACT_PRESSURE = 0.01
-# conductivity of oil at 1 GPa over that at ambient pressure where the oil has no law of its own:
-# up to twice, as mineral oils and polyalphaolefins (Larsson and Andersson, 2000) [-]
-PRESSED = 2.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -123,72 +110,6 @@ def heat_of_torque(
         loaded=loaded_half(solution),
         **apart,
     )
-
-
-def contact_conductances(
-    bearing: Bearing,
-    contacts: Sequence[BearingContact],
-    films: Sequence[tuple[ContactSolution, float] | None],
-    temperature: float,
-) -> Array:
-    """Of all contacts, value, low and high end, shape (3, balls, 2) [W/K]; zero where there is no
-    film.
-
-    films: of the contacts with the relative error of their thickness [-]; temperature: of the oil
-    [K].
-    """
-    ball = solid_thermal(bearing.ball_material)
-    rings = {
-        Race.INNER: solid_thermal(bearing.inner_ring_material),
-        Race.OUTER: solid_thermal(bearing.outer_ring_material),
-    }
-    found: dict[tuple[int, str], tuple[float, float, float]] = {}
-    rows = []
-    for contact, film in zip(contacts, films, strict=True):
-        key = (id(None if film is None else film[0]), contact.race.value)
-        if film is None or contact.hertz is None:
-            rows.append((0.0, 0.0, 0.0))
-            continue
-        if key not in found:
-            pair = (ball, rings[contact.race])
-            found[key] = _contact_conductance(contact.hertz, film, pair, temperature)
-        rows.append(found[key])
-    return np.array(rows).T.reshape(3, -1, 2)
-
-
-def _contact_conductance(
-    hertz: HertzContact,
-    film: tuple[ContactSolution, float],
-    pair: tuple[SolidThermal, SolidThermal],
-    temperature: float,
-) -> tuple[float, float, float]:
-    """Value, low and high end of one contact [W/K]: the film of its solution, its error, and oil
-    that conducts as at ambient pressure or as pressed.
-    """
-    solution, error = film
-    solution = solution.thinned(POINTS)
-    x, y, gap = dimensional_grid(solution)
-    conditions = solution.conditions
-    axes = (hertz.semi_axis_x, hertz.semi_axis_y)
-    speed = moving_speed(conditions.entrainment_speed, axes, *pair)  # type: ignore[union-attr]
-    inside = solution.P > CONTACT_PRESSURE
-    oil: Lubricant = conditions.lubricant
-    pressed = heat_properties(solution.pressure, oil, temperature)[0]
-    still = oil.thermal.conductivity if oil.thermal else 0.0
-    law = oil.thermal is not None and oil.thermal.under_pressure is not None
-    most = pressed if law else PRESSED * pressed
-    values = (
-        (pressed, 1.0),
-        (np.full_like(pressed, still), 1.0 + error),
-        (most, 1.0 / (1.0 + error)),
-    )
-    value, low, high = (
-        marched_conductance(
-            speed, x, y, np.where(inside, k / (np.maximum(gap, 1e-12) * scale), 0.0), *pair
-        )
-        for k, scale in values
-    )
-    return value, low, high
 
 
 def solid_thermal(

@@ -41,6 +41,7 @@ class SelfHeatingProblem:
     reference: float | None = 293.15  # [K]
     rows: tuple[Row, ...] = SINGLE  # of balls on the one inner ring
     oil_share: float | None = None  # of the cavity [-]
+    start: QuasistaticSolution | None = None  # an equilibrium nearby, where that is known
 
     def clearance(self, temperatures: Array) -> float:
         """Diametral clearance [m] at temperatures of the nodes [K]; that of the outer ring is the
@@ -84,6 +85,7 @@ class HeatState:
     sources: Array  # heat into the nodes [W]
     network: HeatNetwork
     temperatures: Array  # of the nodes under these sources [K]
+    solution: QuasistaticSolution
 
     @property
     def weights(self) -> Array:
@@ -121,8 +123,11 @@ def heat_state(
     fixed: Sequence[HeatPath],
     film_temperature: float,
     clearance: float,
+    near: QuasistaticSolution | None = None,
 ) -> HeatState:
     """Equilibrium, friction and temperatures at a film temperature [K] and a clearance [m].
+
+    `near`: an equilibrium nearby.
 
     Raises
     ------
@@ -132,7 +137,7 @@ def heat_state(
     # 1. clearance, 2. equilibrium, 3. viscosity, 4. friction
     operation = replace(problem.operation, temperature=film_temperature)
     bearing = replace(problem.bearing, diametral_clearance=clearance)
-    solution = solve_quasistatic(bearing, operation, problem.model, rows=problem.rows)
+    solution = _equilibrium(problem, bearing, operation, near)
     if not solution.converged:
         raise ValueError(f"no equilibrium at {film_temperature:.1f} K: {solution.message}")
     oil = problem.oil(film_temperature)
@@ -151,4 +156,24 @@ def heat_state(
         sources=sources,
         network=network,
         temperatures=network.temperatures(sources),
+        solution=solution,
     )
+
+
+def _equilibrium(
+    problem: SelfHeatingProblem,
+    bearing: Bearing,
+    operation: Operation,
+    near: QuasistaticSolution | None,
+) -> QuasistaticSolution:
+    """That of the bearing, SI: its loads do not depend on the oil, so that one at another
+    temperature is the same.
+    """
+    if near is None or not near.converged:
+        return solve_quasistatic(bearing, operation, problem.model, rows=problem.rows)
+    known = (near.bearing, near.model, tuple(near.rows))
+    at_once = replace(near.operation, temperature=operation.temperature) == operation
+    if at_once and known == (bearing, problem.model, tuple(problem.rows)):
+        return replace(near, operation=operation)
+    guess = near if near.model == problem.model else None
+    return solve_quasistatic(bearing, operation, problem.model, guess, problem.rows)

@@ -86,10 +86,13 @@ class _Search:
         self.fixed = problem.fixed_paths()
         self.count = 0
         self.floating = problem.reference is not None
+        self.near = problem.start
 
     def at(self, film_temperature: float, clearance: float) -> HeatState:
         self.count += 1
-        return heat_state(self.problem, self.fixed, film_temperature, clearance)
+        state = heat_state(self.problem, self.fixed, film_temperature, clearance, self.near)
+        self.near = state.solution
+        return state
 
     def slopes(self, state: HeatState) -> Slopes:
         """Differences of the state by film temperature and clearance."""

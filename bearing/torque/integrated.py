@@ -21,11 +21,11 @@ from ..contacts.motion import MotionMap, ball_speeds, motion_map
 from ..contacts.traction import ContactTraction, contact_traction
 from ..friction.balance import BalancedFriction, balance_balls, balance_driven_balls
 from ..friction.cage import resisted_power
-from ..friction.coulomb import contact_ellipses, coulomb_dissipation
-from ..friction.films import film_balance, film_law
+from ..friction.films import ShearedFilms, film_law_balance, law_of_films, sheared_films
+from ..friction.flat_film import FlatFilm
 from ..friction.law import ContactLaw
 from ..friction.resistance import NO_RESISTANCE, Resistance
-from ..friction.running_films import RunningFilm, RunningFilms
+from ..friction.running_films import RunningFilms
 from ..geometry import Array
 from ..operation import BallKinematics
 from ..quasistatic.solution import QuasistaticSolution
@@ -63,39 +63,64 @@ def solved_shear(
     isothermal, too, unless that `bound` is not wanted; arguments as in `film_balance`, films of
     all lubricated contacts.
     """
-    pairs = [(c, film) for c, film in zip(contacts, films, strict=True) if film is not None]
-    loads = sum(c.load for c, _ in pairs)
-    mean = sum(film.asperity_share * c.load for c, film in pairs) / loads if loads > 0.0 else 0.0
-    assumed = _tractions(solution, pairs, rheology)
+    sheared = sheared_films(solution, contacts, films, rheology)
+    law = law_of_films(contacts, films, sheared)
+    kinematics = motion_map(solution, contacts)
+    motion = kinematics.motion(*ball_speeds(solution))
+    forces = -law.evaluate(motion, np.arange(len(contacts))).gradient
     hypothesis = replace(
-        integrated_torque(solution, assumed, [film for _, film in pairs]),
+        integrated_torque(solution, kinematics, sheared, motion, forces),
         resistance=resisted_power(solution, resistance),
     )
-    balance = film_balance(solution, contacts, films, rheology, resistance)
+    mean = _asperity_share(contacts, films)
+    balance = film_law_balance(solution, contacts, law, resistance)
     if not balance.converged:
-        note = no_balance_message(balance)
         return SolvedShear(
-            hypothesis=hypothesis, asperity_share=mean, tractions=assumed, note=note
+            hypothesis=hypothesis,
+            asperity_share=mean,
+            tractions=_tractions(solution, contacts, films, rheology),
+            note=no_balance_message(balance),
         )
-    tractions = _tractions(solution, pairs, rheology, balance)
-    torque = integrated_torque(solution, tractions, [film for _, film in pairs])
+    torque = _torque_in_balance(solution, kinematics, sheared, balance)
     shear = _balanced_shear(solution, hypothesis, torque, balance)
     flooded = shear.balanced
     if not bound:
         flooded = None
-    elif any(film.rolling_factor != 1.0 for _, film in pairs):
-        flooded = _flooded_torque(solution, contacts, films, rheology, resistance, balance)
+    elif any(film is not None and film.rolling_factor != 1.0 for film in films):
+        flooded = _flooded_torque(
+            solution, contacts, films, sheared, rheology, resistance, balance
+        )
+    tractions = _tractions(solution, contacts, films, rheology, balance)
     return replace(shear, asperity_share=mean, tractions=tractions, flooded=flooded)
+
+
+def _asperity_share(contacts: Sequence[BearingContact], films: RunningFilms) -> float:
+    """Part of the sum of all loads on asperities [-]."""
+    pairs = [(c, film) for c, film in zip(contacts, films, strict=True) if film is not None]
+    loads = sum(c.load for c, _ in pairs)
+    return sum(film.asperity_share * c.load for c, film in pairs) / loads if loads > 0.0 else 0.0
+
+
+def _torque_in_balance(
+    solution: QuasistaticSolution,
+    kinematics: MotionMap,
+    films: ShearedFilms,
+    balance: BalancedFriction,
+) -> IntegratedTorque:
+    """Of films at the motion and forces of balls in balance [N m]."""
+    motion, forces = (part.reshape(-1, 4) for part in (balance.kinematics, balance.forces))
+    return integrated_torque(solution, kinematics, films, motion, forces)
 
 
 def _tractions(
     solution: QuasistaticSolution,
-    pairs: Sequence[tuple[BearingContact, RunningFilm]],
+    contacts: Sequence[BearingContact],
+    films: RunningFilms,
     rheology: Rheology,
     balance: BalancedFriction | None = None,
 ) -> tuple[ContactTraction, ...]:
-    """Shear of films [N], [N m] on the nodes that balls are balanced on; without a balance at the
-    motion of the equilibrium.
+    """Shear of solved films [N], [N m] on the nodes that balls are balanced on; without a balance
+    at the motion of the equilibrium.
     """
     return tuple(
         contact_traction(
@@ -106,7 +131,8 @@ def _tractions(
             None if balance is None else balance.motions[contact.ball - 1],
             film.rolling_moment,
         )
-        for contact, film in pairs
+        for contact, film in zip(contacts, films, strict=True)
+        if film is not None and not isinstance(film.film, FlatFilm)
     )
 
 
@@ -114,6 +140,7 @@ def _flooded_torque(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     films: RunningFilms,
+    sheared: ShearedFilms,
     rheology: Rheology,
     resistance: Resistance,
     near: BalancedFriction,
@@ -122,17 +149,19 @@ def _flooded_torque(
     at one nearby.
     """
     whole = [film and film.flooded() for film in films]
-    law = film_law(solution, contacts, whole, rheology)
+    same = all(film is None or film.film is film.whole for film in films)
+    nodes = sheared.nodes if same else None
+    sheared = sheared_films(solution, contacts, whole, rheology, nodes)
+    law = law_of_films(contacts, whole, sheared)
     balance = balance_balls(
         solution, contacts, law, driven=near.driven, initial_guess=near, resistance=resistance
     )
     if not balance.converged:
-        balance = film_balance(solution, contacts, whole, rheology, resistance)
+        balance = film_law_balance(solution, contacts, law, resistance)
     if not balance.converged:
         return None
-    pairs = [(c, film) for c, film in zip(contacts, whole, strict=True) if film is not None]
-    tractions = _tractions(solution, pairs, rheology, balance)
-    torque = integrated_torque(solution, tractions, [film for _, film in pairs])
+    kinematics = motion_map(solution, contacts)
+    torque = _torque_in_balance(solution, kinematics, sheared, balance)
     return _as_balanced(torque, balance)
 
 
@@ -233,50 +262,21 @@ def _law_torque(
 
 def integrated_torque(
     solution: QuasistaticSolution,
-    tractions: Sequence[ContactTraction],
-    films: Sequence[RunningFilm],
+    kinematics: MotionMap,
+    films: ShearedFilms,
+    motion: Array,
+    forces: Array,
 ) -> IntegratedTorque:
-    """Torque [N m] of the shear of all lubricated contacts at the motion of their tractions, and
-    of the asperities of their films; the oil's sliding stress counts for the rest of the load.
+    """Torque [N m] of the shear of all lubricated contacts, and of the asperities of their films,
+    at motions (contacts, 4) [m/s], [rad/s] with the forces of the films there (contacts, 4) [N],
+    [N m].
     """
-    rows = [
-        _film_powers(solution, traction, film)
-        for traction, film in zip(tractions, films, strict=True)
-    ]
-    powers = np.array([power for power, _ in rows]).reshape(-1, 5)
-    forces = np.array([force for _, force in rows]).reshape(-1, 4)
-    kinematics = motion_map(solution, [traction.contact for traction in tractions])
-    return _torque_of_powers(solution, kinematics, powers, forces)
-
-
-def _film_powers(
-    solution: QuasistaticSolution, traction: ContactTraction, film: RunningFilm
-) -> tuple[Array, Array]:
-    """Powers (5,) [W] of pumping, sliding, spin, curvature and asperities, and all forces (4,) on
-    the ball [N], [N m].
-    """
-    k = traction.kinematics
-    r = traction.result
-    motion = np.array([k.sliding_x, k.sliding_y, k.spin, k.rolling])
-    shear = np.array([r.sliding_force_x, r.sliding_force_y, r.spin_moment, r.curvature_moment])
-    share = film.asperity_share
-    force = (1.0 - share) * shear
-    asperity = _asperity_force(solution, traction.contact, motion, share * film.boundary)
-    pumped = np.array([0.5 * k.curvature_difference, 0.0, 0.0, 1.0]) * r.hydrodynamic_moment
-    slide = -force[:2] @ motion[:2]
-    rubbed = -asperity @ motion
-    powers = np.array([r.pumping_loss, slide, -force[2] * k.spin, -force[3] * k.rolling, rubbed])
-    return powers, force + asperity + pumped
-
-
-def _asperity_force(
-    solution: QuasistaticSolution, contact: BearingContact, motion: Array, friction: float
-) -> Array:
-    """Forces and moments (4,) on the ball by Coulomb's mu [-] at a motion (4,)."""
-    if friction == 0.0:
-        return np.zeros(4)
-    ellipse = contact_ellipses(solution, [contact], friction)
-    return -coulomb_dissipation(motion[None, :], ellipse).gradient[0]
+    rubbed = films.rub(motion, np.arange(motion.shape[0]))
+    asperity = np.zeros_like(forces) if rubbed is None else -rubbed[0]
+    x, y, spin, curvature = (-(forces - asperity + films.pumping) * motion).T
+    powers = [(films.pumping * motion).sum(axis=1), x + y, spin, curvature]
+    powers.append(-(asperity * motion).sum(axis=1))
+    return _torque_of_powers(solution, kinematics, np.stack(powers, axis=1), forces)
 
 
 def _torque_of_powers(

@@ -103,7 +103,7 @@ class SolvedShear:
     # numbers of balls, from 1, loaded at the inner race, which cannot drive them, so that the cage
     # does
     cage_driven: tuple[int, ...] = ()
-    # of every contact with a film, at the motion of `torque`
+    # of every contact with a solved film, at the motion of `torque`
     tractions: tuple[ContactTraction, ...] = ()
     films: RunningFilms = ()  # as they run, of all contacts; empty where a friction law has none
     # contacts of all lubricated ones whose film is that of a formula [-]

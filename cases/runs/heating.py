@@ -141,6 +141,7 @@ def heating_problem(
         reference=given.reference,
         rows=case.rows or SINGLE,
         oil_share=case.friction.oil_share(case.bearing),
+        start=None if printed is None else printed.state,
     )
 
 
@@ -156,7 +157,8 @@ def at_its_balance(
         problem = heating_problem(case, case.heating, printed)
         temperature = case.operation.temperature
         clearance = case.bearing.diametral_clearance
-        state = heat_state(problem, problem.fixed_paths(), temperature, clearance)
+        at = (temperature, clearance, printed.state)
+        state = heat_state(problem, problem.fixed_paths(), *at)
     power = printed.total * case.operation.shaft_speed
     left = power - state.network.removed(state.temperatures)
     balance = replace(

@@ -14,6 +14,7 @@ taken there.
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 from math import cbrt, exp, log, pi, sqrt
 
 import scipy
@@ -41,6 +42,7 @@ class HertzContact:
     approach: float  # of distant points [m]
 
 
+@lru_cache(maxsize=1024)
 def ellipse_ratio(radius_ratio: float) -> float:
     """Ratio of the semi-axes of the contact ellipse, k = b/a, at a ratio of radii Rx/Ry [-], Hertz
     (1882): 1 at 1, above 1 where Rx < Ry.
@@ -66,6 +68,7 @@ def ellipse_ratio(radius_ratio: float) -> float:
     return exp(t)
 
 
+@lru_cache(maxsize=1024)
 def hertz_coefficients(radius_ratio: float) -> tuple[float, float, float]:
     """Dimensionless size f, pressure g and approach d of the contact, functions of D = Rx/Ry
     alone.

@@ -12,7 +12,9 @@ int_{z^2}^inf dw/[(a^2 + w)^(3/2) (b^2 + w)^(1/2) w^(1/2)] = 2/3 R_D(b^2 + z^2, 
 its likes. Stresses are negative in compression; depth counts into the body.
 """
 
+from functools import lru_cache
 from math import atan, atanh, sqrt
+from typing import Any
 
 import numpy as np
 from scipy.optimize import brentq, minimize_scalar
@@ -37,20 +39,23 @@ def hertz_axis_stress(
     sigma_z = -p_h a b/(A B).
     """
     a, b = semi_axes
-    z2 = np.square(depth)
-    nu = poisson_ratio
+    return np.asarray(pressure * a * b * np.stack(_axis_stress(a, b, depth, poisson_ratio)))
+
+
+def _axis_stress(a: float, b: float, depth: Any, nu: float) -> tuple[Any, Any, Any]:
+    """Stresses of `hertz_axis_stress` over p_h a b [1/m^2], at one depth or many [m]."""
+    z2 = depth * depth
     a2, b2 = a * a + z2, b * b + z2
     root_a, root_b = np.sqrt(a2), np.sqrt(b2)
     along_z = 2.0 / 3.0 * elliprd(a2, b2, z2)
     surface = (1.0 - 2.0 * nu) / (root_a + root_b)
 
-    def along(own: Array, other: Array, root: Array) -> Array:
+    def along(own: Any, other: Any, root: Any) -> Any:
         integral = (1.0 - nu) * 2.0 / 3.0 * elliprd(other, z2, own)
         return depth * (integral - nu * along_z) - surface / root
 
     stress_z = -1.0 / (root_a * root_b)
-    stresses = [along(a2, b2, root_a), along(b2, a2, root_b), stress_z]
-    return np.asarray(pressure * a * b * np.stack(stresses))
+    return along(a2, b2, root_a), along(b2, a2, root_b), stress_z
 
 
 def hertz_maximum_shear(
@@ -62,16 +67,22 @@ def hertz_maximum_shear(
     0.310 p_h for the circle and 0.300 p_h for the line with nu = 0.3.
     """
     small = min(semi_axes)
-    unit = (semi_axes[0] / small, semi_axes[1] / small)
+    shear, depth = _unit_shear(semi_axes[0] / small, semi_axes[1] / small, poisson_ratio)
+    return pressure * shear, small * depth
+
+
+@lru_cache(maxsize=1024)
+def _unit_shear(a: float, b: float, poisson_ratio: float) -> tuple[float, float]:
+    """Largest shear and its depth of semi-axes over the smaller one, over p_h and that one [-]."""
 
     def negative_shear(depth: float) -> float:
-        stress = hertz_axis_stress(unit, 1.0, np.array(depth), poisson_ratio)
-        return -0.5 * float(stress.max() - stress.min())
+        stress = _axis_stress(a, b, float(depth), poisson_ratio)
+        return -0.5 * a * b * float(max(stress) - min(stress))
 
     peak = minimize_scalar(
         negative_shear, bounds=(1e-3, DEEPEST), method="bounded", options={"xatol": 1e-9}
     )
-    return -pressure * float(peak.fun), small * float(peak.x)
+    return -float(peak.fun), float(peak.x)
 
 
 def hertz_orthogonal_shear(

@@ -16,7 +16,9 @@ LARGEST_ARGUMENT = 300.0  # as in `rheology`
 # as in `rheology`: m and the number of square roots that make the m-th root
 LIMIT_POWER = 32
 LIMIT_ROOTS = 5
-NEGLIGIBLE = 1e-17  # beside 1 in double precision [-]
+SMALL_SINE = 2e-3  # below which the series of asinh is exact [-]
+SMALL_POWER = 1e-4  # below which the series of the m-th root is exact [-]
+FAR_BELOW = 0.25  # of a limit, whose m-th power is negligible [-]
 NEWTON_STEPS = 30
 
 
@@ -37,7 +39,7 @@ def limiting_stress(
 @compiled
 def inverse_sine(x):
     """asinh(x), x >= 0, by a logarithm, faster than the library's; a series near zero."""
-    if x < 2e-3:
+    if x < SMALL_SINE:
         return x * (1.0 - x * x * (1.0 / 6.0 - 0.075 * x * x))
     return np.log(x + np.sqrt(x * x + 1.0))
 
@@ -48,12 +50,17 @@ def blend(ratio):
     power = ratio
     for _ in range(LIMIT_ROOTS):
         power *= power
-    if power < NEGLIGIBLE:
-        return 1.0
-    power += 1.0
-    for _ in range(LIMIT_ROOTS):
-        power = np.sqrt(power)
-    return power
+    return root_of(power)
+
+
+@compiled
+def root_of(power):
+    """(1 + power)^(1/m), of a power up to 1 [-]."""
+    if power < SMALL_POWER:
+        return 1.0 + power / LIMIT_POWER * (
+            1.0 - 31.0 / 64.0 * power * (1.0 - 21.0 / 32.0 * power)
+        )
+    return np.exp(np.log(1.0 + power) / LIMIT_POWER)
 
 
 @compiled
@@ -95,29 +102,50 @@ def shear_stress(rate, viscosity, limit, law, stress, exponent, breadth):
 @compiled
 def shear_stress_slope(rate, viscosity, limit, law, stress, exponent, breadth):
     """As `shear_stress`, with its derivative by the rate [Pa s]."""
+    if law == REE_EYRING:
+        return eyring_stress_slope(rate, viscosity, limit, stress)
     tau = viscosity * rate
     slope = viscosity
-    if law == REE_EYRING:
-        slope = viscosity / np.sqrt((tau / stress) ** 2 + 1.0)
-        tau = stress * inverse_sine(tau / stress)
-    elif law == CARREAU_YASUDA:
+    if law == CARREAU_YASUDA:
         power = (tau / stress) ** breadth
         factor = (1.0 + power) ** ((exponent - 1.0) / breadth)
         slope = viscosity * factor * (1.0 + exponent * power) / (1.0 + power)
         tau *= factor
-    if not np.isfinite(limit):
-        return tau, slope
-    if law == NEWTONIAN:
+    elif np.isfinite(limit):
         return limited(tau, limit, law), slope * np.exp(-tau / limit)
-    ratio = min(tau, limit) / max(tau, limit)
-    power = ratio
-    for _ in range(LIMIT_ROOTS):
-        power *= power
-    root = blend(ratio)
-    slope /= root * (1.0 + power)
-    if tau > limit:
-        slope *= power * ratio
-    return min(tau, limit) / root, slope
+    return limited_slope(tau, slope, limit)
+
+
+@compiled
+def eyring_stress_slope(rate, viscosity, limit, stress):
+    """As `shear_stress_slope` of Ree and Eyring's law, without jumps, so that a loop over nodes
+    takes several at a time.
+    """
+    x = viscosity * rate / stress
+    root = np.sqrt(x * x + 1.0)
+    tau = stress * np.log(x + root)
+    if x < SMALL_SINE:
+        tau = stress * x * (1.0 - x * x * (1.0 / 6.0 - 0.075 * x * x))
+    return limited_slope(tau, viscosity / root, limit)
+
+
+@compiled
+def limited_slope(tau, slope, limit):
+    """Stress of a base law other than Newton's and its derivative under a limiting stress, which
+    may be infinite.
+    """
+    if tau >= FAR_BELOW * limit:
+        larger = max(tau, limit)
+        ratio = min(tau, limit) / larger
+        power = ratio * ratio
+        for _ in range(LIMIT_ROOTS - 1):
+            power *= power
+        over = 1.0 / (root_of(power) * (1.0 + power))
+        slope *= over
+        if tau > limit:
+            slope *= power * ratio
+        tau = ratio * larger * over * (1.0 + power)
+    return tau, slope
 
 
 @compiled

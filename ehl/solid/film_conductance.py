@@ -119,12 +119,30 @@ def marched_conductance(
     contact [W/(m^2 K)].
     """
     step = float(x[1] - x[0])
-    weights = history_weights(x.size, step) / (np.sqrt(pi * speed) * _joint(first, second))
+    rates = np.full(y.size, history_rate(speed, step, first, second))
+    return float(marched_flux(film, rates).sum() * step * (y[1] - y[0]))
+
+
+def history_rate(
+    speed: ArrayLike, step: ArrayLike, first: SolidThermal, second: SolidThermal
+) -> Array:
+    """What multiplies H and the sum of the history on lines with nodes a step apart [m], at a
+    speed as in `marched_conductance` [m/s], in [m^2 K/W].
+    """
+    return np.sqrt(step) / (np.sqrt(pi * np.asarray(speed)) * _joint(first, second))
+
+
+def marched_flux(film: Array, rates: Array) -> Array:
+    """Sum of q over the nodes of lines along rolling, shape (n,) [W/(m^2 K)].
+
+    film: H, shape (nx, n), zero outside the contact; rates: `history_rate` of each line, (n,).
+    """
+    weights = history_weights(film.shape[0], 1.0)
     flux = np.zeros_like(film)
     for i in np.flatnonzero(film.any(axis=1)):
-        before = weights[i:0:-1] @ flux[:i]
-        flux[i] = film[i] * (1.0 - before) / (1.0 + film[i] * weights[0])
-    return float(flux.sum() * step * (y[1] - y[0]))
+        before = rates * (weights[i:0:-1] @ flux[:i])
+        flux[i] = film[i] * (1.0 - before) / (1.0 + film[i] * rates * weights[0])
+    return np.asarray(flux.sum(axis=0))
 
 
 def _joint(first: SolidThermal, second: SolidThermal) -> float:

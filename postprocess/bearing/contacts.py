@@ -6,7 +6,7 @@ from math import hypot, isfinite
 from typing import Any
 
 from bearing.contacts.contact import BearingContact
-from bearing.contacts.stress import ContactStress, contact_stress
+from bearing.contacts.stress import ContactStress, contact_stresses
 from bearing.contacts.surface_tension import SurfaceTension, edge_tension
 from bearing.friction.formula_films import FormulaFilm
 from bearing.friction.resolvable import too_thick
@@ -219,6 +219,7 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
     starved = torque.films if torque is not None and torque.films else (None,) * count
     tractions = results.tractions or (None,) * count
     formulas = results.formula_films or (None,) * count
+    stresses = contact_stresses(results.quasistatic, results.contacts)
     return [
         ContactRecord(
             contact=contact,
@@ -226,7 +227,7 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
             traction=None if (traction := tractions[i]) is None else traction.result,
             rolling=results.rolling_moments[i],
             instruments=results.instruments[i],
-            stress=contact_stress(results.quasistatic, contact),
+            stress=stresses[i],
             starved=starved[i],
             surface=results.case.get("surface"),
             edge_tension=edge_tension(results.quasistatic.bearing, contact),

@@ -289,13 +289,16 @@ def _moment(
     height = layer / (1.0 + central)
     if height < THINNEST_LAYER:
         return None
-    at = 1.0 / np.array(LAYERS)
+    a, b, c = (1.0 / known for known in LAYERS)
     x = 1.0 / height
-    parabola = float(np.polyval(np.polyfit(at, rest, 2), x))
-    line = float(np.polyval(np.polyfit(at[:2], rest[:2], 1), x))
+    first, second, third = rest.tolist()
+    slope = (second - first) / (b - a)
+    line = first + slope * (x - a)
+    bend = ((third - second) / (c - b) - slope) / (c - a)
+    parabola = line + bend * (x - a) * (x - b)
     value = log(layer) + parabola
     error = share * abs(value)
-    if x > at[0]:
+    if x > a:
         error += abs(parabola - line)
     return AtlasValue(value * scale, error * scale)
 

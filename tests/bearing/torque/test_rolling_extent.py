@@ -9,8 +9,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import Operation, contact_conditions, solve_quasistatic
+from bearing.contacts.motion import ball_speeds, motion_map
 from bearing.contacts.traction import contact_traction
-from bearing.friction.films import film_law
+from bearing.friction.films import film_law, sheared_films
 from bearing.friction.running_films import running_films
 from bearing.torque.integrated import integrated_torque
 from bearing.torque.rolling_extent import rolling_extent, rolling_moments
@@ -40,20 +41,31 @@ def with_layer(films, layer):
     return [film and replace(film, conditions=replace(film.conditions, lubricant=oil)) for film in films]
 
 
+def rolling_part(state, contacts, running):
+    """Of the torque at the motion of the equilibrium [N m]."""
+    kinematics = motion_map(state, contacts)
+    sheared = sheared_films(state, contacts, running, Rheology())
+    motion = kinematics.motion(*ball_speeds(state))
+    forces = -sheared.evaluate(motion, np.arange(len(contacts))).gradient
+    return integrated_torque(state, kinematics, sheared, motion, forces).rolling
+
+
 def test_integrated_torque_has_the_oil_up_to_its_meniscus(rolling):
     state, tractions, films = rolling
     found = rolling_extent(state, tractions, films)
-    known = [traction for traction in tractions if traction is not None]
     contacts = [c for c in contact_conditions(state, OIL) if c.ball in (1, 4)]
-    running = [film for film in running_films(contacts, films) if film]
-    assert found.within_extent == pytest.approx(integrated_torque(state, known, running).rolling, rel=1e-9)
+    running = running_films(contacts, films)
+    assert found.within_extent == pytest.approx(rolling_part(state, contacts, running), rel=1e-9)
     # strips prolong the box beyond its outlet, whose corners carry 1e-5 of the moment
     own = Cavitation.FULL_WIDTH
     boxes = [
-        replace(t, result=integrate_traction(film, t.kinematics, Rheology(), cavitation=own))
-        for t, film in zip(known, [film for film in films if film], strict=True)
+        film
+        and replace(
+            run, flooded_moment=-integrate_traction(film, t.kinematics, Rheology(), cavitation=own).hydrodynamic_moment
+        )
+        for run, t, film in zip(running, tractions, films, strict=True)
     ]
-    assert found.box == pytest.approx(integrated_torque(state, boxes, running).rolling, rel=1e-9)
+    assert found.box == pytest.approx(rolling_part(state, contacts, boxes), rel=1e-9)
     assert abs(found.box - found.within_extent) > 0.03 * found.box
     assert found.layer == FLOODED_LAYER
     assert 0.0 < found.uncertainty < 0.3 * found.within_extent  # 65 points
@@ -111,7 +123,7 @@ def test_no_torque_at_rest(rolling, bearings):
 
 def test_balance_and_torque_sum_the_same_nodes(rolling, monkeypatch):
     """On films finer than what is summed: else the power of balls in balance does not close."""
-    for module in ("bearing.contacts.traction", "bearing.friction.films"):
+    for module in ("bearing.contacts.traction", "bearing.friction.film_nodes"):
         monkeypatch.setattr(f"{module}.TRACTION_POINTS", 33)
     state, _, films = rolling
     contacts = [c for c in contact_conditions(state, OIL) if c.ball in (1, 4)]

@@ -1,0 +1,183 @@
+"""Nodes of sheared films as compiled friction takes them: of solved films and of flat ones, equal
+films once.
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ehl.arrays import alike
+from ehl.oil.rheology import Rheology, contact_rheology, kernel_rheology, limiting_stress
+from ehl.traction.shear import (
+    Cavitation,
+    bounded_viscosity,
+    dimensional_grid,
+    film_temperature,
+    film_viscosity,
+    sheared_width,
+    solution_rheology,
+    trapezoidal_weights,
+    with_outlet,
+)
+
+from ..contacts.contact import BearingContact
+from ..contacts.shape import groove_curvature_radius
+from ..contacts.traction import TRACTION_POINTS
+from ..geometry import Array, Bearing
+from ..quasistatic.solution import QuasistaticSolution
+from ._kernels import thin_sums
+from .flat_film import FlatFilm, flat_nodes
+from .law import TINY
+from .running_films import RunningFilm, RunningFilms
+
+ROWS = 7  # area, 1 over the gap, viscosity, limiting stress, x, y and height of the surface
+THIN = 11  # numbers of `_kernels.thin_sums`
+
+
+class FilmNodes(NamedTuple):
+    """Films of contacts as `_kernels.film_frictions` takes them."""
+
+    nodes: Array  # (7, m)
+    parts: NDArray[np.int64]  # (films, 3)
+    thin: Array  # (films, 11)
+    laws: Array  # (films, 4)
+    own: NDArray[np.int64]  # (contacts,) film of each contact; the first one has no nodes
+
+
+class _Block(NamedTuple):
+    """Nodes of one film (7, n), those of oil at ambient pressure behind the others."""
+
+    nodes: Array
+    pressed: int  # nodes under pressure [-]
+    law: Array  # (4,)
+
+
+class _Sheared(NamedTuple):
+    """A film with the surface that it runs on."""
+
+    film: RunningFilm
+    curvature: float  # 1/(2 R) of the loaded surface across rolling [1/m]
+    width: float  # half of what is curved like that [m]
+
+    def height(self, y: Array) -> Array:
+        """Of the loaded surface [m], as `ContactKinematics.curvature_height`."""
+        return np.asarray(-self.curvature * np.minimum(y * y, self.width**2))
+
+
+def film_nodes(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    films: RunningFilms,
+    rheology: Rheology,
+) -> FilmNodes:
+    """Nodes that shear in the films of contacts, None without one, in [m], [Pa], [Pa s]."""
+    bearing = solution.bearing
+    own = np.zeros(len(contacts), dtype=np.int64)
+    blocks = [_Block(np.empty((ROWS, 0)), 0, np.zeros(4))]
+    temperature = solution.operation.temperature
+    # 1. solved films, one by one
+    known: dict[tuple[int, float], int] = {}
+    flat: list[int] = []
+    for number, (contact, film) in enumerate(zip(contacts, films, strict=True)):
+        if film is None:
+            continue
+        if isinstance(film.film, FlatFilm):
+            flat.append(number)
+            continue
+        sheared = _sheared(bearing, contact, film)
+        key = (id(film.film), sheared.curvature)
+        if key not in known:
+            known[key] = len(blocks)
+            blocks.append(_solved_nodes(sheared, rheology, temperature))
+        own[number] = known[key]
+    # 2. flat ones, all at once
+    places = [_sheared(bearing, contacts[n], film) for n in flat if (film := films[n])]
+    like, found = _flat_films(places, rheology, temperature)
+    own[flat] = len(blocks) + like
+    blocks += found
+    return _joined(blocks, own)
+
+
+def _joined(blocks: Sequence[_Block], own: NDArray[np.int64]) -> FilmNodes:
+    """Films one after the other."""
+    ends = np.cumsum([block.nodes.shape[1] for block in blocks])
+    starts = np.concatenate([[0], ends[:-1]])
+    thin = np.empty((len(blocks), THIN))
+    for block, sums in zip(blocks, thin, strict=True):
+        thin_sums(block.nodes[:, block.pressed :], sums)
+    pressed = np.array([block.pressed for block in blocks])
+    return FilmNodes(
+        nodes=np.concatenate([block.nodes for block in blocks], axis=1),
+        parts=np.stack([starts, starts + pressed, ends], axis=1).astype(np.int64),
+        thin=thin,
+        laws=np.stack([block.law for block in blocks]),
+        own=own,
+    )
+
+
+def _sheared(bearing: Bearing, contact: BearingContact, film: RunningFilm) -> _Sheared:
+    radius = groove_curvature_radius(bearing, contact.race)
+    width = np.inf if contact.hertz is None else contact.hertz.semi_axis_y
+    return _Sheared(film, 0.5 / radius, width)
+
+
+def _law(rheology: Rheology) -> Array:
+    """The first four numbers of a rheology for kernels."""
+    return np.array(kernel_rheology(rheology)[:4], dtype=np.float64)
+
+
+def _solved_nodes(sheared: _Sheared, rheology: Rheology, temperature: float | None) -> _Block:
+    """Those of a solved film; sums of `integrate_traction`."""
+    solved = sheared.film.film
+    assert not isinstance(solved, FlatFilm)
+    rheology = solution_rheology(solved, rheology)
+    film = with_outlet(solved.thinned(TRACTION_POINTS))
+    film_x, film_y, thickness = dimensional_grid(film)
+    x, y = np.broadcast_arrays(film_x[:, None], film_y[None, :])
+    width = sheared_width(thickness, film.pressure, Cavitation.STRIATED)
+    area = trapezoidal_weights(film_x, film_y) * width
+    inlet = film_temperature(film, temperature)
+    chosen = width > 0.0
+    local = inlet[chosen] if isinstance(inlet, np.ndarray) else inlet
+    limit = limiting_stress(film.pressure[chosen], rheology, local)
+    opening = 1.0 / np.maximum(thickness[chosen], TINY)
+    y = y[chosen]
+    rows = (area[chosen], opening, film_viscosity(film)[chosen], limit)
+    nodes = np.stack([*rows, x[chosen], y, sheared.height(y)])
+    full = film.pressure[chosen] > 0.0
+    nodes = np.concatenate([nodes[:, full], nodes[:, ~full]], axis=1)
+    return _Block(nodes, int(full.sum()), _law(rheology))
+
+
+def _flat_films(
+    films: Sequence[_Sheared], rheology: Rheology, temperature: float | None
+) -> tuple[NDArray[np.int64], list[_Block]]:
+    """Which of the flat films that differ each one is, and these; all of one oil."""
+    if not films:
+        return np.zeros(0, dtype=np.int64), []
+    flat = [one.film.film for one in films if isinstance(one.film.film, FlatFilm)]
+    places = np.array([
+        (*film.size, film.conditions.radius_x, film.central, film.gap, one.curvature, one.width)
+        for film, one in zip(flat, films, strict=True)
+    ])  # fmt: skip
+    scale = np.abs(places).max(axis=0)
+    first, like = alike(places / np.where(scale > 0.0, scale, 1.0))
+    oil = flat[0].conditions.lubricant
+    at = flat_nodes()
+    a, b, largest, radius, central, gap, curvature, width = places[first].T[:, :, None]
+    # 1. oil at the pressures that there are
+    pressure = largest * at.pressure
+    viscosity = bounded_viscosity(pressure, oil)[:, at.level]
+    limit = limiting_stress(pressure, rheology, temperature)[:, at.level]
+    # 2. gaps, and strips as wide as the oil that leaves the contact fills them
+    height = np.where(at.inside, gap, central + a**2 / radius * at.opening)
+    share = np.where(at.inside, 1.0, np.minimum(gap / height, 1.0))
+    x, y = a * at.x, b * at.y
+    surface = -curvature * np.minimum(y * y, width**2)
+    rows = (a * b * at.area * share, 1.0 / height, viscosity, limit, x, y, surface)
+    nodes = np.stack(rows, axis=1)
+    laws = [_law(contact_rheology(rheology, oil, flat[n].mean_pressure)) for n in first]
+    pressed = int(at.inside.sum())
+    return like, [_Block(own, pressed, law) for own, law in zip(nodes, laws, strict=True)]
