@@ -36,6 +36,7 @@ class RunningStatistics:
     time: list[Array] = field(default_factory=list)
     cage_rotation: list[Array] = field(default_factory=list)  # [rad]
     orbit_speed: list[Array] = field(default_factory=list)  # mean of the balls [rad/s]
+    spin_speed: list[Array] = field(default_factory=list)  # about their own axes, likewise [rad/s]
     centres: list[Array] = field(default_factory=list)  # y, z of ring and of cage, (m, 4) [m]
     angle: list[Array] = field(default_factory=list)  # of contact, mean by load [rad]
     load_sum: Array = field(init=False)  # (2, Z) [N]
@@ -66,14 +67,16 @@ class RunningStatistics:
         layout = Layout(self.balls)
         self.time.append(record.time)
         self.cage_rotation.append(record.state[:, layout.cage][:, CAGE_ROTATION].copy())
-        self.orbit_speed.append(orbit_speeds(record.state, layout).mean(axis=1))
+        orbits = orbit_speeds(record.state, layout)
+        self.orbit_speed.append(orbits.mean(axis=1))
+        turns = record.state[:, layout.ball_turn].reshape(len(orbits), -1, 3)
+        self.spin_speed.append(spin_speeds(turns, orbits).mean(axis=1))
         self.centres.append(
             np.hstack([record.state[:, part][:, 1:3] for part in (layout.ring, layout.cage)])
         )
         loads = record.races[..., CONTACT.load]
         pockets = record.pockets[..., CONTACT.load]
-        turned = (loads * np.abs(record.races[..., CONTACT.contact_angle])).sum(axis=(1, 2))
-        self.angle.append(turned / np.maximum(loads.sum(axis=(1, 2)), 1e-300))
+        self.angle.append(angle_by_load(loads, record.races[..., CONTACT.contact_angle]))
         self.load_sum += loads.sum(axis=0)
         self.load_largest = np.maximum(self.load_largest, loads.max(axis=0))
         self.pocket_largest = np.maximum(self.pocket_largest, pockets.max(axis=0))
@@ -102,6 +105,7 @@ class SimulationStatistics:
     wall: float  # [s]
     cage_speed: float  # mean over the last third [rad/s]
     orbit_speed: float  # of the balls, likewise [rad/s]
+    spin_speed: float  # of the balls about their own axes in the frame of the cage [rad/s]
     contact_angle: float  # mean by load, likewise [rad]
     kinematic_speed: float  # without sliding at this angle, likewise [rad/s]
     cage_interval: float | None  # half width of the 95 % confidence interval [rad/s]
@@ -154,6 +158,23 @@ def orbit_speeds(states: Array, layout: Layout) -> Array:
     return result
 
 
+def spin_speeds(turns: Array, orbits: Array) -> Array:
+    """Angular speeds of balls about their own axes in the frame that goes round with them [rad/s],
+    shape (m, Z), from their angular velocities, shape (m, Z, 3), and orbital speeds [rad/s].
+    """
+    result: Array = np.hypot(np.hypot(turns[..., 0] - orbits, turns[..., 1]), turns[..., 2])
+    return result
+
+
+def angle_by_load(loads: Array, angles: Array) -> Array:
+    """Mean contact angle [rad], weighed by the loads, shape (m,), from loads [N] and angles of all
+    contacts, shape (m, 2, Z); zero where nothing is loaded.
+    """
+    turned = (loads * np.abs(angles)).sum(axis=(1, 2))
+    result: Array = turned / np.maximum(loads.sum(axis=(1, 2)), 1e-300)
+    return result
+
+
 def simulation_statistics(
     simulation: Simulation, running: RunningStatistics
 ) -> SimulationStatistics | None:
@@ -179,6 +200,7 @@ def simulation_statistics(
         wall=simulation.wall,
         cage_speed=float(cage[-1] - cage[0]) / span if has_cage else float(orbit.mean()),
         orbit_speed=float(orbit.mean()),
+        spin_speed=float(np.concatenate(running.spin_speed)[late].mean()),
         contact_angle=angle,
         kinematic_speed=speed_without_slip(simulation, time[late], angle),
         cage_interval=batch_interval(np.diff(cage) / np.diff(time[late]) if has_cage else orbit),

@@ -2,12 +2,16 @@
 
 from dataclasses import dataclass
 from math import cos, pi
+from typing import TypeVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..geometry import Bearing
 from ..operation import Operation
 from ..quasistatic.solution import QuasistaticSolution
+
+Values = TypeVar("Values", float, NDArray[np.float64])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -38,11 +42,28 @@ def bearing_frequencies(solution: QuasistaticSolution) -> Frequencies:
 
 
 def kinematic_cage_speed(bearing: Bearing, inner: float, outer: float, angle: float) -> float:
-    """Speed of the cage without sliding, (1 - g) inner/2 + (1 + g) outer/2, g = (D/d_m) cos a,
-    from the speeds of the rings, all in [rad/s] or [Hz], and the contact angle [rad].
+    """Speed of the cage without sliding, all speeds in [rad/s] or [Hz], from those of the rings
+    and the contact angle [rad]; `cage_speed_without_slip`.
     """
-    gamma = bearing.ball_diameter / bearing.pitch_diameter * float(np.cos(angle))
+    gamma = bearing.ball_diameter / bearing.pitch_diameter * cos(angle)
+    return cage_speed_without_slip(gamma, inner, outer)
+
+
+def cage_speed_without_slip(gamma: Values, inner: Values, outer: Values) -> Values:
+    """(1 - g) inner/2 + (1 + g) outer/2, g = (D/d_m) cos a, from the speeds of the rings, in their
+    unit; Harris and Kotzalas (Essential Concepts).
+    """
     return 0.5 * ((1.0 - gamma) * inner + (1.0 + gamma) * outer)
+
+
+def ball_spin_without_slip(
+    diameter_ratio: float, gamma: Values, inner: Values, outer: Values
+) -> Values:
+    """|inner - outer| (d_m/D) (1 - g^2)/2, of a ball about its own axis in the frame of the cage,
+    from D/d_m [-], g = (D/d_m) cos a [-] and the speeds of the rings, in their unit; Harris and
+    Kotzalas (Essential Concepts).
+    """
+    return 0.5 * abs(inner - outer) / diameter_ratio * (1.0 - gamma**2)
 
 
 def kinematic_frequencies(
@@ -51,17 +72,16 @@ def kinematic_frequencies(
     """Frequencies [Hz] of rolling at a nominal contact angle [rad], whatever the loads, as in
     catalogues; Harris and Kotzalas (Essential Concepts).
 
-    Cage: `kinematic_cage_speed`; ball: |n_i - n_o| (d_m/D) (1 - g^2)/2. `bearing_frequencies`
-    differs from them as the contact angles do in operation.
+    Cage: `kinematic_cage_speed`; ball: `ball_spin_without_slip`. `bearing_frequencies` differs
+    from them as the contact angles do in operation.
     """
     inner = operation.inner_speed / (2.0 * pi)
     outer = operation.outer_speed / (2.0 * pi)
     cage = kinematic_cage_speed(bearing, inner, outer, contact_angle)
-    spin = 0.5 * abs(inner - outer) * bearing.pitch_diameter / bearing.ball_diameter
-    gamma = bearing.ball_diameter / bearing.pitch_diameter * cos(contact_angle)
+    ratio = bearing.ball_diameter / bearing.pitch_diameter
     return Frequencies(
         cage=abs(cage),
         ball_pass_outer=bearing.balls * abs(cage - outer),
         ball_pass_inner=bearing.balls * abs(inner - cage),
-        ball_spin=spin * (1.0 - gamma**2),
+        ball_spin=ball_spin_without_slip(ratio, ratio * cos(contact_angle), inner, outer),
     )

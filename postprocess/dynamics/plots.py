@@ -13,7 +13,6 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator, MultipleLocator
 
 from bearing.dynamics.statistics import INPUTS, LOSSES
-from ehl.units import to_si
 
 from ..plot_style import (
     BALL_COLOUR,
@@ -28,6 +27,7 @@ from ..plot_style import (
 from ..quantities import FREQUENCIES
 from .history import open_history
 from .quantities import PLOTTED, STATES
+from .speeds import averaged, simulated_speeds
 
 RACES = (("inner", INNER_COLOUR), ("outer", OUTER_COLOUR))
 STATE_COLOURS = ("#ffffff", "#7fa8d1", "#c1440e")  # free, contact, impact
@@ -36,6 +36,7 @@ MECHANISM_COLOURS = (
 )
 TIME = PLOTTED["time_ms"]
 SPEED = PLOTTED["speed_rpm"]
+ROLLING: dict[str, Any] = {"linestyle": "--", "color": REFERENCE, "label": "without sliding"}
 SHOWN_TURNS = 2.0  # turns of the cage in the pictures of one ball [-]
 SPIKES = 0.01  # share of the time at each end of an axis that may lie beyond it [-]
 ORBIT_POINTS = 4000  # of an orbit, the last ones
@@ -57,30 +58,88 @@ def write_dynamics_plots(
 
 
 def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Cage and balls [r/min] and the slip ratio of the cage [%] over time [ms]."""
-    top, bottom = _over_time(figure, document)
+    """Cage and balls about the axis [r/min] over time [ms], and their slip [%] over all of it and
+    over the part that is averaged.
+    """
+    found = simulated_speeds(data, document)
+    panels = _three_panels(figure, document)
     time = TIME.in_unit(data["time"].to_numpy())
-    speeds = data["cage_velocity"].sel(cage_coordinate="rotation").to_numpy()
-    cage, orbit, kinematic = (
-        SPEED.in_unit(speed)
-        for speed in (speeds, orbit_speed(data), kinematic_speed(data, document))
-    )
-    style: dict[str, Any] = {"color": BALL_COLOUR, "alpha": 0.25, "linewidth": 0}
-    slowest, fastest = orbit.min(axis=1), orbit.max(axis=1)
-    top.fill_between(time, slowest, fastest, **style)
-    top.plot(time, orbit.mean(axis=1), color=BALL_COLOUR, label="balls: mean, and all (shaded)")
+    late = averaged(data)
+    orbit, cage = (SPEED.in_unit(motion.speed) for motion in (found.orbit, found.cage))
+    rolling = SPEED.in_unit(found.cage.without_slip)
+    top = panels[0]
+    _all_balls(top, time, orbit)
     top.plot(time, cage, color=CAGE_COLOUR, label="cage")
-    top.plot(time, kinematic, "--", color=REFERENCE, label="kinematic")
+    top.plot(time, rolling, **ROLLING)
     top.set_ylabel(SPEED.label)
     top.legend(ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1.0))
-    _without_spikes(top, cage, slowest, fastest, kinematic)
-    moving = kinematic > 0.02 * kinematic.max()
-    slip = np.full(time.shape, np.nan)
-    slip[moving] = 100.0 * (1.0 - cage[moving] / kinematic[moving])
-    bottom.plot(time, slip, color=CAGE_COLOUR)
-    bottom.axhline(0.0, color=REFERENCE, linewidth=0.6)
-    bottom.set_ylabel("slip of the cage [%]")
-    _without_spikes(bottom, slip, np.zeros(1))
+    _without_spikes(top, cage, orbit.min(axis=1), orbit.max(axis=1), rolling)
+    slips = [100.0 * motion.slip for motion in (found.orbit, found.cage)]
+    for ax, part in zip(panels[1:], (slice(None), late), strict=True):
+        balls, held = (slip[part] for slip in slips)
+        _all_balls(ax, time[part], balls)
+        ax.plot(time[part], held, color=CAGE_COLOUR)
+        ax.axhline(0.0, color=REFERENCE, linewidth=0.6)
+        from_zero = (np.zeros(1),) if ax is panels[1] else ()
+        _without_spikes(ax, held, balls.min(axis=1), balls.max(axis=1), *from_zero)
+    _mean_of_part(panels, time[late], document["cage_slip_ratio"], "slip of cage\nand balls [%]")
+
+
+def draw_spin(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
+    """Balls about their own axes [r/min] over time [ms], and what they lack of rolling [%], over
+    all of it and over the part that is averaged.
+    """
+    spin = simulated_speeds(data, document).spin
+    panels = _three_panels(figure, document)
+    time = TIME.in_unit(data["time"].to_numpy())
+    late = averaged(data)
+    turning, rolling = (SPEED.in_unit(speed) for speed in spin)
+    top = panels[0]
+    _all_balls(top, time, turning)
+    top.plot(time, rolling, **ROLLING)
+    top.set_ylabel(PLOTTED["spin_speed_rpm"].label)
+    top.legend(ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1.0))
+    _without_spikes(top, turning.min(axis=1), turning.max(axis=1), rolling)
+    for ax, part in zip(panels[1:], (slice(None), late), strict=True):
+        slip = 100.0 * spin.slip[part]
+        _all_balls(ax, time[part], slip)
+        ax.axhline(0.0, color=REFERENCE, linewidth=0.6)
+        _without_spikes(ax, slip.min(axis=1), slip.max(axis=1))
+    known = spin.slip[late]
+    mean = float(known.mean()) if np.isfinite(known).all() else None
+    _mean_of_part(panels, time[late], mean, "spin that balls\nlack [%]")
+
+
+def _three_panels(figure: Figure, document: dict[str, Any]) -> Any:
+    """Panels over the time [ms], the upper two over all of it."""
+    panels = _start(figure, document, (3, 1), 6.4)
+    panels[0].sharex(panels[1])
+    panels[0].tick_params(labelbottom=False)
+    panels[2].set_xlabel(TIME.label)
+    return panels
+
+
+def _all_balls(axes: Any, time: Any, values: Any) -> None:
+    """Mean and range of the balls, whose values have the shape (m, Z)."""
+    style: dict[str, Any] = {"color": BALL_COLOUR, "alpha": 0.25, "linewidth": 0}
+    axes.fill_between(time, values.min(axis=1), values.max(axis=1), **style)
+    label = "balls: mean, and all (shaded)"
+    axes.plot(time, values.mean(axis=1), color=BALL_COLOUR, label=label)
+
+
+def _mean_of_part(panels: Any, time: Any, mean: float | None, label: str) -> None:
+    """Which time [ms] the lowest panel is of, in those above; its mean [-] as a line, labels."""
+    for ax in panels[:2]:
+        ax.axvspan(time[0], time[-1], color=CAGE_COLOUR, alpha=0.08, linewidth=0)
+    panels[1].set_ylabel(label)
+    panels[2].set_ylabel("the same, in the\naveraged third")
+    for ax in panels:
+        ax.margins(x=0.0)
+    if mean is not None:
+        percent = 100.0 * mean
+        shown = f"mean {percent:.3g} %".replace("-", "\N{MINUS SIGN}")
+        line = panels[2].axhline(percent, color=INK, linestyle=":", linewidth=1.0, label=shown)
+        panels[2].legend(handles=[line], loc="upper right", framealpha=0.85)
 
 
 def _without_spikes(axes: Any, *lines: Any) -> None:
@@ -94,11 +153,19 @@ def _without_spikes(axes: Any, *lines: Any) -> None:
         return
     least, most = (float(end([end(line) for line in known])) for end in (np.min, np.max))
     axes.set_ylim(max(low - margin, least - 0.3 * margin), min(high + margin, most + 0.3 * margin))
-    cut = [f"{least:.4g}"] * (least < low - margin) + [f"{most:.4g}"] * (most > high + margin)
+    below = least < low - margin
+    above = most > high + margin
+    cut = [_plain(least)] * below + [_plain(most)] * above
     if cut:
         note = f"short spikes reach {' and '.join(cut)}".replace("-", "\N{MINUS SIGN}")
-        style: dict[str, Any] = {"color": REFERENCE, "fontsize": 6.5, "va": "top", "ha": "right"}
-        axes.text(0.995, 0.97, note, transform=axes.transAxes, **style)
+        place: dict[str, Any] = {"y": 0.97, "va": "top"} if above else {"y": 0.03, "va": "bottom"}
+        style: dict[str, Any] = {"color": REFERENCE, "fontsize": 6.5, "ha": "right", **place}
+        axes.text(0.995, s=note, transform=axes.transAxes, **style)
+
+
+def _plain(value: float) -> str:
+    """Four figures, or all before the point."""
+    return f"{value:.0f}" if abs(value) >= 1000.0 else f"{value:.4g}"
 
 
 def draw_forces(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
@@ -141,8 +208,9 @@ def draw_sliding(figure: Figure, data: xarray.Dataset, document: dict[str, Any])
     bottom.set_xlabel(f"{PLOTTED['azimuth_deg'].label}; the load line at 0")
     bottom.xaxis.set_major_locator(MultipleLocator(45.0))
     bottom.set_xlim(0.0, 360.0)
-    bottom.set_ylim(bottom=0.0)
-    top.set_ylim(bottom=0.0)
+    for ax in (top, bottom):
+        largest = max(float(np.nanmax(line.get_ydata(), initial=0.0)) for line in ax.lines)
+        ax.set_ylim(0.0, 1.08 * largest or None)
     top.legend(ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1.0))
 
 
@@ -236,25 +304,6 @@ def draw_energy(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
     bottom.set_ylabel("left over\n[% of the work]")
 
 
-def orbit_speed(data: xarray.Dataset) -> Any:
-    """Angular speed of each ball's centre about the axis [rad/s], shape (m, Z)."""
-    place = data["ball_position"].to_numpy()
-    speed = data["ball_velocity"].to_numpy()
-    turn = place[..., 1] * speed[..., 2] - place[..., 2] * speed[..., 1]
-    return turn / (place[..., 1] ** 2 + place[..., 2] ** 2)
-
-
-def kinematic_speed(data: xarray.Dataset, document: dict[str, Any]) -> Any:
-    """Kinematic speed of the cage over time [rad/s], in step with the inner ring."""
-    time = data["time"].to_numpy()
-    angle = data["ring_rotation"].to_numpy()
-    ring = np.gradient(angle, time) if time.size > 1 else np.ones(1)
-    late = time >= time[-1] - (time[-1] - time[0]) / 3.0
-    mean = float(ring[late].mean())
-    speed = to_si("speed_rpm", document["kinematic_cage_speed_rpm"])
-    return np.full(time.shape, speed) if mean == 0.0 else ring * (speed / mean)
-
-
 def last_turns(data: xarray.Dataset) -> xarray.Dataset:
     """The end of a history: `SHOWN_TURNS` turns of ball 1, or all of it."""
     turned = _turned(data.sel(ball=1))
@@ -310,6 +359,7 @@ def _start(
 
 PICTURES: dict[str, Callable[..., None]] = {
     "speeds": draw_speeds,
+    "spin": draw_spin,
     "forces": draw_forces,
     "sliding": draw_sliding,
     "states": draw_states,

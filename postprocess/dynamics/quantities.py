@@ -16,6 +16,7 @@ RUN = quantities(
 SPEEDS = (  # means over the last third, half widths of their 95 % intervals, ratios
     CAGE_SPEED,
     *quantities("", "", ("ball_orbit_speed_rpm", "", "orbit_speed")),
+    *quantities("", "", ("ball_spin_speed_rpm", "", "spin_speed")),
     *quantities("", "", ("contact_angle_deg", "mean contact angle", "contact_angle")),
     *quantities("", "", ("kinematic_cage_speed_rpm", "", "kinematic_speed")),
     *quantities("", "nothing turns", "cage_speed_ratio", "cage_slip_ratio"),
@@ -56,6 +57,7 @@ PLOTTED = by_key(
         "",
         "time_ms",
         ("speed_rpm", "speed about the axis"),
+        ("spin_speed_rpm", "spin of the balls"),
         ("normal_force_N", "normal force on ball 1"),
         ("friction_N", "friction along the entrainment"),
         ("sliding_speed_m_s", "sliding speed at the\ncontact's centre"),

@@ -16,7 +16,7 @@ from bearing.dynamics.statistics import (
     SimulationStatistics,
     simulation_statistics,
 )
-from bearing.rating.frequencies import kinematic_cage_speed
+from bearing.rating.frequencies import ball_spin_without_slip, cage_speed_without_slip
 from ehl.units import from_si
 
 from ..files import plain
@@ -119,21 +119,26 @@ def _energy(numbers: SimulationStatistics) -> dict[str, Any]:
 def _frequencies(simulation: Simulation, numbers: SimulationStatistics) -> dict[str, Any]:
     """Defect frequencies, kinematic and with the cage speed of the simulation [Hz]."""
     schedule = simulation.data.schedule
-    balls = simulation.bearing.balls
+    bearing = simulation.bearing
+    balls = bearing.balls
     inner = schedule[-1, INNER_SPEED] / (2.0 * np.pi)
     outer = schedule[-1, OUTER_SPEED] / (2.0 * np.pi)
     angle = numbers.contact_angle
+    ratio = bearing.ball_diameter / bearing.pitch_diameter
+    gamma = ratio * float(np.cos(angle))
+    rolling = ball_spin_without_slip(ratio, gamma, inner, outer)
     speeds = {
-        "kinematic": kinematic_cage_speed(simulation.bearing, inner, outer, angle),
-        "with_slip": numbers.orbit_speed / (2.0 * np.pi),
+        "kinematic": (cage_speed_without_slip(gamma, inner, outer), rolling),
+        "with_slip": (numbers.orbit_speed / (2.0 * np.pi), numbers.spin_speed / (2.0 * np.pi)),
     }
     return {
         name: {
             "cage": abs(cage),
             "ball_pass_outer": balls * abs(cage - outer),
             "ball_pass_inner": balls * abs(inner - cage),
+            "ball_spin": spin,
         }
-        for name, cage in speeds.items()
+        for name, (cage, spin) in speeds.items()
     }
 
 

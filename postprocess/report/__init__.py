@@ -5,6 +5,7 @@ bearing  - parts of the page of a bearing or a single contact
 cards    - the numbers that are looked at first
 torque   - part of the page on the friction torque
 vibration - part of the page on vibration
+dynamics - part of the page on a time simulation
 batch    - parts of the page of a batch
 html     - tables, facts, pictures and numbers as HTML
 svg      - bar charts as SVG

@@ -42,6 +42,8 @@ def cards(summary: dict[str, Any]) -> str:
     numbers.insert(0, ("friction torque", torque.get("total"), "torque_N_mm"))
     for key in ("cage_speed_rpm", "load_N"):
         numbers.append((MAIN_QUANTITY[key].title, summary.get(key), key))
+    if (slip := summary.get("cage_slip_ratio")) is not None:
+        entries.append(html.card("slip of the cage", html.number(100.0 * slip, 3), "%"))
     numbers += _operating_numbers(summary) if is_bearing else []
     for title, value, key in numbers:
         if value is not None:

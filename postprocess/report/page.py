@@ -11,7 +11,7 @@ from typing import Any
 from ehl.units import unit_symbol
 
 from ..files import read_summary, write_text
-from . import batch, bearing, html
+from . import batch, bearing, dynamics, html
 from . import cards as headline
 from .vibration import PICTURES, vibration_section
 
@@ -99,7 +99,10 @@ def is_urgent(message: str) -> bool:
 def _sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, str]]:
     """Anchor, title and content of every part of a single case's page."""
     yield "input", "Input", bearing.input_tables(summary["case"])
-    yield from bearing.sections(summary, folder)
+    if dynamics.is_simulation(summary):
+        yield "dynamics", "Time simulation", dynamics.dynamics_section(summary, folder)
+    else:
+        yield from bearing.sections(summary, folder)
     yield "vibration", "Vibration", vibration_section(summary, folder)
     yield "more", "Further results", further_results(summary)
     yield "pictures", "Further pictures", _further_pictures(summary, folder)
@@ -110,10 +113,12 @@ def _sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str,
 
 def further_results(summary: dict[str, Any]) -> str:
     """Blocks that no part of the page places: whatever numbers they hold; notes say why not."""
+    is_simulation = dynamics.is_simulation(summary)
+    placed = bearing.PLACED | (dynamics.PLACED if is_simulation else frozenset())
     blocks = {
         key: value
         for key, value in summary.items()
-        if key not in bearing.PLACED and value not in (None, [], {})
+        if key not in placed and value not in (None, [], {})
     }
     single = {key: value for key, value in blocks.items() if not html.is_large(value)}
     facts_blocks = (
@@ -125,7 +130,7 @@ def further_results(summary: dict[str, Any]) -> str:
         unit = f" [{unit_symbol(key)}]" if unit_symbol(key) else ""
         facts_blocks += [html.facts(html.name_text(key) + unit, plain)] if plain else []
     lists = {key: value for key, value in blocks.items() if isinstance(value, list)}
-    if "contacts" not in summary:
+    if "contacts" not in summary and not is_simulation:
         lists["balls"] = summary.get("balls") or []
     return html.side_by_side(*facts_blocks) + "".join(
         _rows(key, rows) for key, rows in lists.items()
@@ -150,8 +155,9 @@ def _pictures_of_vibration(summary: dict[str, Any]) -> set[str]:
 
 
 def _further_pictures(summary: dict[str, Any], folder: Path) -> str:
-    """Pictures that no part of the page places: slip maps, dynamics, what later versions draw."""
+    """Pictures that no part of the page places: slip maps, what later versions draw."""
     placed = bearing.known_pictures(summary) | _pictures_of_vibration(summary)
+    placed |= dynamics.pictures(summary)
     files = sorted([*folder.glob("*.png"), *folder.glob("plots/*.png")])
     pictures = [html.picture(f, f.stem.replace("_", " ")) for f in files if f.name not in placed]
     return html.side_by_side(*pictures, kind="gallery")

@@ -25,10 +25,13 @@ from cases.format.problems import CaseError
 from cases.format.shipped import find_case
 from cases.runs.dynamics import Interrupted, build_model, case_key, run_dynamics
 from postprocess.dynamics.history import open_history
+from postprocess.dynamics.speeds import averaged, simulated_speeds
 from postprocess.dynamics.table import dynamics_table
+from postprocess.report.html import figure, number
+from postprocess.report.page import report_page
 
 SHORT = "end_time_s = 0.004\noutput_interval_us = 50.0\n"
-PICTURES = ("speeds", "forces", "sliding", "states", "orbits", "spectrum", "energy")
+PICTURES = ("speeds", "spin", "forces", "sliding", "states", "orbits", "spectrum", "energy")
 
 
 def run(*arguments):
@@ -96,9 +99,17 @@ def test_defect_frequencies_follow_the_cage(folder):
     assert 15.0 < document["contact_angle_deg"] < 18.0  # of the loaded bearing, larger than the free one
     cosine = math.cos(math.radians(document["contact_angle_deg"]))
     cages = {"kinematic": 0.5 * turns * (1.0 - gamma * cosine), "with_slip": document["ball_orbit_speed_rpm"] / 60.0}
+    spins = {
+        "kinematic": 0.5 * turns / gamma * (1.0 - (gamma * cosine) ** 2),
+        "with_slip": document["ball_spin_speed_rpm"] / 60.0,
+    }
+    assert spins["with_slip"] == pytest.approx(spins["kinematic"], rel=0.02)
     for name, cage in cages.items():
         found = document["frequencies_Hz"][name]
-        wanted = {"cage": cage, "ball_pass_outer": 18 * cage, "ball_pass_inner": 18 * (turns - cage)}
+        wanted = {
+            "cage": cage, "ball_pass_outer": 18 * cage, "ball_pass_inner": 18 * (turns - cage),
+            "ball_spin": spins[name],
+        }  # fmt: skip
         assert found == pytest.approx(wanted, rel=1e-6)
     ratio = document["cage_speed_rpm"] / 60.0 / cages["kinematic"]
     assert document["cage_speed_ratio"] == pytest.approx(ratio)
@@ -125,6 +136,34 @@ def test_pictures_and_table(folder):
     text = folder[1].stdout  # not that kernels are compiled, which is said elsewhere
     assert "117 (combined: 3 ring + 6 cage + 108 balls)" in text
     assert max(len(line.rstrip()) for line in text.splitlines() if "results in" not in line) <= 80
+
+
+def test_slip_over_time_is_that_of_the_summary(folder):
+    """By one rule: mean over the averaged third beside the ratio of the means, at angles that hardly change."""
+    document = json.loads((folder[0] / "summary.json").read_text(encoding="utf-8"))
+    with open_history(folder[0]).load() as data:
+        found, late = simulated_speeds(data, document), averaged(data)
+    assert float(found.cage.slip[late].mean()) == pytest.approx(document["cage_slip_ratio"], abs=1e-3)
+    orbit = float(found.orbit.speed[late].mean()) * 30.0 / np.pi
+    assert orbit == pytest.approx(document["ball_orbit_speed_rpm"], rel=1e-6)
+    spin = float(found.spin.speed[late].mean()) * 30.0 / np.pi
+    assert spin == pytest.approx(document["ball_spin_speed_rpm"], rel=1e-5)
+
+
+def test_the_report_of_a_simulation(folder):
+    """Speeds, slip, loads, sliding, friction and pictures have a place; nothing stands twice."""
+    document = json.loads((folder[0] / "summary.json").read_text(encoding="utf-8"))
+    page = report_page(folder[0])
+    assert page.count("<img") == len(PICTURES)
+    for words in (
+        "Time simulation", "slip of the cage", "cage slip ratio", "ball spin speed", "inner: mean sliding",
+        "outer: mean friction", "inner: largest load", "pocket friction", "BSF",
+    ):  # fmt: skip
+        assert words in page
+    assert "Further" not in page
+    for key in ("mean_load_N", "mean_sliding_m_s", "mean_friction_N"):
+        assert f"<td>{figure(document['balls'][0]['outer'][key])}</td>" in page
+    assert f"{number(100.0 * document['cage_slip_ratio'], 3)} <small>%" in page
 
 
 @pytest.mark.parametrize(("films", "words"), [(-0.25, "0.25 J given, lifting balls"), (0.5, "0.5 J taken up")])

@@ -1,0 +1,88 @@
+"""Speeds of a time simulation, from its history: what came out, and what rolling would give."""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import xarray
+
+from bearing.dynamics.statistics import AVERAGED_SHARE, angle_by_load, spin_speeds
+from bearing.rating.frequencies import ball_spin_without_slip, cage_speed_without_slip
+from ehl.units import to_si
+
+RUNNING = 0.02  # of the largest speed, below which a slip in percent says nothing [-]
+
+
+class Motion(NamedTuple):
+    """A speed over time [rad/s], shape (m,), of balls (m, Z), and the same without sliding."""
+
+    speed: Any
+    without_slip: Any  # (m,)
+
+    @property
+    def slip(self) -> Any:
+        """What it lacks, over the speed without sliding [-]; NaN where hardly anything turns."""
+        size = np.abs(self.without_slip)
+        rolling = np.where(size > RUNNING * size.max(), self.without_slip, np.nan)
+        return 1.0 - self.speed / (rolling if np.ndim(self.speed) == 1 else rolling[:, None])
+
+
+class Speeds(NamedTuple):
+    """Motions of a simulation over its samples."""
+
+    cage: Motion
+    orbit: Motion  # of the balls about the axis
+    spin: Motion  # of the balls about their own axes, in the frame that goes round with them
+
+
+def simulated_speeds(data: xarray.Dataset, document: dict[str, Any]) -> Speeds:
+    """Speeds of cage and balls, beside those without sliding at the speeds of both rings and the
+    mean contact angle, weighed by the loads, of each sample, or the last one loaded.
+    """
+    cage = data["cage_velocity"].sel(cage_coordinate="rotation").to_numpy()
+    orbit = orbit_speed(data)
+    spin = spin_speeds(data["ball_angular_velocity"].to_numpy(), orbit)
+    inner, outer = ring_speeds(data, document)
+    ratio = float(data.attrs["ball_diameter"]) / float(data.attrs["pitch_diameter"])
+    gamma = ratio * np.cos(contact_angle(data))
+    rolling = cage_speed_without_slip(gamma, inner, outer)
+    turning = ball_spin_without_slip(ratio, gamma, inner, outer)
+    return Speeds(Motion(cage, rolling), Motion(orbit, rolling), Motion(spin, turning))
+
+
+def orbit_speed(data: xarray.Dataset) -> Any:
+    """Angular speed of each ball's centre about the axis [rad/s], shape (m, Z)."""
+    place = data["ball_position"].to_numpy()
+    speed = data["ball_velocity"].to_numpy()
+    turn = place[..., 1] * speed[..., 2] - place[..., 2] * speed[..., 1]
+    return turn / (place[..., 1] ** 2 + place[..., 2] ** 2)
+
+
+def contact_angle(data: xarray.Dataset) -> Any:
+    """Mean contact angle of each sample, weighed by the loads [rad], shape (m,)."""
+    loads = data["contact_load"].to_numpy().astype(np.float64)
+    angles = angle_by_load(loads, data["contact_contact_angle"].to_numpy())
+    loaded = np.flatnonzero(loads.sum(axis=(1, 2)) > 0.0)
+    if not loaded.size:
+        return angles
+    place = np.searchsorted(loaded, np.arange(angles.size), side="right") - 1
+    return angles[loaded[np.maximum(place, 0)]]
+
+
+def ring_speeds(data: xarray.Dataset, document: dict[str, Any]) -> tuple[Any, Any]:
+    """Speeds of the inner ring, by the angle it turned, and of the outer one, by the case [rad/s],
+    both of shape (m,).
+    """
+    time = data["time"].to_numpy()
+    case = document["case"]
+    table = (case.get("dynamics") or {}).get("outer_speed_table_rpm")
+    outer = case["operation"].get("outer_speed_rpm") or 0.0
+    outer = np.interp(time, *np.transpose(table)) if table else np.full(time.shape, outer)
+    turned = data["ring_rotation"].to_numpy()
+    inner = np.gradient(turned, time) if time.size > 1 else turned / time
+    return inner, to_si("speed_rpm", outer)
+
+
+def averaged(data: xarray.Dataset) -> Any:
+    """Which samples the means of the summary are of, shape (m,)."""
+    time = data["time"].to_numpy()
+    return time >= (1.0 - AVERAGED_SHARE) * time[-1]
