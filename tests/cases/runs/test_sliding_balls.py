@@ -36,7 +36,8 @@ def test_the_lag_of_sliding_balls_is_said(sliding):
 
 
 def test_balls_that_nothing_drives_are_named_as_what_did_not_converge(sliding):
-    code, messages = sliding(0.1)
+    """From a fraction of 0.11 of the cavity on; at 0.1 they find a balance now that all of their friction counts."""
+    code, messages = sliding(0.12)
     assert code == 1
     reasons = messages.partition("the results are flagged:")[2]
     assert "not converged: the inner race can drive no ball against drag and rolling resistance" in reasons
