@@ -30,6 +30,13 @@ Array = NDArray[np.float64]
 MAY_BE_INFINITE = ("curvature_radius", "curvature_width")
 
 
+def curvature_height(curvature: Array | float, width: Array | float, y: Array) -> Array:
+    """Height -y^2/(2R) of a surface of curvature 1/(2R) [1/m] at distances y, constant beyond half
+    its width [m].
+    """
+    return np.asarray(-curvature * np.minimum(y * y, np.square(width)))
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactKinematics:
     """Motion of the two surfaces of a contact, SI; body 1 is the ball, n points into body 2.
@@ -76,8 +83,7 @@ class ContactKinematics:
 
     def curvature_height(self, y: Array) -> Array:
         """Height -y^2/(2R) of the loaded surface at distances y, constant beyond its rim [m]."""
-        height: Array = -self.curvature * np.minimum(y * y, self.curvature_width**2)
-        return height
+        return curvature_height(self.curvature, self.curvature_width, y)
 
     def sliding(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Velocity of body 1 relative to body 2 along x and y [m/s] at places x, y [m]."""

@@ -109,7 +109,7 @@ def solve_attempts(
         anew = () if sound else attempts
         finer, finer_result = _solve_finer(problem, given, result, anew, progress)
         if sound and not finer.converged:
-            solution = beside_finer(solution)  # these films stand, with their wider bars
+            solution = beside_finer(solution)
             break
         points = 2 * points - 1
         solution, result = finer, finer_result

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ehl.arrays import alike
+from ehl.kinematics import curvature_height
 from ehl.oil.rheology import Rheology, contact_rheology, kernel_rheology, limiting_stress
 from ehl.traction.shear import (
     Cavitation,
@@ -60,10 +61,6 @@ class _Sheared(NamedTuple):
     film: RunningFilm
     curvature: float  # 1/(2 R) of the loaded surface across rolling [1/m]
     width: float  # half of what is curved like that [m]
-
-    def height(self, y: Array) -> Array:
-        """Of the loaded surface [m], as `ContactKinematics.curvature_height`."""
-        return np.asarray(-self.curvature * np.minimum(y * y, self.width**2))
 
 
 def film_nodes(
@@ -145,7 +142,8 @@ def _solved_nodes(sheared: _Sheared, rheology: Rheology, temperature: float | No
     opening = 1.0 / np.maximum(thickness[chosen], TINY)
     y = y[chosen]
     rows = (area[chosen], opening, film_viscosity(film)[chosen], limit)
-    nodes = np.stack([*rows, x[chosen], y, sheared.height(y)])
+    surface = curvature_height(sheared.curvature, sheared.width, y)
+    nodes = np.stack([*rows, x[chosen], y, surface])
     full = film.pressure[chosen] > 0.0
     nodes = np.concatenate([nodes[:, full], nodes[:, ~full]], axis=1)
     return _Block(nodes, int(full.sum()), _law(rheology))
@@ -175,7 +173,7 @@ def _flat_films(
     height = np.where(at.inside, gap, central + a**2 / radius * at.opening)
     share = np.where(at.inside, 1.0, np.minimum(gap / height, 1.0))
     x, y = a * at.x, b * at.y
-    surface = -curvature * np.minimum(y * y, width**2)
+    surface = curvature_height(curvature, width, y)
     rows = (a * b * at.area * share, 1.0 / height, viscosity, limit, x, y, surface)
     nodes = np.stack(rows, axis=1)
     laws = [_law(contact_rheology(rheology, oil, flat[n].mean_pressure)) for n in first]

@@ -38,11 +38,6 @@ class Sections(NamedTuple):
         """Gap of the two circles at a distance over a, at most `end`, over a [-]."""
         return _height(self.ball, r) + _height(self.race, r)
 
-    def rise(self, r: Array) -> Array:
-        """Derivative of `gap` by the square of the distance [-]."""
-        ball, race = (c / np.sqrt(1.0 - (c * r) ** 2) for c in (self.ball, self.race))
-        return np.asarray(0.5 * (ball + race))
-
     @property
     def end(self) -> Array:
         """Distance over a at which the smaller circle ends [-]."""

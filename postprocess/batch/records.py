@@ -51,16 +51,13 @@ def content_digest(
     Of the summary, most of a record, its checksum: a batch that goes on reads all records first,
     and a hash of every byte would take most of that time.
     """
-    known = blake2b("\0".join(texts).encode(), digest_size=16, key=_layout_key(layout))
-    known.update(numbers)
-    known.update(b"%d %d" % (len(summary), zlib.crc32(summary)))
-    return known.digest()
+    return whole_digest(texts, layout, numbers, b"%d %d" % (len(summary), zlib.crc32(summary)))
 
 
 def whole_digest(
     texts: tuple[str, str, str, str, str], layout: str, numbers: bytes, summary: bytes
 ) -> bytes:
-    """Hash of every byte of a record, as batches had it that were made before 2026-11-25."""
+    """Hash of every byte of what is given: as of whole records before 2026-11-25."""
     known = blake2b("\0".join(texts).encode(), digest_size=16, key=_layout_key(layout))
     known.update(numbers)
     known.update(summary)

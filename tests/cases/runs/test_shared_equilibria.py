@@ -44,10 +44,8 @@ def solved(monkeypatch):
         found.append(operation)
         return solve_quasistatic(bearing, operation, model, rows=rows)
 
-    equilibrium._equilibrium.cache_clear()
     monkeypatch.setattr(equilibrium, "solve_quasistatic", counted)
-    yield found
-    equilibrium._equilibrium.cache_clear()
+    return found
 
 
 def test_oil_and_temperature_leave_one_equilibrium(solved):

@@ -70,9 +70,15 @@ def _meniscus(film: float, layer: float, bodies: Sections) -> Array:
         excess = film + bodies.gap(r) - layer
         low = np.where(excess < 0.0, square, low)
         high = np.where(excess < 0.0, high, square)
-        step = -excess / bodies.rise(r)
+        step = -excess / _rise(bodies, r)
         inside = (square + step >= low) & (square + step <= high)
         square = np.where(inside, square + step, 0.5 * (low + high))
         if np.all((np.abs(step) <= LAST_STEP * square) | ~opens):
             break
     return np.where(opens, np.sqrt(square), bodies.end)
+
+
+def _rise(bodies: Sections, r: Array) -> Array:
+    """Derivative of the gap by the square of the distance [-]."""
+    ball, race = (c / np.sqrt(1.0 - (c * r) ** 2) for c in bodies)
+    return np.asarray(0.5 * (ball + race))
