@@ -108,7 +108,10 @@ def failures(own: str, folder: Path, *, quick: bool) -> list[str]:
         kind = run([own, "-c", f"import oilfilm; print(type(oilfilm.load_case({case!r})).__name__)"], folder)
         command = "contact" if "ContactCase" in kind.stdout else "run"
         words = [command, case, "-q", "-o", case] if whole else ["validate", case]
+        start = time.monotonic()
         answer = run([*oilfilm, *words], folder, PYTHONWARNINGS=WARNINGS)
+        if whole:
+            print(f"    {case}: code {answer.returncode}, {time.monotonic() - start:.0f} s", flush=True)
         wrong += [f"{' '.join(words)}: code {answer.returncode}: {answer.stderr[-300:]}"] * (answer.returncode > 1)
     return wrong if cases.stdout.split() else [*wrong, f"no shipped cases: {cases.stderr[-300:]}"]
 
