@@ -50,7 +50,8 @@ def interpreter(version: str) -> str | None:
     if found is None and shutil.which("uv"):
         answer = subprocess.run(["uv", "python", "find", version], capture_output=True, text=True, check=False)
         found = answer.stdout.strip() or None
-    return found
+    runs = found and subprocess.run([found, "-c", ""], capture_output=True, check=False).returncode == 0
+    return found if runs else None  # a name on the path may stand for a Python that is not there
 
 
 def built(folder: Path) -> list[Path]:
