@@ -43,7 +43,7 @@ class PointStore:
     def __init__(self, path: Path) -> None:
         self.path = path
         with _disk_failures(path):
-            self._file = _connected(path)
+            self._file = _connected(path, WAIT)
             self._layouts = {
                 text: number for number, text in self._file.execute("SELECT id, text FROM layouts")
             }
@@ -103,7 +103,7 @@ def _disk_failures(path: Path) -> Iterator[None]:
         raise OSError(numbers.get(name, errno.EIO), str(error), str(path)) from error
 
 
-def _connected(path: Path, wait: float = WAIT) -> sqlite3.Connection:
+def _connected(path: Path, wait: float) -> sqlite3.Connection:
     """A file opened for this program alone after at most `wait` [s]; sqlite3.DatabaseError if it
     is damaged.
     """

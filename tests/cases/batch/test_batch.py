@@ -656,6 +656,7 @@ def test_addresses_without_a_host_are_of_this_machine():
     assert scheduler_address("tls://node7:9000") == "tls://node7:9000"
 
 
+@pytest.mark.slow
 def test_processes_give_the_same_as_one_after_the_other(tmp_path):
     sweep = sweep_from_text(QUICK, "sweep.toml")
     two = gathered(run_batch(sweep, tmp_path / "two", lambda: LocalPool(2)))

@@ -60,7 +60,8 @@ def shared(tmp_path_factory):
     made = []
 
     def few(**chosen):
-        return TableOptions(**{**chosen, "tolerance": 0.5, "check_films": 2, "check_motions": 20, "rounds": 1})
+        fast = {"tolerance": 0.5, "check_films": 2, "check_motions": 20, "rounds": 1, "nodes": (4, 4, 17, 7, 9)}
+        return TableOptions(**{**chosen, **fast})
 
     def counted(*arguments):
         made.append(arguments)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import os
 import random
 import signal
@@ -17,10 +16,12 @@ import numpy as np
 import pytest
 
 import postprocess
-from cases.batch.engine import run_batch
+from cases.batch.engine import Choice, run_batch
 from cases.batch.pools import ClusterPool, LocalPool
 from cases.batch.results import gathered, write_batch
 from cases.batch.sweep import sweep_from_text
+
+from .test_batch import HerePool
 
 SEED = 60_413_871
 SWEEP = """
@@ -30,7 +31,14 @@ case = "6208_full_ceramic"
 "operation.radial_load_N" = [400.0, 900.0, 1750.0, 3000.0]
 "ehl.points" = [65]
 """
-QUICK = SWEEP.replace('"ehl.points" = [65]', '"ehl.film_maps" = ["none"]')
+FEW = """
+case = "6208_full_ceramic"
+[sweep]
+"operation.inner_speed_rpm" = [2500.0, 5000.0, 7500.0]
+"operation.radial_load_N" = [400.0, 1750.0]
+"ehl.points" = [65]
+"""
+QUICK = FEW.replace('"ehl.points" = [65]', '"ehl.film_maps" = ["none"]')
 ONE_BALL = '[fixed]\n"ehl.film_maps" = [0.0]\n'
 OILFILM = [sys.executable, "-m", "cases.cli"]
 
@@ -90,7 +98,7 @@ def test_a_batch_killed_ten_times_ends_like_an_undisturbed_one(tmp_path):
 @pytest.mark.slow
 def test_a_dask_cluster_of_two_workers_gives_the_same(tmp_path):
     distributed = pytest.importorskip("distributed")
-    sweep = sweep_from_text(SWEEP, "sweep.toml")
+    sweep = sweep_from_text(FEW, "sweep.toml")
     with distributed.LocalCluster(
         n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, host="127.0.0.1"
     ) as cluster:
@@ -144,9 +152,10 @@ def test_a_worker_killed_from_outside(tmp_path):
     killed = []
     results = gathered(run_batch(sweep_from_text(QUICK, "sweep.toml"), tmp_path / "out", lambda: Killing(2)))
     assert killed
-    assert [point.status for point in results.points] == ["done"] * 16
+    assert [point.status for point in results.points] == ["done"] * 6
 
 
+@pytest.mark.slow
 def test_kernels_are_compiled_by_one_worker(tmp_path):
     """Until a first point is done none else is handed out; where it is known that they are compiled, all at once."""
 
@@ -160,7 +169,7 @@ def test_kernels_are_compiled_by_one_worker(tmp_path):
     for cold in (True, False):
         at_hand, futures = [], []
         results = gathered(run_batch(sweep, tmp_path / str(cold), lambda: Watched(2, stamp)))
-        assert [point.status for point in results.points] == ["done"] * 16
+        assert [point.status for point in results.points] == ["done"] * 6
         assert at_hand[0] == (cold, 0)
         assert all(others == 0 for still, others in at_hand if still)
         assert max(others for _, others in at_hand) >= 2
@@ -168,7 +177,7 @@ def test_kernels_are_compiled_by_one_worker(tmp_path):
 
 
 def test_an_interrupt_ends_the_workers_and_keeps_the_points(tmp_path):
-    (tmp_path / "sweep.toml").write_text(SWEEP + ONE_BALL)
+    (tmp_path / "sweep.toml").write_text(FEW + ONE_BALL)
     words = [*OILFILM, "batch", str(tmp_path / "sweep.toml"), "-o", "out", "--workers", "1"]
     process = subprocess.Popen(words, cwd=tmp_path, stderr=subprocess.PIPE, text=True)
     deadline = time.monotonic() + 240.0
@@ -180,11 +189,10 @@ def test_an_interrupt_ends_the_workers_and_keeps_the_points(tmp_path):
     assert process.returncode == 3
     assert "continue with --resume" in stderr
     assert "Traceback" not in stderr
-    answer = subprocess.run([*words, "--resume", "--json"], cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert answer.returncode == 0
-    document = json.loads(answer.stdout)
-    assert document["resumed"] >= 1
-    assert document["converged"] is True
+    sweep = sweep_from_text(FEW + ONE_BALL, "sweep.toml")
+    results = run_batch(sweep, tmp_path / "out", HerePool, Choice(resume=True))
+    assert results.resumed
+    assert [point.status for point in gathered(results).points] == ["done"] * 6
 
 
 def test_no_scheduler_is_told(monkeypatch):

@@ -16,7 +16,7 @@ SHUT = "/proc/nowhere"  # no folder can be made there, by root either
     "words",
     [
         ["run", "209_radial_8900N", "-q", "-o", "out"],
-        ["slip", "small.toml", "-q", "-o", "out", "--workers", "1"],
+        pytest.param(["slip", "small.toml", "-q", "-o", "out", "--workers", "1"], marks=pytest.mark.slow),
         ["batch", "sweep.toml", "-q", "-o", "out", "--plot", "--workers", "1"],
     ],
     ids=lambda words: words[0],

@@ -29,7 +29,7 @@ def drawing():
 
 
 @pytest.mark.usefixtures("drawing")
-@pytest.mark.parametrize("quantity", ["film", "pressure"])
+@pytest.mark.parametrize("quantity", ["film", pytest.param("pressure", marks=pytest.mark.slow)])
 def test_screenshot_shows_something(bearing_folder, tmp_path, quantity):
     from matplotlib.image import imread
 
