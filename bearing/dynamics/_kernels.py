@@ -30,6 +30,8 @@ from .arrays import (
     FORCE,
     GIVEN_FORCE,
     GIVEN_MOMENT,
+    GIVEN_PLACE,
+    GIVEN_RATE,
     GUIDED_BY_BALLS,
     GUIDED_BY_INNER_RING,
     INNER,
@@ -53,22 +55,63 @@ from .layout import BODIES, CAGE, CAGE_ROTATION, CAGE_TILT, FREE_TURN, RING, RIN
 
 
 @compiled
+def row_before(times, t):
+    """Index of the last row at or before a time, of the rows but the last."""
+    k, after = 0, times.size - 1
+    while after - k > 1:
+        middle = (k + after) // 2
+        if t >= times[middle]:
+            k = middle
+        else:
+            after = middle
+    return k
+
+
+@compiled
 def schedule_at(times, schedule, t, out):
-    """Speeds, force and moment of the schedule at a time; returns the inner acceleration."""
+    """The schedule at a time, linear between its rows but for the places; returns the inner
+    acceleration.
+    """
     last = times.size - 1
     if t >= times[last] or last == 0:
         for column in range(out.size):
             out[column] = schedule[last, column]
         return 0.0
-    k = 0
-    while k < last - 1 and t >= times[k + 1]:
-        k += 1
+    k = row_before(times, t)
     span = times[k + 1] - times[k]
     share = max(0.0, (t - times[k]) / span)
     for column in range(out.size):
         before = schedule[k, column]
         out[column] = before + share * (schedule[k + 1, column] - before)
+    if out.size > GIVEN_PLACE:
+        places_between(schedule[k], schedule[k + 1], span, share, out)
     return (schedule[k + 1, INNER_SPEED] - schedule[k, INNER_SPEED]) / span
+
+
+@compiled
+def places_between(before, after, span, share, out):
+    """Places of the ring and their rates between two rows, by the cubic that has both at either
+    end (Hermite).
+    """
+    left = 1.0 - share
+    for i in range(RING):
+        start, end = before[GIVEN_PLACE + i], after[GIVEN_PLACE + i]
+        first, final = before[GIVEN_RATE + i], after[GIVEN_RATE + i]
+        bend = left * (span * first - end + start) - share * (span * final - end + start)
+        out[GIVEN_PLACE + i] = start + share * (end - start) + share * left * bend
+        slope = (left - share) * bend - share * left * (first + final) * span
+        slope += 2.0 * share * left * (end - start)
+        out[GIVEN_RATE + i] = (end - start + slope) / span
+
+
+@compiled
+def place_ring(balls, held, given, y):
+    """The inner ring where it is held: places and speeds of the state."""
+    first = velocities(balls)
+    for i in range(RING):
+        if held[i] > 0.0:
+            y[i] = given[GIVEN_PLACE + i]
+            y[first + i] = given[GIVEN_RATE + i]
 
 
 @compiled
@@ -121,10 +164,11 @@ def ball_equations(p, y, dy):
 @compiled
 def ring_equations(p, t, y, acceleration, body, dy):
     """The inner ring: contacts, loads, also one that goes round, unbalance, support, weight,
-    gyroscopic coupling.
+    gyroscopic coupling; what holds it does work where its place changes.
     """
     c = p.constants
     free = p.free
+    held = p.held
     given = p.given
     load = p.loads[INNER]
     power = p.power
@@ -145,8 +189,8 @@ def ring_equations(p, t, y, acceleration, body, dy):
         dy[i] = v
         force = pushes[i] + load[FORCE + i] - c.ring_damping * v
         dy[first + i] = free[i] * (force / c.ring_mass + gravity[i])
-        power[WORK.loads] += pushes[i] * v
-        power[WORK.support] += c.ring_damping * v * v
+        power[WORK.loads] += (free[i] * pushes[i] - held[i] * load[FORCE + i]) * v
+        power[WORK.support] += free[i] * c.ring_damping * v * v
     tilting = first + RING_TILT
     wy = y[tilting]
     wz = y[tilting + 1]
@@ -156,11 +200,13 @@ def ring_equations(p, t, y, acceleration, body, dy):
     given_y = given[GIVEN_MOMENT]
     given_z = given[GIVEN_MOMENT + 1]
     _, load_y, load_z = vector(load, MOMENT)
-    my = given_y + load_y - gyro * wz
-    mz = given_z + load_z + gyro * wy
-    dy[tilting] = free[RING_TILT] * my / c.ring_transverse
-    dy[tilting + 1] = free[RING_TILT + 1] * mz / c.ring_transverse
-    power[WORK.loads] += given_y * wy + given_z * wz
+    my = load_y - gyro * wz
+    mz = load_z + gyro * wy
+    free_y, free_z = free[RING_TILT], free[RING_TILT + 1]
+    dy[tilting] = free_y * (given_y + my) / c.ring_transverse
+    dy[tilting + 1] = free_z * (given_z + mz) / c.ring_transverse
+    power[WORK.loads] += (free_y * given_y - held[RING_TILT] * my) * wy
+    power[WORK.loads] += (free_z * given_z - held[RING_TILT + 1] * mz) * wz
     power[WORK.drive_inner] -= spin * dot(vector(load, MOMENT), body.axis)
 
 
@@ -222,6 +268,7 @@ def motion_rates(t, y, p, dy):
     c = p.constants
     given = p.given
     acceleration = schedule_at(p.times, p.schedule, t, given)
+    place_ring(c.balls, p.held, given, y)
     inner, outer, cage = place_bodies(c.balls, y, given[INNER_SPEED], given[OUTER_SPEED])
     p.power[:] = 0.0
     p.loads[:] = 0.0
@@ -277,7 +324,7 @@ def take(values, places, out):
 @compiled
 def solved_rates(t, y, p, dy):
     """`motion_rates` of the coordinates that are solved; the others rest where `p.whole` has
-    them.
+    them, or go where the schedule holds them.
     """
     put(y, p.solved, p.whole)
     motion_rates(t, p.whole, p, p.rates)
@@ -286,7 +333,9 @@ def solved_rates(t, y, p, dy):
 
 @compiled
 def energies(y, data, out):
-    """Kinetic, elastic and potential energy [J] of a state whose `derivative` was just taken."""
+    """Kinetic, elastic and potential energy [J] of a state whose `derivative` was just taken; the
+    kinetic energy of a ring that is held is none of the bearing's.
+    """
     p = handle(data)
     c = p.constants
     free = p.free
@@ -308,12 +357,13 @@ def energies(y, data, out):
     weight *= c.copies
     first = velocities(c.balls)
     for i in range(3):
-        kinetic += 0.5 * (c.ring_mass * y[first + i] ** 2 + c.cage_mass * y[first + RING + i] ** 2)
+        kinetic += 0.5 * free[i] * c.ring_mass * y[first + i] ** 2
+        kinetic += 0.5 * c.cage_mass * y[first + RING + i] ** 2
         weight -= gravity[i] * (
             free[i] * c.ring_mass * y[i] + free[RING + i] * c.cage_mass * y[RING + i]
         )
-    tilting = first + RING_TILT
-    kinetic += 0.5 * c.ring_transverse * (y[tilting] ** 2 + y[tilting + 1] ** 2)
+    for i in range(RING_TILT, RING):
+        kinetic += 0.5 * free[i] * c.ring_transverse * y[first + i] ** 2
     tilting = first + RING + CAGE_TILT
     kinetic += (
         0.5 * c.cage_transverse * (y[tilting] ** 2 + y[tilting + 1] ** 2)

@@ -31,7 +31,10 @@ INNER_SPEED = 0
 OUTER_SPEED = 1
 GIVEN_FORCE = 2
 GIVEN_MOMENT = 5
-GIVEN_COLUMNS = 7
+GIVEN_PLACE = 7  # of the inner ring where it is held: x, y, z [m], tilt y, tilt z [rad]
+GIVEN_RATE = 12  # its rate [m/s], [rad/s]
+OIL_VISCOSITY = 17  # of pockets and lands, over `Constants.film_viscosity` [-]
+GIVEN_COLUMNS = 18
 
 # columns of `friction`, as the kernels of `ehl.traction` write them
 FORCE_X, FORCE_Y, SPIN_MOMENT, ROLL_MOMENT = range(4)
@@ -176,7 +179,7 @@ class Constants(NamedTuple):
     pocket_friction: float  # mu [-]
     friction_ramp: float  # of pockets and lands [m/s]
     pocket_height: float  # of its wall along the radius [m]; 0: without a film
-    film_viscosity: float  # of the oil in pockets and lands [Pa s]
+    film_viscosity: float  # of the oil in pockets and lands, where OIL_VISCOSITY is one [Pa s]
     film_least: float  # [m]
     guide: int  # GUIDED_BY_BALLS, ...
     land_radius: float  # [m]
@@ -198,11 +201,13 @@ class EquationData(NamedTuple):
     friction_inner: FrictionData
     friction_outer: FrictionData
     free: Array  # 1 or 0 for the 5 coordinates of the ring, 6 of the cage, 6 of a ball
+    held: Array  # 1 for coordinates of the ring whose place is given, else 0, shape (5,)
     pocket_angle: Array  # of each pocket in the cage, shape (Z,) [rad]
     pocket_place: Array  # direction (y, z) of each pocket in the cage, shape (Z, 2) [-]
     pocket_play: Array  # radial, of each pocket, shape (Z,) [m]
     times: Array  # of the rows of the schedule, shape (n,) [s]
-    # speeds of inner and outer ring [rad/s], force [N], moment [N m]; shape (n, GIVEN_COLUMNS)
+    # speeds of inner and outer ring [rad/s], force [N], moment [N m], place of the ring where it
+    # is held [m], [rad], its rate, viscosity [-]; shape (n, GIVEN_COLUMNS)
     schedule: Array
     # speed of the impact that began each contact [m/s]: inner, outer, pocket of each ball, lands
     memory: Array

@@ -66,11 +66,12 @@ def assemble(
         friction_inner=races[0],
         friction_outer=races[1],
         free=free,
+        held=np.array([load is None for load in operation.loads], dtype=np.float64),
         pocket_angle=np.asarray(azimuth),
         pocket_place=np.stack((np.cos(azimuth), np.sin(azimuth)), axis=1),
         pocket_play=0.5 * np.array((cage or NO_CAGE).clearances(n)),
         times=np.array(model.times, dtype=np.float64),
-        schedule=np.array(model.rows(operation), dtype=np.float64),
+        schedule=schedule_array(operation, model),
         memory=np.full(3 * n + 2, model.normal.impact_floor),
         given=np.zeros(GIVEN_COLUMNS),
         friction=np.zeros(FRICTION_COLUMNS),
@@ -88,6 +89,16 @@ def assemble(
         rates=np.zeros(layout.size),
         turns=np.zeros((n, 3)),
     )
+
+
+def schedule_array(operation: Operation, model: DynamicsModel) -> Array:
+    """`EquationData.schedule`: a row for each time of the model [SI]."""
+    places = model.places(operation)
+    rates = np.zeros_like(places)
+    if model.schedule is not None and model.schedule.rates is not None:
+        rates = np.array(model.schedule.rates)
+    viscosities = np.array(model.viscosities)[:, None]
+    return np.hstack([model.rows(operation), places, rates, viscosities])
 
 
 def _clock_arrays(balls: int) -> dict[str, Array]:

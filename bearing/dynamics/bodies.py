@@ -13,6 +13,7 @@ from ..operation import Operation
 from .arrays import GIVEN_FORCE, GIVEN_MOMENT
 from .choices import Guidance, LoadType
 from .inputs import CageBody, DynamicsModel, RingBody
+from .layout import RING_TILT
 
 # of an estimated cage, over the ball's diameter [-]; pockets: 0.2 mm at balls of 7 mm, Ma et al.
 # (2023). Thickness and web make a light cage: half or twice of each takes the shipped 7008 under
@@ -149,6 +150,9 @@ def cage_body(
 # the ring
 ACROSS = slice(GIVEN_FORCE + 1, None)
 ALONG = (GIVEN_FORCE, GIVEN_MOMENT, GIVEN_MOMENT + 1)
+# the same of `given_places`
+PLACES_ACROSS = slice(1, None)
+PLACES_ALONG = (0, 3, 4)
 
 
 def load_type(operation: Operation, model: DynamicsModel) -> LoadType:
@@ -169,7 +173,8 @@ def load_type(operation: Operation, model: DynamicsModel) -> LoadType:
         or model.rotating is not None
         or (model.cage is not None and model.cage.unbalance > 0.0)
         or None in operation.force
-        or any(value != 0.0 for value in operation.tilt)
+        or None in operation.tilt
+        or np.any(np.array(model.places(operation))[:, RING_TILT:])
     )
     return LoadType.COMBINED if plain else LoadType.GENERAL
 
@@ -179,16 +184,16 @@ def symmetric_until(kind: LoadType, operation: Operation, model: DynamicsModel) 
     load type [s]; zero where they never do, infinite where they do throughout.
     """
     gravity = np.array(model.options.gravity)
-    places = np.array([value or 0.0 for value in operation.displacements])
+    places = np.array(model.places(operation))
     rows = np.array(model.rows(operation))
     if kind is LoadType.AXIAL:
         even = model.ring.unbalance == 0.0 and (model.cage is None or model.cage.even)
         even = even and model.rotating is None
-        broken = np.any(gravity[1:]) or np.any(places[1:]) or not even
-        loaded = np.any(rows[:, ACROSS], axis=1)
+        broken = np.any(gravity[1:]) or not even
+        loaded = np.any(rows[:, ACROSS], axis=1) | np.any(places[:, PLACES_ACROSS], axis=1)
     elif kind in (LoadType.RADIAL, LoadType.PLANAR):
-        broken = gravity[0] or places[0] or np.any(places[3:])
-        loaded = np.any(rows[:, ALONG], axis=1)
+        broken = bool(gravity[0])
+        loaded = np.any(rows[:, ALONG], axis=1) | np.any(places[:, PLACES_ALONG], axis=1)
     else:
         return inf
     if broken:

@@ -51,8 +51,9 @@ def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel)
     """
     kind = model.options.equations or load_type(operation, model)
     first = first_operation(operation, model, kind)
-    axial = kind not in (LoadType.RADIAL, LoadType.PLANAR) and any(
-        row[GIVEN_FORCE] != 0.0 for row in model.rows(operation)
+    axial = kind not in (LoadType.RADIAL, LoadType.PLANAR) and (
+        any(row[GIVEN_FORCE] != 0.0 for row in model.rows(operation))
+        or any(place[0] != 0.0 for place in model.places(operation))
     )
     angle = bearing.free_contact_angle if axial or first.force[0] else 0.0
     point = StartingPoint(kind=kind, angles=(angle, angle), equilibrium=None, messages=())
@@ -96,9 +97,9 @@ def first_operation(operation: Operation, model: DynamicsModel, kind: LoadType) 
         given[2] += model.rotating.force * sin(model.rotating.phase)
     loads: list[Any] = []
     places: list[Any] = []
-    for load, place, free in zip(given, operation.displacements, ring, strict=True):
+    for load, place, free in zip(given, model.places(operation)[0], ring, strict=True):
         loads.append(load if free else None)
-        places.append(None if free else place or 0.0)
+        places.append(None if free else place)
     return replace(
         operation,
         inner_speed=inner,

@@ -4,11 +4,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
+from scipy.interpolate import PchipInterpolator
 
 from ehl.ranges import require_positive
 
 from ..operation import Operation
-from .arrays import GIVEN_COLUMNS
+from .arrays import GIVEN_PLACE, GIVEN_RATE, OIL_VISCOSITY, Array
 from .choices import Guidance, LoadType, NormalLaw, Start
 from .friction import RaceFriction
 
@@ -19,6 +20,13 @@ def given_values(operation: Operation) -> tuple[float, ...]:
     """
     loads = (0.0 if load is None else load for load in operation.loads)
     return (operation.inner_speed, operation.outer_speed, *loads)
+
+
+def given_places(operation: Operation) -> tuple[float, ...]:
+    """Prescribed displacements of the inner ring, x, y, z [m], tilts about y and z [rad]; zero on
+    a coordinate with a load.
+    """
+    return tuple(0.0 if place is None else place for place in operation.displacements)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -123,16 +131,29 @@ class RotatingLoad:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Schedule:
-    """Speeds and loads over time, linear between the rows, the last one kept."""
+    """Speeds, loads, places and viscosity over time, linear between the rows, the last one kept;
+    places by the cubic that has place and rate of both rows.
+    """
 
     time: tuple[float, ...]  # rising [s]
     # at each: speed of inner and of outer ring, force along x, y, z, moment about y, z
     values: tuple[tuple[float, ...], ...]  # [rad/s], [N], [N m]
+    # of the inner ring where it is held, x, y, z [m], tilts [rad]; None: as in the operation
+    places: tuple[tuple[float, ...], ...] | None = None
+    rates: tuple[tuple[float, ...], ...] | None = None  # of them [m/s], [rad/s]
+    # of the oil in pockets and lands, over `DynamicsModel.film_viscosity`; None: one throughout
+    viscosity: tuple[float, ...] | None = None  # [-]
 
     def __post_init__(self) -> None:
         lengths = {len(row) for row in self.values}
-        if lengths != {GIVEN_COLUMNS} or len(self.time) != len(self.values):
+        if lengths != {GIVEN_PLACE} or len(self.time) != len(self.values):
             raise ValueError("schedule: needs a row of seven values for each time")
+        for rows in (self.places, self.rates):
+            if rows is not None and [len(row) for row in rows] != [5] * len(self.time):
+                raise ValueError("schedule: needs a row of five places and rates for each time")
+        viscosity = (1.0,) * len(self.time) if self.viscosity is None else self.viscosity
+        if len(viscosity) != len(self.time) or not min(viscosity) > 0.0:
+            raise ValueError("schedule: needs a positive viscosity for each time")
         if any(b <= a for a, b in zip(self.time, self.time[1:], strict=False)):
             raise ValueError(f"schedule: times must rise, got {self.time}")
 
@@ -142,19 +163,44 @@ class Schedule:
     ) -> "Schedule | None":
         """Tables over time on one set of times, None without any; the rest as in operation.
 
-        `tables`: by the first of the columns of `given_values` that they fill, rows of time [s]
-        and their values in SI.
+        `tables`: by the first of the columns of `EquationData.schedule` that they fill, rows of
+        time [s] and their values in SI; places without overshoot, at rest in the first and the
+        last row (`smooth`).
         """
         given = {first: np.array(rows) for first, rows in tables.items() if rows is not None}
         if not given:
             return None
         times = np.unique(np.concatenate([table[:, 0] for table in given.values()]))
-        values = np.tile(given_values(operation), (times.size, 1))
+        row = (*given_values(operation), *given_places(operation), *[0.0] * 5, 1.0)
+        values = np.tile(row, (times.size, 1))
         for first, table in given.items():
-            for k, column in enumerate(table[:, 1:].T):
-                values[:, first + k] = np.interp(times, table[:, 0], column)
-        rows = tuple(tuple(row) for row in values.tolist())
-        return cls(time=tuple(times.tolist()), values=rows)
+            for k, column in enumerate(table[:, 1:].T, start=first):
+                if GIVEN_PLACE <= k < GIVEN_RATE:
+                    step = GIVEN_RATE - GIVEN_PLACE
+                    values[:, k], values[:, k + step] = smooth(table[:, 0], column, times)
+                else:
+                    values[:, k] = np.interp(times, table[:, 0], column)
+        return cls(
+            time=tuple(times.tolist()),
+            values=_rows(values[:, :GIVEN_PLACE]),
+            places=_rows(values[:, GIVEN_PLACE:GIVEN_RATE]),
+            rates=_rows(values[:, GIVEN_RATE:OIL_VISCOSITY]),
+            viscosity=tuple(values[:, OIL_VISCOSITY].tolist()),
+        )
+
+
+def smooth(time: Array, place: Array, at: Array) -> tuple[Array, Array]:
+    """Place and rate at some times [s] by the piecewise cubic through rows of time [s] and place
+    that does not overshoot (Fritsch and Butland 1984), at rest in the first and the last one.
+    """
+    # a row like the first before it, and like the last behind: there the curve is level
+    t = np.concatenate([[time[0] - 1.0], time, [time[-1] + 1.0]])
+    curve = PchipInterpolator(t, np.concatenate([place[:1], place, place[-1:]]))
+    return np.asarray(curve(at)), np.asarray(curve(at, 1))
+
+
+def _rows(values: Array) -> tuple[tuple[float, ...], ...]:
+    return tuple(tuple(row) for row in values.tolist())
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -193,7 +239,7 @@ class DynamicsModel:
     normal: NormalContact = field(default_factory=NormalContact)
     schedule: Schedule | None = None  # None: the operation's speeds and loads throughout
     rotating: RotatingLoad | None = None  # beside them
-    film_viscosity: float = 0.0  # of the oil in pockets and lands [Pa s]
+    film_viscosity: float = 0.0  # of the oil in pockets and lands, at its temperature [Pa s]
     # sliding speed up to which friction of pockets and lands rises [m/s]
     friction_ramp: float = 0.01
     ball_friction: float = 0.0  # Coulomb's mu of ball on ball, without a cage [-]
@@ -209,3 +255,16 @@ class DynamicsModel:
         if self.schedule is not None:
             return list(self.schedule.values)
         return [given_values(operation)]
+
+    def places(self, operation: Operation) -> list[tuple[float, ...]]:
+        """`given_places` at each time of the schedule, or those of the operation."""
+        if self.schedule is not None and self.schedule.places is not None:
+            return list(self.schedule.places)
+        return [given_places(operation)] * len(self.times)
+
+    @property
+    def viscosities(self) -> tuple[float, ...]:
+        """Of the oil over `film_viscosity` at each time of the schedule [-]."""
+        if self.schedule is not None and self.schedule.viscosity is not None:
+            return self.schedule.viscosity
+        return (1.0,) * len(self.times)

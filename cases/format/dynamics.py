@@ -12,18 +12,22 @@ from ehl.units import from_si
 from .fields import (
     LENGTH_MAXIMUM,
     Clearances,
+    DisplacementTable,
     Gravity,
     LoadTable,
     MomentTable,
     OneOf,
     SpeedTable,
     Table,
+    TemperatureTable,
+    TiltTable,
     above,
     between,
     described,
     within,
 )
 from .friction import SIMULATED, FrictionTable
+from .over_time import programs
 from .problems import CaseFault, shown
 from .rules import Below, CaseValues, Excludes, Needs, OnlyWith, Relation, Where, bounded
 
@@ -55,6 +59,15 @@ class DynamicsTable(Table):
     )
     moment_table_N_mm: MomentTable | None = described(
         "[[time in s, my, mz], ...], linear between, where the tilt is free"
+    )
+    displacement_table_um: DisplacementTable | None = described(
+        '[[time in s, x, y, z], ...], likewise; "free" as in displacement_um of [operation]'
+    )
+    tilt_table_mrad: TiltTable | None = described(
+        "[[time in s, about y, about z], ...], likewise, where the tilt is held"
+    )
+    temperature_table_C: TemperatureTable | None = described(
+        "[[time in s, temperature], ...], of the oil in pockets and lands; one of the library"
     )
     contact_law: Annotated[str, OneOf(NormalLaw)] = described(
         "normal force; lubricated: the film of the traction table", "lankarani-nikravesh"
@@ -178,6 +191,7 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
         allowed = f"at least {least:.3g}, {LARGEST_HISTORY} rows"
         key = "dynamics.output_interval_us"
         yield from bounded(values, key, lambda interval: interval >= least, allowed)
+    yield from programs.faults(values)
     lubricated = values.get("dynamics", "contact_law") == "lubricated"
     if lubricated and values.get("dynamics", "friction") != "table":
         path = ("dynamics", "contact_law")

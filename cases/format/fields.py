@@ -176,16 +176,25 @@ def numbers(value: object, length: int, limit: float) -> tuple[float, ...] | Non
     return tuple(map(float, entries)) if fits else None
 
 
+def parse_vector(
+    entries: list[Any], length: int, limit: float, *, free: bool
+) -> tuple[float | str, ...] | None:
+    """So many numbers within +-`limit`, with the word "free" for any of them; None if there are
+    others.
+    """
+    words = [free and entry == FREE_WORD for entry in entries]
+    fixed = [0.0 if word else x for word, x in zip(words, entries, strict=True)]
+    vector = numbers(fixed, length, limit)
+    if vector is None:
+        return None
+    return tuple(FREE_WORD if word else x for word, x in zip(words, vector, strict=True))
+
+
 def _vector(length: int, limit: float, *, free: bool = False) -> BeforeValidator:
     """A list of numbers within +-`limit`, with the word "free" for any of them."""
 
     def parse(value: object) -> tuple[float | str, ...] | None:
-        words = [free and entry == FREE_WORD for entry in _entries(value)]
-        fixed = [0.0 if word else x for word, x in zip(words, _entries(value), strict=True)]
-        vector = numbers(fixed, length, limit)
-        if vector is None:
-            return None
-        return tuple(FREE_WORD if word else x for word, x in zip(words, vector, strict=True))
+        return parse_vector(_entries(value), length, limit, free=free)
 
     allowed = f"a list of {length} numbers from {-limit:g} to {limit:g}"
     return checked(parse, f'{allowed} or the word "{FREE_WORD}"' if free else allowed)
@@ -206,10 +215,18 @@ def _clearances(value: object) -> tuple[float, ...] | None:
     return sizes if sizes and min(sizes) > 0.0 else None
 
 
-def _over_time(columns: int, limit: float) -> BeforeValidator:
-    def parse(value: object) -> tuple[tuple[float, ...], ...] | None:
-        rows = [numbers(row, columns, inf) for row in _entries(value)[: ROWS_MAXIMUM + 1]]
-        table = tuple(row for row in rows if row is not None and max(map(abs, row[1:])) <= limit)
+def _over_time(columns: int, limit: float, *, free: bool = False) -> BeforeValidator:
+    """Rows of a rising time and numbers within +-`limit`, with the word "free" for any of them."""
+
+    def parse_row(row: object) -> tuple[Any, ...] | None:
+        entries = _entries(row)
+        time = numbers(entries[:1], 1, inf)
+        rest = parse_vector(entries[1:], columns - 1, limit, free=free)
+        return None if time is None or rest is None else (*time, *rest)
+
+    def parse(value: object) -> tuple[tuple[Any, ...], ...] | None:
+        rows = [parse_row(row) for row in _entries(value)[: ROWS_MAXIMUM + 1]]
+        table = tuple(row for row in rows if row is not None)
         if len(table) < len(rows) or not 0 < len(table) <= ROWS_MAXIMUM or table[0][0] != 0.0:
             return None
         rising = all(before[0] < after[0] for before, after in pairwise(table))
@@ -219,11 +236,13 @@ def _over_time(columns: int, limit: float) -> BeforeValidator:
         f"rows of {columns} numbers, the first a rising time [s] from 0, "
         f"the others from {-limit:g} to {limit:g}"
     )
-    return checked(parse, allowed)
+    return checked(parse, f'{allowed} or the word "{FREE_WORD}"' if free else allowed)
 
 
-def _over_time_schema(columns: int) -> WithJsonSchema:
-    row = {"type": "array", "items": {"type": "number"}, "minItems": columns, "maxItems": columns}
+def _over_time_schema(columns: int, *, free: bool = False) -> WithJsonSchema:
+    number: dict[str, Any] = {"type": "number"}
+    items = {"anyOf": [number, {"const": FREE_WORD}]} if free else number
+    row = {"type": "array", "items": items, "minItems": columns, "maxItems": columns}
     return WithJsonSchema({"type": "array", "items": row, "minItems": 1})
 
 
@@ -298,3 +317,8 @@ Clearances = Annotated[
 SpeedTable = Annotated[Any, _over_time(2, SPEED_MAXIMUM), _over_time_schema(2)]
 MomentTable = Annotated[Any, _over_time(3, 1.0e10), _over_time_schema(3)]
 LoadTable = Annotated[Any, _over_time(4, FORCE_MAXIMUM), _over_time_schema(4)]
+DisplacementTable = Annotated[
+    Any, _over_time(4, 1.0e5, free=True), _over_time_schema(4, free=True)
+]
+TiltTable = Annotated[Any, _over_time(3, 100.0, free=True), _over_time_schema(3, free=True)]
+TemperatureTable = Annotated[Any, _over_time(2, 500.0), _over_time_schema(2)]

@@ -10,7 +10,14 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any
 
-from bearing.dynamics.arrays import GIVEN_FORCE, GIVEN_MOMENT, INNER_SPEED, OUTER_SPEED
+from bearing.dynamics.arrays import (
+    GIVEN_FORCE,
+    GIVEN_MOMENT,
+    GIVEN_PLACE,
+    INNER_SPEED,
+    OIL_VISCOSITY,
+    OUTER_SPEED,
+)
 from bearing.dynamics.bodies import cage_body, ring_body
 from bearing.dynamics.choices import Guidance, LoadType, NormalLaw, RaceStiffness, Start
 from bearing.dynamics.friction import RaceFriction, race_friction
@@ -29,6 +36,7 @@ from bearing.dynamics.laws import (
     drag_of_mixture,
     race_stiffnesses,
 )
+from bearing.dynamics.layout import RING_TILT
 from bearing.dynamics.restart import load_restart
 from bearing.dynamics.simulation import Simulation, simulation
 from bearing.dynamics.starts import other_start, settled
@@ -36,12 +44,15 @@ from bearing.dynamics.statistics import RunningStatistics, SimulationStatistics
 from bearing.friction.sources import CoefficientTraction
 from bearing.geometry import Race
 from ehl.traction.coefficient_kernels import COEFFICIENTS, RampedCoulomb
+from ehl.units import from_si
 from postprocess.dynamics.history import HistoryWriter
 from postprocess.dynamics.results import DynamicsResults
 
-from ..format.case import Case
+from ..format.case import Case, oil_of_file
 from ..format.dynamics import DynamicsTable, sample_interval, simulated_friction
+from ..format.fields import FREE_WORD
 from ..format.library import materials
+from ..format.over_time.programs import viscosity_table
 from ..format.problems import CaseError
 from ..format.shipped import table_path
 from ..format.traction import coefficient_source, read_race_tables
@@ -222,7 +233,7 @@ def build_model(case: Case, tables: Path | None, notify: Progress) -> DynamicsMo
             impact_floor=si["impact_speed_floor"],
             **race_stiffnesses(case.bearing, RaceStiffness(table.race_stiffness)),
         ),
-        schedule=_schedule(case, si),
+        schedule=_schedule(case, si, notes),
         rotating=_rotating(case, si),
         film_viscosity=case.lubricant.viscosity if table.cage_film else 0.0,
         friction_ramp=si["cage_friction_ramp"],
@@ -239,13 +250,8 @@ def build_model(case: Case, tables: Path | None, notify: Progress) -> DynamicsMo
     return replace(model, friction=_friction(case, table, model, (tables, notify)))
 
 
-def _schedule(case: Case, si: dict[str, Any]) -> Schedule | None:
-    """Speeds, force and moment over time; CaseError for a moment about a tilt that is held."""
-    if si["moment_table"] is not None and None in case.operation.moment:
-        raise CaseError(
-            "dynamics.moment_table_N_mm: the tilt is held; free it by operation.moment_N_mm or "
-            'operation.tilt = "free"'
-        )
+def _schedule(case: Case, si: dict[str, Any], notes: dict[str, str]) -> Schedule | None:
+    """Speeds, loads, places of a ring that is held, and viscosity over time."""
     return Schedule.from_tables(
         case.operation,
         {
@@ -253,16 +259,40 @@ def _schedule(case: Case, si: dict[str, Any]) -> Schedule | None:
             OUTER_SPEED: si["outer_speed_table"],
             GIVEN_FORCE: si["load_table"],
             GIVEN_MOMENT: si["moment_table"],
+            GIVEN_PLACE: _places(si["displacement_table"]),
+            GIVEN_PLACE + RING_TILT: _places(si["tilt_table"]),
+            OIL_VISCOSITY: _viscosities(case, si["temperature_table"], notes),
         },
     )
 
 
+def _places(table: tuple[Any, ...] | None) -> list[list[float]] | None:
+    """Rows of a table of displacements; zero where the load decides."""
+    if table is None:
+        return None
+    return [[0.0 if entry == FREE_WORD else entry for entry in row] for row in table]
+
+
+def _viscosities(
+    case: Case, table: tuple[Any, ...] | None, notes: dict[str, str]
+) -> list[tuple[float, float]] | None:
+    """Viscosity of the oil in pockets and lands over that of the case, by its temperature."""
+    if table is None:
+        return None
+    rows = viscosity_table(table, oil_of_file(case.file), case.lubricant.viscosity)
+    ends = [case.lubricant.viscosity * pick(row[1] for row in rows) for pick in (min, max)]
+    low, high = (from_si("viscosity_mPa_s", value) for value in ends)
+    notes["temperature"] = (
+        f"the oil in pockets and lands has {low:.3g} to {high:.3g} mPa s over time; friction of "
+        "balls on races, drag and clearances do not follow the temperature"
+    )
+    return rows
+
+
 def _rotating(case: Case, si: dict[str, Any]) -> RotatingLoad | None:
-    """The load that goes round; CaseError where the ring is held against it."""
+    """The load that goes round."""
     if si["rotating_load"] is None:
         return None
-    if None in case.operation.force[1:]:
-        raise CaseError("dynamics.rotating_load_N: the ring is held across the axis; free it")
     speed = si["rotating_load_speed"]
     return RotatingLoad(
         force=si["rotating_load"],

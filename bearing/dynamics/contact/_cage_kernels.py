@@ -13,6 +13,7 @@ from ..arrays import (
     INNER,
     LAND,
     MOMENT,
+    OIL_VISCOSITY,
     POCKET,
     WORK,
 )
@@ -86,6 +87,7 @@ def pocket_forces(p, body, y):
     power = p.power
     rotation = y[RING + CAGE_ROTATION]
     turned = np.cos(rotation), np.sin(rotation)
+    thinning = p.given[OIL_VISCOSITY]
     for j in range(c.balls):
         # 1. contact
         position, velocity, turn = ball_motion(y, c.balls, j)
@@ -115,7 +117,8 @@ def pocket_forces(p, body, y):
                 force, moment, lost = film_by_matrix(c, film, relative, spin)
             else:
                 force, moment, lost = pocket_film(c, frame, play, place, relative, spin)
-            power[WORK.pocket_film] += lost
+            force, moment = times(thinning, force), times(thinning, moment)
+            power[WORK.pocket_film] += thinning * lost
             add_load(load, body, position, times(-1.0, force))
             accumulate(load, MOMENT, times(-1.0, moment))
             accumulate(forces, FORCE, force)
@@ -169,8 +172,9 @@ def cage_land(p, side, ring, cage):
     # 2. film
     mean = 0.5 * (cage_speed + ring_speed)
     gap = c.land_radius, c.land_clearance, c.land_width
-    fy, fz, factor = land_film(*gap, c.film_viscosity, ey, ez, vy, vz, mean)
-    shear = -factor * 2.0 * np.pi * c.film_viscosity * c.land_radius**3
+    viscosity = c.film_viscosity * p.given[OIL_VISCOSITY]
+    fy, fz, factor = land_film(*gap, viscosity, ey, ez, vy, vz, mean)
+    shear = -factor * 2.0 * np.pi * viscosity * c.land_radius**3
     turning = shear * c.land_width / c.land_clearance * speed_difference
     turning += min(journal, 0.0) * (ey * fz - ez * fy)
     # 3. solid contact with friction

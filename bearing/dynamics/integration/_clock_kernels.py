@@ -11,7 +11,16 @@ from ehl.compiled import compiled
 
 from .._kernels import place_bodies
 from .._state_kernels import ball_motion, minus, norm
-from ..arrays import COEFFICIENT, CONTACT, FRICTIONLESS, INNER, INNER_SPEED, LINEAR, OUTER_SPEED
+from ..arrays import (
+    COEFFICIENT,
+    CONTACT,
+    FRICTIONLESS,
+    INNER,
+    INNER_SPEED,
+    LINEAR,
+    OIL_VISCOSITY,
+    OUTER_SPEED,
+)
 from ..contact._belt_kernels import INTERVAL, film_by_matrix, film_holds, film_matrix
 from ..contact._cage_kernels import pocket_frame, pocket_motion
 from ..contact._friction_kernels import (
@@ -108,7 +117,9 @@ def renew_friction(p, y, step, time, speed):
 
 @compiled
 def renew_pocket(c, frame, play, motion, film, time, speed):
-    """The matrix of one pocket's film anew, and when again."""
+    """The matrix of one pocket's film anew, and when again; time: of a step, times the viscosity
+    over that of the matrix.
+    """
     place, velocity, turn = motion
     error = 0.0
     held = film_holds(film, play, place)
@@ -149,5 +160,7 @@ def renew_pockets(p, y, step, time, speed):
         some = True
         relative = minus(velocity, point_velocity(body, position))
         motion = (place, relative, minus(turn, body.turn))
-        renew_pocket(c, frame, p.pocket_play[j], motion, film, time, speed)
+        renew_pocket(
+            c, frame, p.pocket_play[j], motion, film, p.given[OIL_VISCOSITY] * time, speed
+        )
     return some

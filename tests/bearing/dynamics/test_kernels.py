@@ -117,6 +117,17 @@ def test_schedule_is_linear_between_its_rows():
     assert_allclose(out[0], 50.0)
 
 
+def test_the_row_before_a_time_is_found_among_many():
+    """Bisection against NumPy's interpolation, at rows and between them."""
+    random = np.random.default_rng(90210)
+    times = np.concatenate([[0.0], np.cumsum(random.uniform(1e-4, 1e-2, 40))])
+    rows = random.normal(size=(times.size, 3))
+    out = np.zeros(3)
+    for t in [*times, *random.uniform(0.0, 1.1 * times[-1], 200)]:
+        _kernels.schedule_at(times, rows, float(t), out)
+        assert_allclose(out, [np.interp(t, times, column) for column in rows.T], rtol=1e-12, atol=1e-14)
+
+
 def test_the_light_quadrature_holds_the_full_one(setup):
     """48 points over the ellipse against 512: force within 1 % of mu Q, spin moment within 2 % of mu Q b."""
     bearing = setup.bearing_7008()
