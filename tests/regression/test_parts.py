@@ -55,16 +55,34 @@ def slip_parts(folder):
 
 def simulation_parts(folder):
     """The 6304 for 4 ms at speed: cage, work by mechanism, states of contacts."""
-    from cases.runs.dynamics import run_dynamics
-    from postprocess.dynamics.summary import dynamics_summary
-
-    text = read_text(find_case("6304_planar"))
-    for old, new in (
+    changes = (
         ("end_time_s = 1.0", "end_time_s = 0.004"),
         ("output_interval_us = 200.0", "output_interval_us = 50.0"),
         ('start = "rest"\n', ""),
         ("speed_table_rpm = [[0.0, 0.0], [0.3, 8000.0]]\n", ""),
-    ):
+    )
+    return simulated("6304_planar", changes, folder)
+
+
+def unbalance_parts(folder):
+    """The 7008 with a load that goes round, 4 ms: general equations."""
+    changes = (("end_time_s = 0.072", "end_time_s = 0.004"), ("interval_us = 50.0", "interval_us = 100.0"))
+    return simulated("7008_unbalance", changes, folder)
+
+
+def warming_parts(folder):
+    """The 7008 whose ring is pushed in while the oil warms, the course in 4 ms."""
+    changes = (("end_time_s = 0.1", "end_time_s = 0.004"), ("[0.06,", "[0.003,"))
+    return simulated("7008_warming", changes, folder)
+
+
+def simulated(stem, changes, folder):
+    """Numbers of a shipped simulation with changes of its text."""
+    from cases.runs.dynamics import run_dynamics
+    from postprocess.dynamics.summary import dynamics_summary
+
+    text = read_text(find_case(stem))
+    for old, new in changes:
         assert old in text
         text = text.replace(old, new)
     path = folder / "simulation.toml"
@@ -104,6 +122,11 @@ def test_simulation(tmp_path):
     compare(simulation_parts(tmp_path), "simulation", SOLVED)
 
 
+@pytest.mark.parametrize("name", ["unbalance", "warming"])
+def test_programs(tmp_path, name):
+    compare({"unbalance": unbalance_parts, "warming": warming_parts}[name](tmp_path), name, SOLVED)
+
+
 def test_vtk_fields(tmp_path):
     pytest.importorskip("pyvista")
     compare(field_parts(tmp_path), "fields", SOLVED)
@@ -123,7 +146,14 @@ def compare(found, name, tolerance):
 
 if __name__ == "__main__":
     numbers = {stem: bearing_parts(stem) for stem in BEARINGS}
-    for name, parts in {"slip": slip_parts, "simulation": simulation_parts, "fields": field_parts}.items():
+    others = {
+        "slip": slip_parts,
+        "simulation": simulation_parts,
+        "unbalance": unbalance_parts,
+        "warming": warming_parts,
+        "fields": field_parts,
+    }
+    for name, parts in others.items():
         with tempfile.TemporaryDirectory() as directory:
             numbers[name] = parts(Path(directory))
     EXPECTED.write_text(json.dumps(numbers, indent=1) + "\n", encoding="utf-8")

@@ -34,6 +34,8 @@ QUICK += (
     "7008_radial",
     "7008_combined",
     "7008_oil",
+    "7008_unbalance",
+    "7008_warming",
     "6304_planar",
 )  # of the dynamics: loads at the start
 EXPECTED = Path(__file__).with_name("expected.json")

@@ -10,6 +10,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -20,14 +21,17 @@ from typer.testing import CliRunner
 from bearing.dynamics.arrays import OIL_VISCOSITY
 from bearing.dynamics.starts import states
 from bearing.library.lubricants import library_lubricant
-from cases import load_case
+from bearing.quasistatic.solver import solve_quasistatic
+from cases import load_case, run_case
 from cases.cli.dynamics import _write
 from cases.cli.main import app
 from cases.format.problems import CaseError
 from cases.format.shipped import find_case
 from cases.runs.dynamics import Interrupted, build_model, case_key, run_dynamics
+from postprocess import summary
 from postprocess.dynamics.history import open_history
 from postprocess.dynamics.speeds import averaged, simulated_speeds
+from postprocess.dynamics.summary import dynamics_summary
 from postprocess.dynamics.table import dynamics_table
 from postprocess.report.html import figure, number
 from postprocess.report.page import report_page
@@ -376,9 +380,45 @@ def test_a_ring_that_is_moved_and_oil_that_warms(tmp_path):
     assert "do not follow the temperature" in told
 
 
+def test_the_shipped_unbalance_moves_the_ring_as_its_stiffness_says(tmp_path):
+    """The centre goes round with the ring at F/|k - m w^2 + i c w| of the equilibrium's stiffness."""
+    case = load_case("7008_unbalance")
+    results = run_dynamics(case, "case", tmp_path / "h.nc")
+    document = dynamics_summary(results)
+    assert document["ring_whirl_speed_rpm"] == pytest.approx(5000.0, rel=5e-3)
+    assert document["energy_balance_error"] < 1e-4
+    with open_history(tmp_path / "h.nc") as data:
+        late = data["ring_position"].to_numpy()[-480:, 1:3]  # two turns
+    radius = float(np.hypot(*(late - late.mean(axis=0)).T).mean())
+    given = results.simulation.model
+    speed = case.operation.inner_speed
+    stiff = stiffness(case)
+    pull = complex(stiff - given.ring.mass * speed**2, given.ring.damping * speed)
+    assert radius == pytest.approx(given.rotating.force / abs(pull), rel=0.02)
+
+
+def stiffness(case):
+    """Of the ring along y, all other coordinates but the tilts free [N/m]."""
+    matrix = np.array(summary(run_case(case))["ring"]["stiffness"]["matrix"])[:3, :3]
+    return 1.0 / np.linalg.inv(matrix)[1, 1]
+
+
+def test_the_shipped_ring_that_is_pushed_in_ends_in_equilibrium(tmp_path):
+    """Loads of the balls at the end are those of the quasi-static ring at the last displacement."""
+    case = load_case("7008_warming")
+    results = run_dynamics(case, "case", tmp_path / "h.nc")
+    assert results.simulation.converged
+    end = replace(case.operation, displacement=(235e-6, None, None))
+    wanted = solve_quasistatic(case.bearing, end)
+    with open_history(tmp_path / "h.nc") as data:
+        loads = data["contact_load"][-200:].mean("time").to_numpy()
+    np.testing.assert_allclose(loads[0], wanted.inner_load, rtol=5e-3)
+    np.testing.assert_allclose(loads[1], wanted.outer_load, rtol=5e-3)
+
+
 def test_shipped_cases_are_copied_whole(tmp_path):
     """Every shipped simulation is a case that validates."""
-    for name in ("7008_axial", "7008_radial", "7008_combined", "6304_planar"):
+    for name in ("7008_axial", "7008_radial", "7008_combined", "7008_unbalance", "7008_warming", "6304_planar"):
         copied = shutil.copy(find_case(name), tmp_path)
         assert load_case(copied).file.dynamics is not None
 
