@@ -51,10 +51,7 @@ def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel)
     """
     kind = model.options.equations or load_type(operation, model)
     first = first_operation(operation, model, kind)
-    axial = kind not in (LoadType.RADIAL, LoadType.PLANAR) and (
-        any(row[GIVEN_FORCE] != 0.0 for row in model.rows(operation))
-        or any(place[0] != 0.0 for place in model.places(operation))
-    )
+    axial = kind not in (LoadType.RADIAL, LoadType.PLANAR) and _pushed_along(operation, model)
     angle = bearing.free_contact_angle if axial or first.force[0] else 0.0
     point = StartingPoint(kind=kind, angles=(angle, angle), equilibrium=None, messages=())
     if model.options.start is Start.ROLLING:
@@ -75,6 +72,14 @@ def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel)
         mean_angle(solution.outer_contact_angle, solution.outer_load, angle),
     )
     return replace(point, angles=angles, equilibrium=solution)
+
+
+def _pushed_along(operation: Operation, model: DynamicsModel) -> bool:
+    """Whether the first load or displacement of the ring over time has a part along the axis."""
+    for row, place in zip(model.rows(operation), model.places(operation), strict=True):
+        if any(row[GIVEN_FORCE:]) or any(place):
+            return row[GIVEN_FORCE] != 0.0 or place[0] != 0.0
+    return False
 
 
 def mean_angle(angles: Array, loads: Array, nominal: float) -> float:
