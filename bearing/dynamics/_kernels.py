@@ -57,7 +57,8 @@ from .layout import BODIES, CAGE, CAGE_ROTATION, CAGE_TILT, FREE_TURN, RING, RIN
 @compiled
 def row_before(times, t):
     """Index of the last row at or before a time, of the rows but the last."""
-    k, after = 0, times.size - 1
+    k = 0
+    after = times.size - 1
     while after - k > 1:
         middle = (k + after) // 2
         if t >= times[middle]:
@@ -162,6 +163,26 @@ def ball_equations(p, y, dy):
 
 
 @compiled
+def tilting_equations(p, y, rate, dy):
+    """Tilts of the inner ring, their rates from the place `rate` on: contacts, moments, gyroscopic
+    coupling.
+    """
+    c = p.constants
+    gyro = c.ring_polar * p.given[INNER_SPEED]
+    load = p.loads[INNER]
+    wy = y[rate]
+    wz = y[rate + 1]
+    coupled = (load[MOMENT + 1] - gyro * wz, load[MOMENT + 2] + gyro * wy)
+    for i in range(2):
+        tilt = RING_TILT + i
+        w = y[rate + i]
+        given = p.given[GIVEN_MOMENT + i]
+        dy[tilt] = w
+        dy[rate + i] = p.free[tilt] * (given + coupled[i]) / c.ring_transverse
+        p.power[WORK.loads] += (p.free[tilt] * given - p.held[tilt] * coupled[i]) * w
+
+
+@compiled
 def ring_equations(p, t, y, acceleration, body, dy):
     """The inner ring: contacts, loads, also one that goes round, unbalance, support, weight,
     gyroscopic coupling; what holds it does work where its place changes.
@@ -183,30 +204,14 @@ def ring_equations(p, t, y, acceleration, body, dy):
     fy += steady * co + swing * si + c.rotating_force * np.cos(turning)
     fz += steady * si - swing * co + c.rotating_force * np.sin(turning)
     pushes = (fx, fy, fz)
-    gravity = c.gravity
     for i in range(3):
         v = y[first + i]
         dy[i] = v
         force = pushes[i] + load[FORCE + i] - c.ring_damping * v
-        dy[first + i] = free[i] * (force / c.ring_mass + gravity[i])
+        dy[first + i] = free[i] * (force / c.ring_mass + c.gravity[i])
         power[WORK.loads] += (free[i] * pushes[i] - held[i] * load[FORCE + i]) * v
         power[WORK.support] += free[i] * c.ring_damping * v * v
-    tilting = first + RING_TILT
-    wy = y[tilting]
-    wz = y[tilting + 1]
-    dy[RING_TILT] = wy
-    dy[RING_TILT + 1] = wz
-    gyro = c.ring_polar * spin
-    given_y = given[GIVEN_MOMENT]
-    given_z = given[GIVEN_MOMENT + 1]
-    _, load_y, load_z = vector(load, MOMENT)
-    my = load_y - gyro * wz
-    mz = load_z + gyro * wy
-    free_y, free_z = free[RING_TILT], free[RING_TILT + 1]
-    dy[tilting] = free_y * (given_y + my) / c.ring_transverse
-    dy[tilting + 1] = free_z * (given_z + mz) / c.ring_transverse
-    power[WORK.loads] += (free_y * given_y - held[RING_TILT] * my) * wy
-    power[WORK.loads] += (free_z * given_z - held[RING_TILT + 1] * mz) * wz
+    tilting_equations(p, y, first + RING_TILT, dy)
     power[WORK.drive_inner] -= spin * dot(vector(load, MOMENT), body.axis)
 
 

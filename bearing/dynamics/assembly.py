@@ -79,7 +79,6 @@ def assemble(
         race_out=np.zeros((2, n, RACE_COLUMNS)),
         pocket_out=np.zeros((n, POCKET_COLUMNS)),
         land_out=np.full((2, POCKET_COLUMNS), -1.0),
-        films=np.zeros((2, n, 2)),
         **_clock_arrays(n),
         power=np.zeros(ACCUMULATORS),
         loads=np.zeros((3, LOAD_COLUMNS)),
@@ -104,6 +103,7 @@ def schedule_array(operation: Operation, model: DynamicsModel) -> Array:
 def _clock_arrays(balls: int) -> dict[str, Array]:
     """Friction and films between two evaluations of their laws; none yet."""
     return {
+        "films": np.zeros((2, balls, 2)),
         "linear": np.zeros((2, balls, LINEAR.size)),
         "foretold": np.zeros(4),
         "pocket_films": np.zeros((balls, 38)),

@@ -79,6 +79,21 @@ def pocket_contact(c, position, relative, spin, normal, push):
 
 
 @compiled
+def film_now(p, film, frame, play, motion):
+    """`pocket_film`, by its matrix where that holds, at the viscosity of this time.
+
+    motion: place, velocity and turn of the ball in its pocket.
+    """
+    place, velocity, turn = motion
+    if film_holds(film, play, place):
+        force, moment, lost = film_by_matrix(p.constants, film, velocity, turn)
+    else:
+        force, moment, lost = pocket_film(p.constants, frame, play, place, velocity, turn)
+    ratio = p.given[OIL_VISCOSITY]
+    return times(ratio, force), times(ratio, moment), ratio * lost
+
+
+@compiled
 def pocket_forces(p, body, y):
     """Forces of pockets on balls: contact with friction, film all around the ball."""
     c = p.constants
@@ -87,7 +102,6 @@ def pocket_forces(p, body, y):
     power = p.power
     rotation = y[RING + CAGE_ROTATION]
     turned = np.cos(rotation), np.sin(rotation)
-    thinning = p.given[OIL_VISCOSITY]
     for j in range(c.balls):
         # 1. contact
         position, velocity, turn = ball_motion(y, c.balls, j)
@@ -112,13 +126,10 @@ def pocket_forces(p, body, y):
             accumulate(forces, MOMENT, moment)
         # 2. film
         if c.film_viscosity * c.pocket_height > 0.0:
-            film = p.pocket_films[j]
-            if film_holds(film, play, place):
-                force, moment, lost = film_by_matrix(c, film, relative, spin)
-            else:
-                force, moment, lost = pocket_film(c, frame, play, place, relative, spin)
-            force, moment = times(thinning, force), times(thinning, moment)
-            power[WORK.pocket_film] += thinning * lost
+            force, moment, lost = film_now(
+                p, p.pocket_films[j], frame, play, (place, relative, spin)
+            )
+            power[WORK.pocket_film] += lost
             add_load(load, body, position, times(-1.0, force))
             accumulate(load, MOMENT, times(-1.0, moment))
             accumulate(forces, FORCE, force)
