@@ -76,6 +76,9 @@ def warming_parts(folder):
     return simulated("7008_warming", changes, folder)
 
 
+PROGRAMS = {"unbalance": unbalance_parts, "warming": warming_parts}
+
+
 def simulated(stem, changes, folder):
     """Numbers of a shipped simulation with changes of its text."""
     from cases.runs.dynamics import run_dynamics
@@ -122,9 +125,9 @@ def test_simulation(tmp_path):
     compare(simulation_parts(tmp_path), "simulation", SOLVED)
 
 
-@pytest.mark.parametrize("name", ["unbalance", "warming"])
+@pytest.mark.parametrize("name", PROGRAMS)
 def test_programs(tmp_path, name):
-    compare({"unbalance": unbalance_parts, "warming": warming_parts}[name](tmp_path), name, SOLVED)
+    compare(PROGRAMS[name](tmp_path), name, SOLVED)
 
 
 def test_vtk_fields(tmp_path):
@@ -146,13 +149,7 @@ def compare(found, name, tolerance):
 
 if __name__ == "__main__":
     numbers = {stem: bearing_parts(stem) for stem in BEARINGS}
-    others = {
-        "slip": slip_parts,
-        "simulation": simulation_parts,
-        "unbalance": unbalance_parts,
-        "warming": warming_parts,
-        "fields": field_parts,
-    }
+    others = {"slip": slip_parts, "simulation": simulation_parts, **PROGRAMS, "fields": field_parts}
     for name, parts in others.items():
         with tempfile.TemporaryDirectory() as directory:
             numbers[name] = parts(Path(directory))

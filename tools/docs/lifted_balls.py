@@ -13,6 +13,10 @@ import numpy as np
 from dynamics_runs import RPM, Run, changed, over_azimuth, run
 from validation_000 import RADIAL, cage, zones
 
+from bearing.dynamics._kernels import place_bodies
+from bearing.dynamics._state_kernels import ball_position
+from bearing.dynamics.contact._cage_kernels import pocket_frame, pocket_motion
+from bearing.dynamics.layout import CAGE_ROTATION, RING
 from cases import Case, load_case
 
 LOADS = (100.0, 300.0)  # axial and radial, under which balls leave the outer race [N]
@@ -29,11 +33,6 @@ def with_cage(case: Case, **keys: Any) -> Case:
 
 def inward(result: Run) -> Any:
     """Force of its pocket on each ball towards the axis, shape (m, Z) [N]."""
-    from bearing.dynamics._kernels import place_bodies
-    from bearing.dynamics._state_kernels import ball_position
-    from bearing.dynamics.contact._cage_kernels import pocket_frame, pocket_motion
-    from bearing.dynamics.layout import CAGE_ROTATION, RING
-
     data = result.simulation.data
     c = data.constants
     forces = np.zeros((len(result.record.time), c.balls))
@@ -56,18 +55,17 @@ def lifted(name: str, case: Case) -> None:
     free = result.record.races[:, 1, :, 0] <= 0.0
     middles, share = over_azimuth(result, free.astype(float), PARTS)
     text = f"{name:34s} outer race free {free.mean():.3f}"
-    if free.any() and result.simulation.data.constants.cage_mass > 0.0:
-        there = middles[share > 0.5]
+    c = result.simulation.data.constants
+    worst = share > 0.5
+    if worst.any() and c.cage_mass > 0.0:
+        there = middles[worst]
         _, force = over_azimuth(result, inward(result), PARTS)
         _, inner = over_azimuth(result, result.record.races[:, 0, :, 0], PARTS)
-        c = result.simulation.data.constants
         orbit = result.statistics.orbit_speed
         pull = c.ball_mass * 0.5 * (c.inner_centre + c.outer_centre) * orbit**2
-        worst = share > 0.5
-        text += f"; above half from {there.min():.0f} to {there.max():.0f} deg" if there.size else ""
-        if there.size:
-            text += f", pocket {force[worst].mean():.2f} N inward, centrifugal {pull:.2f} N"
-            text += f", inner race {inner[worst].mean():.2f} N"
+        text += f"; above half from {there.min():.0f} to {there.max():.0f} deg"
+        text += f", pocket {force[worst].mean():.2f} N inward, centrifugal {pull:.2f} N"
+        text += f", inner race {inner[worst].mean():.2f} N"
     print(text, f"(cage {result.statistics.cage_speed / RPM:.1f} r/min)", flush=True)
 
 

@@ -1,6 +1,6 @@
 """Tables of [dynamics] over time: what they may move, and the viscosity at a temperature."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -23,8 +23,8 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     """Displacements where the ring is held, loads where it is free, a temperature that counts."""
     displacements = _held(values, "displacement_um", 3)
     tilts = _held(values, "tilt_mrad", 2)
-    yield from _place_faults(values, "displacement_table_um", "along", displacements)
-    yield from _place_faults(values, "tilt_table_mrad", "about", tilts)
+    yield from _place_faults(values, "displacement_table_um", "xyz", displacements)
+    yield from _place_faults(values, "tilt_table_mrad", "yz", tilts)
     yield from _load_faults(values, displacements, tilts)
     if values.get(*TEMPERATURES) is not None:
         yield from _temperature_faults(values)
@@ -43,48 +43,49 @@ def _held(values: CaseValues, name: str, length: int) -> tuple[bool, ...] | None
 
 
 def _place_faults(
-    values: CaseValues, name: str, word: str, held: tuple[bool, ...] | None
+    values: CaseValues, name: str, axes: str, held: tuple[bool, ...] | None
 ) -> Iterator[CaseFault]:
     """A table holds what [operation] holds, in every row."""
     key = name.replace("_table", "")
     motion = name.split("_")[0]
-    for row in values.get("dynamics", name) or ():
-        for axis, entry, fixed in zip(
-            "xyz"[3 - len(row[1:]) :], row[1:], held or (), strict=False
-        ):
-            if fixed == (entry != FREE_WORD):
-                continue
+    word = "along" if motion == "displacement" else "about"
+    for axis, entry, fixed in _entries(values, name, axes, held):
+        if fixed and entry == FREE_WORD:
+            finding = f'found "{FREE_WORD}" {word} {axis}, where operation.{key} holds the ring'
+            allowed = f'allowed: a number there, or "{FREE_WORD}" in operation.{key}'
+        elif not fixed and entry != FREE_WORD:
             finding = f"found a {motion} {word} {axis}, where the ring is free"
             allowed = f'allowed: "{FREE_WORD}" there, or a number in operation.{key}'
-            if fixed:
-                finding = (
-                    f'found "{FREE_WORD}" {word} {axis}, where operation.{key} holds the ring'
-                )
-                allowed = f'allowed: a number there, or "{FREE_WORD}" in operation.{key}'
-            yield CaseFault(("dynamics", name), finding, allowed)
-            return
+        else:
+            continue
+        yield CaseFault(("dynamics", name), finding, allowed)
+        return
+
+
+def _entries(
+    values: CaseValues, name: str, axes: str, held: tuple[bool, ...] | None
+) -> Iterator[tuple[str, Any, bool]]:
+    """Axis, entry and whether the ring is held there, row by row of a table over time."""
+    if held is not None:
+        for row in values.get("dynamics", name) or ():
+            yield from zip(axes, row[1:], held, strict=True)
 
 
 def _load_faults(
     values: CaseValues, displacements: tuple[bool, ...] | None, tilts: tuple[bool, ...] | None
 ) -> Iterator[CaseFault]:
     """No load where the ring is held against it."""
-    for row in values.get("dynamics", "load_table_N") or ():
-        for axis, load, fixed in zip("xyz", row[1:], displacements or (), strict=False):
-            if load and fixed:
-                finding = f"found a load of {shown(load)} N along {axis}, where the ring is held"
-                allowed = f'allowed: 0, or "{FREE_WORD}" in operation.displacement_um'
-                yield CaseFault(("dynamics", "load_table_N"), finding, allowed)
-                break
-        else:
-            continue
-        break
-    for row in values.get("dynamics", "moment_table_N_mm") or ():
-        if any(moment and fixed for moment, fixed in zip(row[1:], tilts or (), strict=False)):
-            finding = "found a moment where the tilt is held"
-            allowed = 'free it by operation.moment_N_mm or operation.tilt = "free"'
-            yield CaseFault(("dynamics", "moment_table_N_mm"), finding, allowed)
+    for axis, load, fixed in _entries(values, "load_table_N", "xyz", displacements):
+        if load and fixed:
+            finding = f"found a load of {shown(load)} N along {axis}, where the ring is held"
+            allowed = f'allowed: 0, or "{FREE_WORD}" in operation.displacement_um'
+            yield CaseFault(("dynamics", "load_table_N"), finding, allowed)
             break
+    moments = _entries(values, "moment_table_N_mm", "yz", tilts)
+    if any(moment and fixed for _, moment, fixed in moments):
+        finding = "found a moment where the tilt is held"
+        allowed = 'free it by operation.moment_N_mm or operation.tilt = "free"'
+        yield CaseFault(("dynamics", "moment_table_N_mm"), finding, allowed)
     if values.get("dynamics", "rotating_load_N") and any((displacements or ())[1:]):
         finding = "found where the ring is held across the axis"
         allowed = f'free it by "{FREE_WORD}" for y and z in operation.displacement_um'
@@ -159,7 +160,7 @@ def viscosity_table(
     return rows
 
 
-def _parts(ratio: Any, cold: float, warm: float) -> int:
+def _parts(ratio: Callable[[float], float], cold: float, warm: float) -> int:
     """Equal parts of a change of temperature [K] in which the viscosity is nearly straight."""
     parts = 1
     while parts < LARGEST_SPLIT:

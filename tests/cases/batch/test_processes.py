@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import os
 import random
 import signal
@@ -14,12 +15,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from typer.testing import CliRunner
 
 import postprocess
-from cases.batch.engine import Choice, run_batch
+from cases.batch.engine import run_batch
 from cases.batch.pools import ClusterPool, LocalPool
 from cases.batch.results import gathered, write_batch
 from cases.batch.sweep import sweep_from_text
+from cases.cli.main import app
 
 from .test_batch import HerePool
 
@@ -176,7 +179,7 @@ def test_kernels_are_compiled_by_one_worker(tmp_path):
         assert stamp.exists()
 
 
-def test_an_interrupt_ends_the_workers_and_keeps_the_points(tmp_path):
+def test_an_interrupt_ends_the_workers_and_keeps_the_points(tmp_path, monkeypatch):
     (tmp_path / "sweep.toml").write_text(FEW + ONE_BALL)
     words = [*OILFILM, "batch", str(tmp_path / "sweep.toml"), "-o", "out", "--workers", "1"]
     process = subprocess.Popen(words, cwd=tmp_path, stderr=subprocess.PIPE, text=True)
@@ -189,17 +192,16 @@ def test_an_interrupt_ends_the_workers_and_keeps_the_points(tmp_path):
     assert process.returncode == 3
     assert "continue with --resume" in stderr
     assert "Traceback" not in stderr
-    sweep = sweep_from_text(FEW + ONE_BALL, "sweep.toml")
-    results = run_batch(sweep, tmp_path / "out", HerePool, Choice(resume=True))
-    assert results.resumed
-    assert [point.status for point in gathered(results).points] == ["done"] * 6
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("cases.cli.batch._pool", lambda plan, wanted: HerePool)
+    answer = CliRunner().invoke(app, [*words[len(OILFILM) :], "--resume", "--json"])
+    assert answer.exit_code == 0
+    document = json.loads(answer.stdout)
+    assert document["resumed"] >= 1
+    assert document["converged"] is True
 
 
 def test_no_scheduler_is_told(monkeypatch):
-    from typer.testing import CliRunner
-
-    from cases.cli.main import app
-
     pytest.importorskip("distributed")
     monkeypatch.setattr("cases.batch.pools.PATIENCE", 1.0)
     answer = CliRunner().invoke(app, ["batch", "6208_load_and_speed", "--scheduler", "1", "--json"])
