@@ -8,7 +8,7 @@ rotation is free. Their NumPy twin: tests/reference/dynamics.py.
 
 import numpy as np
 
-from ehl.compiled import compiled
+from ehl.compiled import compiled, inlined
 
 from ._handle_kernels import handle
 from ._state_kernels import (
@@ -139,27 +139,22 @@ def place_bodies(balls, y, inner_speed, outer_speed):
     return inner, outer, place_body(y, RING, CAGE_TILT, v + RING, cage_speed)
 
 
-@compiled
-def ball_equations(p, y, dy):
-    """Newton's and Euler's equations of the balls with drag and weight."""
+@inlined
+def ball_rates(p, y, j, dy):
+    """Newton's and Euler's equations of a ball with drag and weight."""
     c = p.constants
     free = p.free
-    forces = p.forces
-    gravity = c.gravity
-    per_mass = 1.0 / c.ball_mass
-    per_inertia = 1.0 / c.ball_inertia
-    for j in range(c.balls):
-        x = ball_position(j)
-        v = ball_velocity(c.balls, j)
-        w = ball_turn(c.balls, j)
-        speed = norm(vector(y, v))
-        pull = c.drag * speed
-        p.power[WORK.churning] += c.copies * pull * speed * speed
-        for i in range(3):
-            force = forces[j, FORCE + i] - pull * y[v + i]
-            dy[x + i] = y[v + i]
-            dy[v + i] = free[BODIES + i] * (force * per_mass + gravity[i])
-            dy[w + i] = free[FREE_TURN + i] * forces[j, MOMENT + i] * per_inertia
+    x = ball_position(j)
+    v = ball_velocity(c.balls, j)
+    w = ball_turn(c.balls, j)
+    speed = norm(vector(y, v))
+    pull = c.drag * speed
+    p.power[WORK.churning] += c.copies * pull * speed * speed
+    for i in range(3):
+        force = p.forces[j, FORCE + i] - pull * y[v + i]
+        dy[x + i] = y[v + i]
+        dy[v + i] = free[BODIES + i] * (force / c.ball_mass + c.gravity[i])
+        dy[w + i] = free[FREE_TURN + i] * p.forces[j, MOMENT + i] / c.ball_inertia
 
 
 @compiled
@@ -297,7 +292,8 @@ def motion_rates(t, y, p, dy):
         for side in range(2):
             cage_land(p, side, ring, cage)
     # 4. equations of motion
-    ball_equations(p, y, dy)
+    for j in range(c.balls):
+        ball_rates(p, y, j, dy)
     ring_equations(p, t, y, acceleration, inner, dy)
     cage_equations(p, y, cage, dy)
     dy[ring_angle(c.balls)] = given[INNER_SPEED]

@@ -38,8 +38,8 @@ STEP_ANGLE = 0.8
 UNDAMPED_ANGLE = 0.4
 LINEARISED = ("linear", "pocket_films", "pace")  # of the data of the equations
 FAILURES = {
-    TOO_SMALL: "the step became too small at t = {t:.6g} s; try a larger tolerance or friction "
-    "ramp",
+    TOO_SMALL: "steps of {step:.1g} s at t = {t:.6g} s do not lead on; try a larger "
+    "tolerance, friction ramp or impact floor, or less load",
     NOT_FINITE: "the state is not finite at t = {t:.6g} s",
 }
 
@@ -204,7 +204,7 @@ class Simulation:
             self._note(f"dynamics: {text} they are given up")
         if status != DONE:
             self.converged = False
-            failure = FAILURES[status].format(t=self.state.time)
+            failure = FAILURES[status].format(t=self.state.time, step=self.state.step)
             self.messages.append(f"dynamics: not converged: {failure}")
         return record
 

@@ -160,12 +160,19 @@ def _stream(case: Case, run: Simulation, history: Path, notify: Progress) -> Dyn
             timing={"simulation": run.wall, "total": perf_counter() - began},
         )
 
+    def tell() -> None:
+        time = run.state.time
+        if time > first:
+            left = (perf_counter() - began) * (end - time) / (time - first)
+            state = f"simulated ms, {left:.3g} s left"
+            notify(round(time * MILLISECONDS), round(end * MILLISECONDS), state)
+
     with HistoryWriter(history, case.bearing.balls, attributes) as writer:
         try:
             pieces = run.pieces()
             while True:
                 before = deepcopy(run.state)
-                record = interruptible(partial(next, pieces, None))
+                record = interruptible(partial(next, pieces, None), tell)
                 if record is None:
                     break
                 # state, history and statistics stay in step
@@ -173,10 +180,7 @@ def _stream(case: Case, run: Simulation, history: Path, notify: Progress) -> Dyn
                     before = run.state
                     writer.add(record)
                     running.add(record, run.start_energy)
-                share = (run.state.time - first) / (end - first)
-                left = (perf_counter() - began) * (1.0 - share) / share
-                done = round(run.state.time * MILLISECONDS)
-                notify(done, round(end * MILLISECONDS), f"simulated ms, {left:.0f} s left")
+                tell()
         except KeyboardInterrupt:
             # the thread that was given up still moves the state it has
             run = replace(run, state=before)

@@ -70,9 +70,10 @@ def finish_first(what: str, hurry: Callable[[], None] | None = None) -> Iterator
         raise KeyboardInterrupt
 
 
-def interruptible(work: Callable[[], T]) -> T:
+def interruptible(work: Callable[[], T], meanwhile: Callable[[], None] | None = None) -> T:
     """The result of work that a thread does; KeyboardInterrupt at once, also while it runs
-    compiled code, and the thread goes on until the program ends.
+    compiled code, and the thread goes on until the program ends. `meanwhile` is called now and
+    then.
     """
     if threading.current_thread() is not threading.main_thread():
         return work()
@@ -86,7 +87,8 @@ def interruptible(work: Callable[[], T]) -> T:
 
     threading.Thread(target=run, daemon=True).start()
     while not wait([future], timeout=LOOK).done:
-        pass
+        if meanwhile is not None:
+            meanwhile()
     return future.result()
 
 

@@ -355,8 +355,11 @@ def film_force(c: Constants, e: Array, v: Array, mean_speed: float) -> tuple[Arr
     turn = mean_speed * eps - whirl
     d = 1.0 - eps**2
     scale = c.film_viscosity * c.land_radius * c.land_width**3 / c.land_clearance**2
-    radial = -2.0 * eps * abs(turn) / d**2 - 0.5 * np.pi * squeeze * (1.0 + 2.0 * eps**2) / d**2.5
-    around = 0.5 * np.pi * turn / d**1.5 + (1.0 if turn >= 0.0 else -1.0) * 2.0 * eps * squeeze / d**2
+    # closing speed -squeeze cos + turn sin, theta from the widest gap, over the half where it is positive
+    nodes, weights = np.polynomial.legendre.leggauss(400)
+    theta = np.arctan2(turn, -squeeze) + 0.5 * np.pi * nodes
+    pressure = (turn * np.sin(theta) - squeeze * np.cos(theta)) / (1.0 + eps * np.cos(theta)) ** 3
+    radial, around = 0.5 * np.pi * ((weights * pressure) @ np.stack([np.cos(theta), np.sin(theta)], axis=1))
     return scale * (radial * u + around * across), d**-0.5
 
 

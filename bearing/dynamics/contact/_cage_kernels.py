@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ehl.compiled import compiled
+from ehl.compiled import compiled, inlined
 
 from .._state_kernels import accumulate, ball_motion, cross, dot, minus, norm, plus, times
 from ..arrays import (
@@ -93,47 +93,60 @@ def film_now(p, film, frame, play, motion):
     return times(ratio, force), times(ratio, moment), ratio * lost
 
 
-@compiled
-def pocket_forces(p, body, y):
-    """Forces of pockets on balls: contact with friction, film all around the ball."""
+@inlined
+def ball_in_pocket(p, body, turned, y, j):
+    """Forces of its pocket on a ball and back: contact with friction, film all around the ball.
+
+    turned: direction (y, z) of the cage's own z = 0.
+    """
     c = p.constants
     law = p.normal[POCKET]
     load = p.loads[CAGE_LOAD]
     power = p.power
+    # 1. contact
+    position, velocity, turn = ball_motion(y, c.balls, j)
+    play = p.pocket_play[j]
+    forces = p.forces[j]
+    out = p.pocket_out[j]
+    frame = pocket_frame(c, body, p.pocket_place[j], turned)
+    normal, distance, place = pocket_motion(c, body, frame, position)
+    relative = minus(velocity, point_velocity(body, position))
+    spin = minus(turn, body.turn)
+    rate = dot(relative, normal)
+    push = normal_force(law, distance - play, rate, p.memory[POCKET * c.balls + j])
+    out[CONTACT.load] = push
+    out[CONTACT.approach] = distance - play
+    out[CONTACT.approach_speed] = rate
+    if push > 0.0:
+        force, moment, point, lost = pocket_contact(c, position, relative, spin, normal, push)
+        power[WORK.pocket_damping] += (push - elastic_force(law, distance - play)) * rate
+        power[WORK.pocket_friction] += lost
+        add_load(load, body, point, times(-1.0, force))
+        accumulate(forces, FORCE, force)
+        accumulate(forces, MOMENT, moment)
+    # 2. film
+    if c.film_viscosity * c.pocket_height > 0.0:
+        force, moment, lost = film_now(p, p.pocket_films[j], frame, play, (place, relative, spin))
+        power[WORK.pocket_film] += lost
+        add_load(load, body, position, times(-1.0, force))
+        accumulate(load, MOMENT, times(-1.0, moment))
+        accumulate(forces, FORCE, force)
+        accumulate(forces, MOMENT, moment)
+
+
+@compiled
+def cage_direction(y):
+    """Direction (y, z) of the cage's own z = 0."""
     rotation = y[RING + CAGE_ROTATION]
-    turned = np.cos(rotation), np.sin(rotation)
-    for j in range(c.balls):
-        # 1. contact
-        position, velocity, turn = ball_motion(y, c.balls, j)
-        play = p.pocket_play[j]
-        forces = p.forces[j]
-        out = p.pocket_out[j]
-        frame = pocket_frame(c, body, p.pocket_place[j], turned)
-        normal, distance, place = pocket_motion(c, body, frame, position)
-        relative = minus(velocity, point_velocity(body, position))
-        spin = minus(turn, body.turn)
-        rate = dot(relative, normal)
-        push = normal_force(law, distance - play, rate, p.memory[POCKET * c.balls + j])
-        out[CONTACT.load] = push
-        out[CONTACT.approach] = distance - play
-        out[CONTACT.approach_speed] = rate
-        if push > 0.0:
-            force, moment, point, lost = pocket_contact(c, position, relative, spin, normal, push)
-            power[WORK.pocket_damping] += (push - elastic_force(law, distance - play)) * rate
-            power[WORK.pocket_friction] += lost
-            add_load(load, body, point, times(-1.0, force))
-            accumulate(forces, FORCE, force)
-            accumulate(forces, MOMENT, moment)
-        # 2. film
-        if c.film_viscosity * c.pocket_height > 0.0:
-            force, moment, lost = film_now(
-                p, p.pocket_films[j], frame, play, (place, relative, spin)
-            )
-            power[WORK.pocket_film] += lost
-            add_load(load, body, position, times(-1.0, force))
-            accumulate(load, MOMENT, times(-1.0, moment))
-            accumulate(forces, FORCE, force)
-            accumulate(forces, MOMENT, moment)
+    return np.cos(rotation), np.sin(rotation)
+
+
+@compiled
+def pocket_forces(p, body, y):
+    """Forces of pockets on balls, and back."""
+    turned = cage_direction(y)
+    for j in range(p.constants.balls):
+        ball_in_pocket(p, body, turned, y, j)
 
 
 @compiled

@@ -65,25 +65,52 @@ def add_load(load, body, point, force):
 
 
 @compiled
-def land_film(radius, clearance, width, viscosity, ex, ey, vx, vy, mean_speed):
-    """Film of a short journal bearing with a cavitated half (Ocvirk): force on the journal, and
-    1/sqrt(1 - eps^2).
+def pressure_integrals(eps, cos_end, sin_end):
+    """Integrals of cos^2, cos sin and sin^2 of theta over (1 + eps cos theta)^3 along the half of
+    the circle that ends at (cos_end, sin_end).
 
+    By Sommerfeld's substitution (1904) 1 + eps cos theta = (1 - eps^2)/(1 - eps cos psi).
+    """
+    d = 1.0 - eps * eps
+    root = np.sqrt(d)
+    end = 1.0 + eps * cos_end
+    s = root * sin_end / end
+    c = (eps + cos_end) / end
+    start = 1.0 - eps * cos_end
+    s0 = -root * sin_end / start
+    c0 = (eps - cos_end) / start
+    arc = np.arctan2(s * c0 - c * s0, c * c0 + s * s0)
+    if arc < 0.0:
+        arc += 2.0 * np.pi
+    product = s * c - s0 * c0
+    along = 0.5 * (arc + product) - 2.0 * eps * (s - s0) + eps * eps * arc
+    mixed = 0.5 * (s * s - s0 * s0) + eps * (c - c0)
+    return along / (d * d * root), mixed / (d * d), 0.5 * (arc - product) / (d * root)
+
+
+@compiled
+def land_film(radius, clearance, width, viscosity, ex, ey, vx, vy, mean_speed):
+    """Film of a short journal bearing that carries pressure where it closes and is torn elsewhere:
+    force on the journal, and 1/sqrt(1 - eps^2).
+
+    p = (6 viscosity/h^3) (width^2/4 - z^2) max(0, -dh/dt) with dh/dt = clearance (turn sin theta -
+    squeeze cos theta) seen by an observer who goes with the mean surface, theta from the thinnest
+    film; Ocvirk (1952). Half the circle closes: which one, turning and squeezing decide together.
     (ex, ey) is the journal's eccentricity, (vx, vy) its rate, mean_speed half the sum of the
     speeds; the root is the factor of its friction.
     """
     e = np.sqrt(ex * ex + ey * ey)
-    if e < 1e-15:
-        return 0.0, 0.0, 1.0
-    ux, uy = ex / e, ey / e
+    ux, uy = (ex / e, ey / e) if e > 1e-15 else (1.0, 0.0)
     eps = min(e / clearance, ECCENTRICITY_LIMIT)
     squeeze = (vx * ux + vy * uy) / clearance
     turn = mean_speed * eps - (vy * ux - vx * uy) / clearance  # (mean speed - whirl) eps
-    d = 1.0 - eps * eps
+    root = 1.0 / np.sqrt(1.0 - eps * eps)
+    closing = np.sqrt(squeeze * squeeze + turn * turn)
+    if closing == 0.0:
+        return 0.0, 0.0, root
+    # the half ends a quarter of the circle after the direction (-squeeze, turn) of fastest closing
+    cc, cs, ss = pressure_integrals(eps, -turn / closing, -squeeze / closing)
     scale = viscosity * radius * width**3 / clearance**2
-    radial = scale * (
-        -2.0 * eps * abs(turn) / d**2 - 0.5 * np.pi * squeeze * (1.0 + 2.0 * eps**2) / d**2.5
-    )
-    sense = 1.0 if turn >= 0.0 else -1.0
-    across = scale * (0.5 * np.pi * turn / d**1.5 + sense * 2.0 * eps * squeeze / d**2)
-    return radial * ux - across * uy, radial * uy + across * ux, 1.0 / np.sqrt(d)
+    radial = scale * (-squeeze * cc + turn * cs)
+    across = scale * (-squeeze * cs + turn * ss)
+    return radial * ux - across * uy, radial * uy + across * ux, root

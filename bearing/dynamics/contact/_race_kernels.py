@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ehl.compiled import compiled
+from ehl.compiled import compiled, inlined
 
 from .._state_kernels import accumulate, ball_motion, cross, dot, minus, norm, plus, times, vector
 from ..arrays import (
@@ -194,9 +194,9 @@ def add_friction(c, motion, body, along, roll, forces, load):
     accumulate(forces, MOMENT, plus(about_centre, couple))
 
 
-@compiled
-def race_forces(p, race, body, y):
-    """Forces of one race on every ball and back; powers; states of the contacts."""
+@inlined
+def ball_on_race(p, race, body, y, j):
+    """Forces of one race on a ball and back; powers; state of the contact."""
     c = p.constants
     kind = p.friction_kind
     data = p.friction_inner if race == INNER else p.friction_outer
@@ -205,35 +205,41 @@ def race_forces(p, race, body, y):
     power = p.power
     centre_radius = c.inner_centre if race == INNER else c.outer_centre
     groove_radius = c.inner_groove if race == INNER else c.outer_groove
-    for j in range(c.balls):
-        # 1. motion, friction, normal force
-        motion = motion_on_race(c, body, centre_radius, groove_radius, y, j)
-        approach, film = elastic_and_film(kind, data, law, motion)
-        elastic = elastic_force(law, approach)
-        race_friction(c, kind, data, elastic, motion, p.linear[race, j], friction)
-        if kind == TABLE:
-            film = friction[CENTRAL_FILM]
-        out = p.race_out[race, j]
-        record_contact(motion, approach, film, friction, out)
-        if approach <= 0.0:
-            continue
-        rate = motion.approach_speed
-        if kind == FILM:
-            push = max(0.0, elastic + friction[FILM_DAMPING] * rate)
-        else:
-            push = damped(law, elastic, rate, p.memory[race * c.balls + j])
-        out[CONTACT.load] = push
-        # 2. power lost
-        power[WORK.friction_inner + race] -= (
-            friction[FORCE_X] * motion.slide_x
-            + friction[FORCE_Y] * motion.slide_y
-            + friction[SPIN_MOMENT] * motion.spin
-            + friction[ROLL_MOMENT] * motion.roll
-        )
-        power[WORK.race_damping] += (push - elastic) * rate
-        # 3. loads on ball and ring
-        force = times(-push, motion.normal)
-        load, forces = p.loads[race], p.forces[j]
-        add_load(load, body, motion.point, times(-1.0, force))
-        accumulate(forces, FORCE, force)
-        add_friction(c, motion, body, vector(friction, 0), friction[ROLL_MOMENT], forces, load)
+    # 1. motion, friction, normal force
+    motion = motion_on_race(c, body, centre_radius, groove_radius, y, j)
+    approach, film = elastic_and_film(kind, data, law, motion)
+    elastic = elastic_force(law, approach)
+    race_friction(c, kind, data, elastic, motion, p.linear[race, j], friction)
+    if kind == TABLE:
+        film = friction[CENTRAL_FILM]
+    out = p.race_out[race, j]
+    record_contact(motion, approach, film, friction, out)
+    if approach <= 0.0:
+        return
+    rate = motion.approach_speed
+    if kind == FILM:
+        push = max(0.0, elastic + friction[FILM_DAMPING] * rate)
+    else:
+        push = damped(law, elastic, rate, p.memory[race * c.balls + j])
+    out[CONTACT.load] = push
+    # 2. power lost
+    power[WORK.friction_inner + race] -= (
+        friction[FORCE_X] * motion.slide_x
+        + friction[FORCE_Y] * motion.slide_y
+        + friction[SPIN_MOMENT] * motion.spin
+        + friction[ROLL_MOMENT] * motion.roll
+    )
+    power[WORK.race_damping] += (push - elastic) * rate
+    # 3. loads on ball and ring
+    force = times(-push, motion.normal)
+    load, forces = p.loads[race], p.forces[j]
+    add_load(load, body, motion.point, times(-1.0, force))
+    accumulate(forces, FORCE, force)
+    add_friction(c, motion, body, vector(friction, 0), friction[ROLL_MOMENT], forces, load)
+
+
+@compiled
+def race_forces(p, race, body, y):
+    """Forces of one race on every ball and back; powers; states of the contacts."""
+    for j in range(p.constants.balls):
+        ball_on_race(p, race, body, y, j)

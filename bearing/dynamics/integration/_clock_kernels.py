@@ -5,8 +5,6 @@ asked again after 1, 2, 4 or 8 steps: less often where its slopes foretold the f
 where they did not, at once where its load has doubled or halved.
 """
 
-import numpy as np
-
 from ehl.compiled import compiled
 
 from .._kernels import place_bodies
@@ -22,7 +20,7 @@ from ..arrays import (
     OUTER_SPEED,
 )
 from ..contact._belt_kernels import INTERVAL, film_by_matrix, film_holds, film_matrix
-from ..contact._cage_kernels import pocket_frame, pocket_motion
+from ..contact._cage_kernels import cage_direction, pocket_frame, pocket_motion
 from ..contact._friction_kernels import (
     FORCES,
     friction_by_slopes,
@@ -33,7 +31,6 @@ from ..contact._friction_kernels import (
 )
 from ..contact._implicit_kernels import motion_of
 from ..contact._kernels import elastic_force, point_velocity
-from ..layout import CAGE_ROTATION, RING
 
 LONGEST_INTERVAL = 8.0  # [steps]
 # errors of the friction over that which counts as one: slopes are taken anew above it, the law
@@ -147,8 +144,7 @@ def renew_pockets(p, y, step, time, speed):
         return False
     some = False
     _, _, body = place_bodies(c.balls, y, p.given[INNER_SPEED], p.given[OUTER_SPEED])
-    rotation = y[RING + CAGE_ROTATION]
-    turned = np.cos(rotation), np.sin(rotation)
+    turned = cage_direction(y)
     for j in range(c.balls):
         film = p.pocket_films[j]
         position, velocity, turn = ball_motion(y, c.balls, j)

@@ -2,22 +2,29 @@
 equations where friction is too steep for them.
 """
 
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from scipy.integrate import LSODA
+from threadpoolctl import threadpool_limits
 
 from .._kernels import solved_derivative
 from ..arrays import Array, EquationData
 from ..record import ContactHistory, Record, SimulationState, StepControl, empty_record, first_rows
 from ..reduction import SolvedMotion, solved_motion
 from . import _kernels
+from ._jacobian_kernels import jacobian
 from ._kernels import DONE, EVALUATIONS, SOFT_SEEN, STAGE_ROWS, STEPS, STIFF_SEEN, TOO_SMALL
 
 # over the tolerance of the explicit method: LSODA keeps its error less closely than a method of
 # order five [-]
 LSODA_TOLERANCE = 0.1
 ACCUMULATOR_TOLERANCE = 1.0e-6  # relative, of work and dissipation [-]
+# LSODA is given up where LOOK steps in a row are by their mean shorter than this part of the step
+# at which it took over: 50 000 in a period of a loaded ball [-]
+CRAWL = 1.0e-3
+LOOK = 10000
 
 
 def advance_explicit(
@@ -39,21 +46,44 @@ def advance_explicit(
     return int(status), first_rows(motion.whole_record(record), rows)
 
 
+@dataclass(slots=True)
+class _Pace:
+    """Whether steps lead on."""
+
+    before: float  # time LOOK steps ago [s]
+    least: float  # mean of LOOK steps [s]
+    steps: int = 0
+
+    def crawls(self, time: float) -> bool:
+        """After a step to a time [s]: whether the last LOOK did not lead on."""
+        self.steps += 1
+        if self.steps % LOOK:
+            return False
+        step = (time - self.before) / LOOK
+        self.before = time
+        return step < self.least
+
+
 def advance_implicit(
     state: SimulationState, data: EquationData, times: Array, control: StepControl, scale: Array
 ) -> tuple[int, Record]:
-    """`advance_explicit` by LSODA; status DONE or TOO_SMALL, and the rows reached [SI]."""
+    """`advance_explicit` by LSODA; status DONE or TOO_SMALL, and the rows reached [SI].
+
+    Its systems of a hundred unknowns are solved by one thread: several took twelve times as long.
+    """
     motion = solved_motion(state.kind, data)
     y, history = motion.begin(state)
     record = empty_record(times, motion.solved)
     state.counters[[STIFF_SEEN, SOFT_SEEN]] = 0  # the test begins anew when explicit steps do
     reached = 0
-    for row, time in enumerate(times):
-        limits = (float(time), control, motion.scale(scale))
-        if not _advance_to(state, motion, (y, history), limits):
-            break
-        _kernels.sample(y, motion.data, history, record, row)
-        reached = row + 1
+    pace = _Pace(state.time, CRAWL * control.stiff)
+    with threadpool_limits(1, user_api="blas"):
+        for row, time in enumerate(times):
+            limits = (float(time), control, motion.scale(scale))
+            if not _advance_to(state, motion, (y, history), limits, pace):
+                break
+            _kernels.sample(y, motion.data, history, record, row)
+            reached = row + 1
     motion.finish(state, y, history)
     record = first_rows(motion.whole_record(record), reached)
     return (DONE if reached == times.size else TOO_SMALL), record
@@ -64,6 +94,7 @@ def _advance_to(
     motion: SolvedMotion,
     moved: tuple[Array, ContactHistory],
     limits: tuple[float, StepControl, Array],
+    pace: "_Pace",
 ) -> bool:
     """Steps of LSODA up to the time of `limits` [s], impacts remembered after each; whether it was
     reached. `moved`: what is solved and what its contacts remember, brought up to date.
@@ -88,6 +119,8 @@ def _advance_to(
         state.counters[STEPS] += 1
         state.time = solver.t
         state.step = step
+        if pace.crawls(solver.t):
+            return False
     state.counters[EVALUATIONS] += solver.nfev
     return True
 
@@ -107,12 +140,9 @@ def _solver(
         return derivative[:size].copy()
 
     def slopes(t: float, y: Array) -> Array:
+        full[:size] = y
         out = np.zeros((size, size))
-        base = rates(t, y)[:mechanical]
-        for column, step in enumerate(scale):
-            moved = y.copy()
-            moved[column] += step
-            out[:mechanical, column] = (rates(t, moved)[:mechanical] - base) / step
+        jacobian(t, full, data, scale, out[:mechanical, :mechanical])
         return out
 
     energy = np.maximum(np.abs(y[mechanical:size]), 1.0) * ACCUMULATOR_TOLERANCE

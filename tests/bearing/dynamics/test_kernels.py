@@ -14,6 +14,7 @@ from bearing.dynamics._state_kernels import ring_angle
 from bearing.dynamics.choices import Guidance, LoadType
 from bearing.dynamics.friction import race_friction
 from bearing.dynamics.inputs import Schedule
+from bearing.dynamics.integration._jacobian_kernels import jacobian
 from bearing.dynamics.integration._kernels import duration
 from bearing.dynamics.reduction import solved_motion
 from bearing.dynamics.simulation import simulation
@@ -192,3 +193,40 @@ def test_an_elastic_impact_lasts_as_its_motion_says():
     slow = np.sqrt(1.0 - (1.0 - s**2) ** 2.5)  # speed over the first one
     lasts = 2.0 * deepest / speed * (0.5 * weights * 2.0 * s / slow).sum()
     assert duration(law, mass, speed) == pytest.approx(lasts, rel=1e-4)  # of the four digits
+
+
+@pytest.mark.parametrize(
+    ("cage", "kind"),
+    [(Guidance.INNER_RING, LoadType.GENERAL), (None, LoadType.GENERAL), (Guidance.BALLS, LoadType.AXIAL)],
+)
+def test_jacobian_ball_by_ball_is_that_of_all_contacts(setup, cage, kind):
+    """Balls that act through ring and cage, balls that meet, one that stands for all: differences of the rates."""
+    bearing = setup.bearing_7008(7)
+    options = LAND | {"guidance": cage} if cage is Guidance.INNER_RING else {}
+    rest = {"equations": kind, "drag": 0.01, "film_viscosity": 0.03}
+    model = setup.model(bearing, cage=cage is not None, cage_options=options, **rest)
+    sim = simulation(bearing, setup.operation(5000.0, 100.0), model)
+    random = np.random.default_rng(141421)
+    if kind is LoadType.GENERAL:
+        sim.state.y[:] = shaken(sim, random)
+    motion = solved_motion(kind, sim.data)
+    y, _ = motion.begin(sim.state)
+    scale = motion.scale(sim.scale)
+    size, before = scale.size, y.copy()
+    found = np.zeros((size, size))
+    jacobian(0.0, y, motion.data, scale, found)
+    assert_allclose(y, before, rtol=0.0)
+
+    def rates(y):
+        dy = np.zeros_like(y)
+        _kernels.solved_derivative(0.0, y, motion.data, dy)
+        return dy[:size]
+
+    base = rates(y)
+    slopes = np.zeros_like(found)
+    for column, step in enumerate(scale):
+        moved = y.copy()
+        moved[column] += step
+        slopes[:, column] = (rates(moved) - base) / step
+    size_of_row = np.abs(slopes * scale).max(axis=1, keepdims=True) + 1e-300
+    assert_allclose(found * scale / size_of_row, slopes * scale / size_of_row, atol=1e-9)
