@@ -3,6 +3,7 @@ if interrupted.
 """
 
 import json
+from collections.abc import Callable
 from copy import deepcopy
 from dataclasses import replace
 from functools import partial
@@ -140,13 +141,27 @@ def case_key(case: Case) -> str:
     return json.dumps(case.document, sort_keys=True)
 
 
+def _teller(run: Simulation, notify: Progress) -> Callable[[], None]:
+    """What tells how far a simulation is, and how long it will take by its pace so far."""
+    began = perf_counter()
+    end = run.model.options.end_time
+    first = run.state.time
+
+    def tell() -> None:
+        time = run.state.time
+        if time > first:
+            left = (perf_counter() - began) * (end - time) / (time - first)
+            state = f"simulated ms, {left:.3g} s left"
+            notify(round(time * MILLISECONDS), round(end * MILLISECONDS), state)
+
+    return tell
+
+
 def _stream(case: Case, run: Simulation, history: Path, notify: Progress) -> DynamicsResults:
     """Step, write, count; on Ctrl-C what there is so far goes up with `Interrupted`."""
     began = perf_counter()
     running = RunningStatistics(case.bearing.balls)
-    end = run.model.options.end_time
     before = run.state
-    first = before.time
     attributes = _attributes(case)
 
     def results() -> DynamicsResults:
@@ -160,13 +175,7 @@ def _stream(case: Case, run: Simulation, history: Path, notify: Progress) -> Dyn
             timing={"simulation": run.wall, "total": perf_counter() - began},
         )
 
-    def tell() -> None:
-        time = run.state.time
-        if time > first:
-            left = (perf_counter() - began) * (end - time) / (time - first)
-            state = f"simulated ms, {left:.3g} s left"
-            notify(round(time * MILLISECONDS), round(end * MILLISECONDS), state)
-
+    tell = _teller(run, notify)
     with HistoryWriter(history, case.bearing.balls, attributes) as writer:
         try:
             pieces = run.pieces()
