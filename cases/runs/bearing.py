@@ -31,15 +31,7 @@ from ..format.contact import FilmModel
 from ..format.operation import SELF_HEATED
 from ..version import version
 from .equilibrium import case_equilibrium
-from .films import (
-    Progress,
-    Solve,
-    film_plan,
-    film_solver,
-    heat_message,
-    solve_contacts,
-    wanted_contacts,
-)
+from .films import Progress, Solve, film_plan, film_solver, solve_contacts, wanted_contacts
 from .heating import Printed, at_its_balance, at_its_temperature, lost_balance, self_heated
 from .interrupt import interruptible
 from .load_cases import solve_load_cases
@@ -185,7 +177,6 @@ def _films(
     """
     workers, notify, solve = how
     wanted, messages = wanted_contacts(case, state, contacts)
-    messages += heat_message(case, state, contacts) if state.converged else ()
     plan = film_plan(wanted, case.solver)
     solver = film_solver(solve, case.films)
     solutions, interrupted = solve_contacts(plan.wanted, case.solver, workers, notify, solver)

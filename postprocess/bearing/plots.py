@@ -37,8 +37,7 @@ from ..plot_style import (
 from ..quantities import Quantity
 from ..text import evenly_chosen, value_with_error
 from .plots_strength import draw_strength
-from .plots_supply import draw_decay
-from .plots_torque import draw_torque
+from .plots_torque import draw_decay, draw_torque
 from .quantities import BALL_QUANTITY
 from .results import BearingResults, distinct_contacts
 
