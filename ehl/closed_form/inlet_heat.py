@@ -48,8 +48,8 @@ class HeatShare(NamedTuple):
 
     @property
     def uncertainty(self) -> float:
-        """Half its range [-]."""
-        return 0.5 * (self.high - self.low)
+        """From the value to the farther end of its range [-]."""
+        return max(self.value - self.low, self.high - self.value)
 
     def at(self, inlet: float) -> "HeatShare":
         """Of a film behind a layer that leaves a share of the rolling moment [-], which stands for
