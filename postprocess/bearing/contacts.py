@@ -72,7 +72,7 @@ class ContactRecord(FilmRecord):
         minimum = self.heated.minimum
         if film is None or not (film.converged and film.resolved) or minimum is None:
             return None
-        value, error = minimum
+        value, error, _ = minimum
         share = 1.0
         if self.starved is not None and film.supply is None:
             share = self.starved.minimum / self.starved.flooded.minimum

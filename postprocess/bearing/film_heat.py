@@ -15,7 +15,8 @@ from ehl.units import from_si
 from ..quantities import quantities
 
 Film = ContactSolution | FormulaFilm | None
-Bar = tuple[float, float] | None  # a film and its error bar [m]
+# a film, its error bar, and that without the range of the heat [m]
+Bar = tuple[float, float, float] | None
 
 NO_FILM = "no film was computed"
 HEAT_QUANTITIES = (
@@ -46,12 +47,13 @@ class HeatedFilms(NamedTuple):
 
     @property
     def keys(self) -> dict[str, Any]:
-        """The films by their keys [um]."""
+        """The films by their keys [um]: error bars with the range of the heat, and without."""
         found: dict[str, Any] = {}
         for name in ("central", "minimum"):
-            value, error = getattr(self, name) or (None, None)
+            value, error, mesh = getattr(self, name) or (None, None, None)
             found[f"film_{name}_um"] = from_si("film_um", value)
             found[f"film_{name}_uncertainty_um"] = from_si("film_um", error)
+            found[f"film_{name}_mesh_uncertainty_um"] = from_si("film_um", mesh)
         return found
 
 
@@ -129,12 +131,13 @@ def _isothermal_films(contact: BearingContact, film: Film) -> tuple[float | None
 
 
 def _bar(value: float | None, error: float | None, left: HeatShare | None = None) -> Bar:
-    """A film and its error bar [m], with what heat leaves of it and its range."""
+    """A film with what heat leaves of it, and its error bars [m]."""
     if value is None or error is None:
         return None
     if left is None:
-        return value, error
-    return left.value * value, hypot(left.value * error, left.uncertainty * value)
+        return value, error, error
+    mesh = left.value * error
+    return left.value * value, hypot(mesh, left.uncertainty * value), mesh
 
 
 def heat_messages(films: Sequence[HeatedFilms]) -> Iterator[str]:

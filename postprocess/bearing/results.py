@@ -156,8 +156,8 @@ class BearingResults(Results):
             "load_N": [contact.load for contact in self.contacts],
             "angle_deg": [contact.contact_angle for contact in self.contacts],
             "Hertz_GPa": [c.hertz.pressure if c.hertz else None for c in self.contacts],
-            "central_film_um": [central for central, _ in films],
-            "minimum_film_um": [minimum for _, minimum in films],
+            "central_film_um": [central and central[:2] for central, _ in films],
+            "minimum_film_um": [minimum and minimum[:2] for _, minimum in films],
         }
         return notebook_html(self.title or "Bearing", facts, columns)
 
