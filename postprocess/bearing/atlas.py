@@ -81,7 +81,7 @@ def _values(record: BearingAtlasRecord) -> dict[str, Any]:
 
 def _messages(results: AtlasBearingResults) -> Iterator[str]:
     """What the films are, and why some are null."""
-    yield MODEL
+    yield MODEL.replace("isothermal, ", "")
     yield from heat_messages([record.heated for record in results.records])
     if any(not record.loaded for record in results.records):
         yield "contacts: all but the load null where loaded is false"

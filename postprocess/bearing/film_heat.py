@@ -140,13 +140,30 @@ def _bar(value: float | None, error: float | None, left: HeatShare | None = None
     return left.value * value, hypot(mesh, left.uncertainty * value), mesh
 
 
+def isothermal_note(contacts: Sequence[BearingContact], films: Sequence[Film]) -> str:
+    """For pictures of films as they were solved: that they are isothermal, and what heat leaves of
+    them; empty where they were solved with it.
+    """
+    pairs = zip(contacts, films, strict=True)
+    left = [
+        heat_beside(contact, film).value
+        for contact, film in pairs
+        if isinstance(film, ContactSolution) and film.converged and not solved_with_heat(film)
+    ]
+    return f"; isothermal films, heat of the inlets leaves {_ends(left)}" if left else ""
+
+
+def _ends(values: Sequence[float]) -> str:
+    """Least and largest value, once where they are alike."""
+    return " to ".join(dict.fromkeys(f"{value:.2g}" for value in (min(values), max(values))))
+
+
 def heat_messages(films: Sequence[HeatedFilms]) -> Iterator[str]:
     """What the heat of the inlets leaves of films that were not solved with it."""
     shares = [film.heat for film in films if film.heat is not None]
     if not shares:
         return
-    values = [share.value for share in shares]
-    ends = " to ".join(dict.fromkeys(f"{value:.2g}" for value in (min(values), max(values))))
+    ends = _ends([share.value for share in shares])
     widest = max(share.uncertainty / share.value for share in shares)
     oil = ", with the heat properties of a mineral oil (assumed)" if shares[0].assumed else ""
     yield (
