@@ -3,6 +3,7 @@
 contact       - one contact of a ball with a race, placed in the bearing's frame
 contacts      - the contacts of a solved bearing as lubricated contacts
 electrical    - capacitance and breakdown voltage of a bearing between its rings
+film_heat     - what the heat of their inlets leaves of films
 film_numbers  - film and rolling moment where no film is solved: film atlas, and formulas
 finite_bodies - difference of ring, ball and groove to half-spaces, radii of films with it
 formula_moment - moment that resists rolling in a flooded contact, by formulas

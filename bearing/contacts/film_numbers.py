@@ -11,6 +11,7 @@ The formulas alone, against solved films of 6208, 6306, 7012 AC, 6205, 6312 and 
 M 50 to 10 000): central films within 12 % but one (18 %), minimum films within 20 %.
 """
 
+from dataclasses import replace
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -29,6 +30,7 @@ from .formula_moment import flooded_moment
 # of Nijenbanning's formula, fitted to what was solved in wide ellipses from M = 1 to 6 (R_x/R_y
 # 0.02 to 0.1: 0.823 to 0.846) [-]
 LIGHT_CONTACT = 0.83
+DIGITS = 10  # of conditions and axes in which contacts are alike
 FORMULA_ERROR = 0.2  # of the central film of the formulas alone [-], see above
 # of formulas scaled to the atlas, per unit of ln A, ln L and z beyond its range [-]
 BEYOND_ERROR = 0.1
@@ -45,11 +47,39 @@ class FilmNumbers(NamedTuple):
     atlas: bool  # whether they are those of the film atlas
 
 
-@lru_cache(maxsize=256)
 def film_numbers(conditions: ContactConditions, axes: tuple[float, float]) -> FilmNumbers:
     """Film and moment of the atlas, or of formulas scaled to it at the nearest load that it
     covers, or of formulas; `axes`: Hertz', across and along rolling [m].
+
+    Sliding does not count, nor on which side the entrainment turns: balls on both sides of a load
+    have theirs once.
     """
+    lengths = (conditions.load, conditions.radius_x, conditions.radius_y)
+    load, radius_x, radius_y, speed, turning = map(
+        _rounded, (*lengths, conditions.entrainment_speed, abs(conditions.rotation))
+    )
+    alike = replace(
+        conditions,
+        load=load,
+        radius_x=radius_x,
+        radius_y=radius_y,
+        entrainment_speed=speed,
+        slide_roll_ratio=0.0,
+        lateral_slide_ratio=0.0,
+        spin=0.0,
+        mean_spin=turning,
+    )
+    return _film_numbers(alike, (_rounded(axes[0]), _rounded(axes[1])))
+
+
+def _rounded(value: float) -> float:
+    """To `DIGITS`."""
+    return float(f"{value:.{DIGITS}g}")
+
+
+@lru_cache(maxsize=256)
+def _film_numbers(conditions: ContactConditions, axes: tuple[float, float]) -> FilmNumbers:
+    """The same of conditions that are alike."""
     own = _by_formulas(conditions, axes)
     near, distance = nearest_covered(conditions)
     if near is None:

@@ -5,7 +5,7 @@ In units of the semi-axes all of them are one, so that their nodes are set up at
 
 from dataclasses import dataclass, replace
 from functools import cache, cached_property
-from math import inf
+from math import hypot, inf
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,6 +17,7 @@ from ehl.closed_form.hertz import (
     hertz_coefficients,
     hertz_deflection,
 )
+from ehl.closed_form.inlet_heat import HeatShare
 from ehl.conditions import ContactConditions
 from ehl.options import SolverOptions
 from ehl.scaling import ScaledContact, scale_contact
@@ -135,6 +136,29 @@ def with_gap(film: ContactSolution | FlatFilm, share: float) -> ContactSolution 
         return replace(film, share=share * film.share)
     inside = film.P > CONTACT_PRESSURE
     return replace(film, H=np.where(inside, share * film.H, film.H))
+
+
+def heated_solution(film: ContactSolution, share: HeatShare) -> ContactSolution:
+    """A solved film with what the heat of its inlet leaves of it [-], the range in its error
+    bars.
+    """
+    if share.value == 1.0:
+        return film
+    thin = with_gap(film, share.value)
+    assert isinstance(thin, ContactSolution)
+    return replace(
+        thin,
+        film_central_dimensionless=_heated(film.film_central_dimensionless, share),
+        film_minimum_dimensionless=_heated(film.film_minimum_dimensionless, share),
+    )
+
+
+def _heated(film: FilmValue, share: HeatShare) -> FilmValue:
+    return FilmValue(
+        value=share.value * film.value,
+        uncertainty=hypot(share.value * film.uncertainty, share.uncertainty * film.value),
+        finest=share.value * film.finest,
+    )
 
 
 class FlatNodes(NamedTuple):

@@ -18,6 +18,7 @@ from ehl.solution import ContactSolution
 from ehl.traction.rolling_moment import rolling_moment
 
 from ..contacts.contact import BearingContact
+from ..contacts.film_heat import film_heat, solved_with_heat
 from ..contacts.film_numbers import film_numbers
 from ..geometry import Array
 from .flat_film import CONTACT_PRESSURE, FlatFilm, film_scale, film_values
@@ -29,7 +30,7 @@ WAY_ERROR = 0.05
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FormulaFilm:
-    """A film that was not solved, in the form of one that was."""
+    """An isothermal film that was not solved, in the form of one that was."""
 
     film: ContactSolution | FlatFilm
     central: float  # [m]
@@ -72,6 +73,8 @@ def formula_film(
         other = film_numbers(there, axes)
         solved = _known(base.film_minimum) / _known(base.film_central)
         central *= _known(base.film_central) / other.central
+        if solved_with_heat(base):
+            central /= film_heat(replace(contact, conditions=there)).value
         ratio = solved if ratio is None or other.ratio is None else ratio * solved / other.ratio
         moment *= rolling_moment(base).value / other.moment
         way = log(there.entrainment_speed / conditions.entrainment_speed)

@@ -1,18 +1,21 @@
 """Films as the friction of a running bearing takes them.
 
 A film is solved flooded or behind a layer, isothermal or with heat. What is not in the solution
-comes as a factor of its part of the friction: inlet shear heating and replenishment on the rolling
-moment, starvation on that and on the gap that shears, asperities on the load that the oil carries.
+comes as a factor of its part of the friction: inlet shear heating on the gap that shears, SKF's
+factors of it and of replenishment on the rolling moment, starvation on both, asperities on the
+load that the oil carries.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
+from math import hypot
 
 from ehl.closed_form.starvation import FLOODED
 from ehl.solution import ContactSolution
 from ehl.traction.rolling_moment import rolling_moment
 
 from ..contacts.contact import BearingContact
+from ..contacts.film_heat import film_heat, solved_with_heat
 from ..supply.supply import InletFilm, Supply, supplied_shares
 from .asperities import Asperities
 from .flat_film import FlatFilm, with_gap
@@ -27,22 +30,23 @@ class RunningFilm:
     whole: ContactSolution | FlatFilm  # the same with the gap that a flooded inlet gives it
     central: float  # as it runs [m]
     minimum: float | None  # [m]; None where no formula has it
-    flooded_central: float  # central film with a flooded inlet [m]
+    flooded_central: float  # central film with a flooded inlet, as it was solved [m]
     flooded_moment: float  # that resists rolling, flooded and isothermal [N m]
     rolling_factor: float = 1.0  # of it that is left [-]
     asperity_share: float = 0.0  # of the load [-]
-    flooded_share: float = 0.0  # the same of the flooded film [-]
+    flooded_share: float = 0.0  # the same of the flooded film as it was solved [-]
     formula: bool = False  # whether the film is not solved
     formula_error: float = 0.0  # of its central film then [-]
     atlas: bool = False  # whether it is that of the film atlas
     boundary: float = 0.0  # friction of asperities, mu_b [-]
+    heat_error: float = 0.0  # of what the inlet's heat leaves of the film, over it [-]
 
     @property
     def error(self) -> float:
         """Of the central film over it [-]."""
         if self.formula or isinstance(self.film, FlatFilm):
-            return self.formula_error
-        return self.film.film_central_dimensionless.relative_uncertainty
+            return hypot(self.formula_error, self.heat_error)
+        return hypot(self.film.film_central_dimensionless.relative_uncertainty, self.heat_error)
 
     @property
     def rolling_moment(self) -> float:
@@ -50,7 +54,7 @@ class RunningFilm:
         return self.rolling_factor * self.flooded_moment
 
     def flooded(self) -> "RunningFilm":
-        """With the whole rolling moment [N m], in the flooded film."""
+        """With the whole rolling moment [N m], in the flooded film as it was solved."""
         share = self.flooded_share
         return replace(self, film=self.whole, rolling_factor=1.0, asperity_share=share)
 
@@ -79,7 +83,7 @@ def running_films(
 
     rolling_factor: of the rolling moment, that of all contacts [-]; supply: oil that flooded films
     get, and those solved behind the layers of another supply, by the law of starvation; None:
-    films as they are.
+    films as they are. Heat of the inlets thins those that were not solved with it.
     """
     distinct = {
         id(film): film
@@ -87,6 +91,7 @@ def running_films(
         if film is not None and not isinstance(film, FormulaFilm) and film.converged
     }
     solved = {name: _solved(film) for name, film in distinct.items()}
+    heated = _Heated()
     found: list[RunningFilm | None] = []
     for contact, film in zip(contacts, films, strict=True):
         if isinstance(film, FormulaFilm):
@@ -98,10 +103,39 @@ def running_films(
         if running is not None:
             if supply is not None:
                 running = _supplied(running, contact, supply)
+            running = heated.film(running, contact)
             running = replace(running, rolling_factor=rolling_factor * running.rolling_factor)
             running = _with_asperities(running, contact, asperities)
         found.append(running)
     return tuple(found)
+
+
+@dataclass(slots=True)
+class _Heated:
+    """Films with the heat of their inlets, each gap made once for contacts that are equal."""
+
+    gaps: dict[tuple[int, float], ContactSolution | FlatFilm] = field(default_factory=dict)
+
+    def film(self, film: RunningFilm, contact: BearingContact) -> RunningFilm:
+        """A film thinned by the heat of its inlet, behind a layer by what that leaves of the
+        rolling moment; one that was solved with heat as it is.
+        """
+        solved = film.film
+        if not (film.formula or isinstance(solved, FlatFilm)) and solved_with_heat(solved):
+            return film
+        share = film_heat(contact).at(film.rolling_factor)
+        if share.value == 1.0:
+            return film
+        key = (id(solved), share.value)
+        if key not in self.gaps:
+            self.gaps[key] = with_gap(solved, share.value)
+        return replace(
+            film,
+            film=self.gaps[key],
+            central=share.value * film.central,
+            minimum=None if film.minimum is None else share.value * film.minimum,
+            heat_error=share.uncertainty / share.value,
+        )
 
 
 def film_is_flooded(film: ContactSolution) -> bool:

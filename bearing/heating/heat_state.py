@@ -18,6 +18,7 @@ from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic
 from ..rows import SINGLE, Row
 from .friction_heat import FrictionHeat, effusivity_shares
+from .heat_balance import HIGHEST_TEMPERATURE
 from .network import AMBIENT, NODES, OIL_SUPPLY, HeatNetwork, HeatPath
 from .paths import Surroundings, solid_paths, state_paths
 
@@ -42,6 +43,7 @@ class SelfHeatingProblem:
     rows: tuple[Row, ...] = SINGLE  # of balls on the one inner ring
     oil_share: float | None = None  # of the cavity [-]
     start: QuasistaticSolution | None = None  # an equilibrium nearby, where that is known
+    hottest: float = HIGHEST_TEMPERATURE  # of the films, beyond which no balance counts [K]
 
     def clearance(self, temperatures: Array) -> float:
         """Diametral clearance [m] at temperatures of the nodes [K]; that of the outer ring is the

@@ -18,7 +18,6 @@ from math import exp, log
 import numpy as np
 
 from ..geometry import Array
-from .heat_balance import HIGHEST_TEMPERATURE
 from .heat_state import HeatState, SelfHeatingProblem, broyden, heat_state
 
 STEP = 8.0  # of the film temperature along the branch [K]
@@ -179,7 +178,7 @@ def _follow(
         wanted = last.temperature + sign * step
         if sign < 0.0:
             wanted = max(wanted, 0.5 * (coldest + last.temperature))
-        wanted = min(wanted, HIGHEST_TEMPERATURE)
+        wanted = min(wanted, problem.hottest)
         try:
             found = newton.solve(wanted, _ahead(places, wanted))
         except ValueError as error:
@@ -195,7 +194,7 @@ def _follow(
         factor = found[0][0]
         if sign > 0.0 and factor < last.at[0]:
             return places[1:], TURNED, ""
-        if sign > 0.0 and wanted >= HIGHEST_TEMPERATURE:
+        if sign > 0.0 and wanted >= problem.hottest:
             return places[1:], TOO_WARM, ""
         if factor > log(MOST_FACTOR):
             return places[1:], FAST_ENOUGH, ""

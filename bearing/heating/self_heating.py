@@ -17,7 +17,7 @@ from ehl.units import ZERO_CELSIUS
 
 from ..geometry import Array
 from .capacities import heat_capacities
-from .heat_balance import HIGHEST_TEMPERATURE, HeatBalance
+from .heat_balance import HeatBalance
 from .heat_state import HeatState, SelfHeatingProblem, broyden, heat_state
 from .network import NODES
 from .paths import Surroundings
@@ -111,13 +111,13 @@ def solve_self_heating(problem: SelfHeatingProblem, model: str) -> SelfHeatingSo
     try:
         search = _Search(problem)
         start = _nearby(search)
-        if start.film_temperature >= HIGHEST_TEMPERATURE:
+        if start.film_temperature >= problem.hottest:
             return SelfHeatingSolution(
                 model=model,
                 around=around,
                 balance=_balance(start, search, converged=False),
                 state=start,
-                note=NO_BALANCE,
+                note=_no_balance(problem.hottest),
             )
         state, slopes = _newton(search, start)
         converged = _settled(search.problem.disagreement(state))
@@ -144,11 +144,15 @@ def solve_self_heating(problem: SelfHeatingProblem, model: str) -> SelfHeatingSo
     )
 
 
-NO_BALANCE = (
-    "no balance: friction exceeds the cooling up to "
-    f"{HIGHEST_TEMPERATURE - ZERO_CELSIUS:.0f} C, beyond the range of lubricants"
-)
 UNSETTLED = "film temperature and clearance do not come to rest together"
+
+
+def _no_balance(hottest: float) -> str:
+    """That there is none up to a film temperature [K]."""
+    return (
+        "no balance: friction exceeds the cooling up to "
+        f"{hottest - ZERO_CELSIUS:.0f} C, beyond the range of lubricants"
+    )
 
 
 def _balance(state: HeatState, search: _Search, *, converged: bool) -> HeatBalance:
@@ -161,7 +165,7 @@ def _balance(state: HeatState, search: _Search, *, converged: bool) -> HeatBalan
         evaluations=search.count,
         residual=(power - removed) / power if power > 0.0 else 0.0,
         converged=converged,
-        message="converged" if converged else NO_BALANCE,
+        message="converged" if converged else _no_balance(search.problem.hottest),
     )
 
 
@@ -171,12 +175,12 @@ def _settled(residual: Array) -> bool:
 
 def _nearby(search: _Search) -> HeatState:
     """A state whose film temperature is right to `NEAR`, found by it alone: the clearance is that
-    of the last state's temperatures, moved together. At `HIGHEST_TEMPERATURE` there is none.
+    of the last state's temperatures, moved together. At the hottest one there is none.
     """
     problem = search.problem
     around = problem.around
     coldest = min(around.ambient, around.oil_supply)
-    at = min(max(problem.operation.temperature, coldest), HIGHEST_TEMPERATURE)
+    at = min(max(problem.operation.temperature, coldest), problem.hottest)
     state = search.at(at, problem.clearance(np.full(len(NODES), at)))
     low: float | None = None
     high: float | None = None
@@ -186,26 +190,26 @@ def _nearby(search: _Search) -> HeatState:
         if abs(excess) <= NEAR:
             break
         low, high = (at, high) if excess > 0.0 else (low, at)
-        if at >= HIGHEST_TEMPERATURE and excess > 0.0:
+        if at >= problem.hottest and excess > 0.0:
             break
         slope = -1.0 - FALL * max(state.found_temperature - coldest, 0.0)
         if known is not None and known[0] != at:
             secant = (excess - known[1]) / (at - known[0])
             slope = secant if secant < 0.0 else slope
         known = (at, excess)
-        at = _inside(at - excess / slope, at, (low, high), coldest)
+        at = _inside(at - excess / slope, at, (low, high), (coldest, problem.hottest))
         moved = at - state.film_temperature
         state = search.at(at, problem.clearance(state.temperatures + moved - excess))
     return state
 
 
 def _inside(
-    wanted: float, at: float, bracket: tuple[float | None, float | None], coldest: float
+    wanted: float, at: float, bracket: tuple[float | None, float | None], ends: tuple[float, float]
 ) -> float:
     """A step of at most `LARGEST_STEP` within what is known of the balance [K]."""
     low, high = bracket
     wanted = min(max(wanted, at - LARGEST_STEP), at + LARGEST_STEP)
-    wanted = min(max(wanted, coldest), HIGHEST_TEMPERATURE)
+    wanted = min(max(wanted, ends[0]), ends[1])
     if low is not None and high is not None and not low < wanted < high:
         wanted = 0.5 * (low + high)
     return wanted
@@ -222,7 +226,8 @@ def _newton(search: _Search, state: HeatState) -> tuple[HeatState, Slopes]:
         step = np.asarray(-np.linalg.solve(matrix, residual), dtype=np.float64)
         step *= min(1.0, LARGEST_STEP / max(abs(step[0]), 1e-30))
         state = search.at(
-            min(state.film_temperature + step[0], HIGHEST_TEMPERATURE), state.clearance + step[1]
+            min(state.film_temperature + step[0], search.problem.hottest),
+            state.clearance + step[1],
         )
         after = search.problem.disagreement(state)
         scales = (STEP, CLEARANCE_STEP)

@@ -22,7 +22,6 @@ import scipy
 
 from ..geometry import Array
 from .capacities import heat_capacities
-from .heat_balance import HIGHEST_TEMPERATURE
 from .heat_state import HeatState, SelfHeatingProblem, heat_state
 from .network import NODES
 
@@ -111,7 +110,7 @@ def warm_up(
     notify: Callable[[float], None] = lambda time: None,
 ) -> WarmUp:
     """From temperatures of the nodes (nodes,) [K], that of the surroundings if left out, at the
-    operation of the problem for a `duration` [s]; ends where the films pass `HIGHEST_TEMPERATURE`
+    operation of the problem for a `duration` [s]; ends where the films pass the hottest one
     or no equilibrium is found. `notify` is called with the time [s].
 
     Raises
@@ -138,7 +137,7 @@ def warm_up(
             break
         moments.append(after)
         notify(after.time)
-        if course.film_temperature(after.temperatures) >= HIGHEST_TEMPERATURE:
+        if course.film_temperature(after.temperatures) >= problem.hottest:
             message = TOO_WARM
     return _told(moments, course, message)
 

@@ -9,6 +9,7 @@ import numpy as np
 from ehl import ContactSolution
 
 from ..contacts.contact import BearingContact
+from ..contacts.film_heat import film_heat, solved_with_heat
 from ..contacts.film_numbers import film_numbers
 from ..geometry import Race
 from ..quasistatic.solution import QuasistaticSolution
@@ -22,13 +23,14 @@ class StarvedFilm:
     share: float  # of the flooded central film [-]
     minimum_share: float  # of the flooded minimum film [-]
     rolling_share: float  # of the flooded rolling moment [-]
-    flooded_central: float  # flooded films [m]
+    flooded_central: float  # flooded films, isothermal but where solved with heat [m]
     flooded_minimum: float  # [m]
     # root mean square of race and ball together, zero where it is not known
     roughness: float = 0.0  # [m]
     # whether the flooded films were solved; else they are those of atlas and formulas
     solved: bool = False
     inside: bool = True  # whether the law of starvation was solved for such a contact
+    flooded_heat: float = 1.0  # of the flooded films that the heat of the inlet leaves [-]
 
     @property
     def flooded(self) -> "StarvedFilm":
@@ -36,14 +38,19 @@ class StarvedFilm:
         return replace(self, share=1.0, minimum_share=1.0, rolling_share=1.0)
 
     @property
+    def heat(self) -> float:
+        """Of the starved film that heat leaves [-], see `HeatShare.at`."""
+        return float(self.flooded_heat**self.rolling_share)
+
+    @property
     def central(self) -> float:
-        """Central film left [m]."""
-        return self.share * self.flooded_central
+        """Central film left, with heat [m]."""
+        return self.heat * self.share * self.flooded_central
 
     @property
     def minimum(self) -> float:
-        """Minimum film left [m], never above the central one."""
-        return min(self.minimum_share * self.flooded_minimum, self.central)
+        """Minimum film left, with heat [m], never above the central one."""
+        return min(self.heat * self.minimum_share * self.flooded_minimum, self.central)
 
     @property
     def lambda_ratio(self) -> float:
@@ -70,6 +77,8 @@ def starved_films(
         film = None
         if solution is not None and solution.supply is not None:
             film = _behind_layer(solution, rough[contact.race])
+            if film is not None:
+                film = replace(film, flooded_heat=film_heat(contact).value)
         elif flooded := _flooded(contact, solution):
             central, minimum, solved = flooded
             shares = supplied_shares(contact, central, supply, balls)
@@ -82,6 +91,9 @@ def starved_films(
                 roughness=rough[contact.race],
                 solved=solved,
                 inside=shares.inside,
+                flooded_heat=1.0
+                if solved and solved_with_heat(solution)
+                else film_heat(contact).value,
             )
         films.append(film)
     return tuple(films)

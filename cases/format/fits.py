@@ -16,6 +16,7 @@ from bearing.fits.clearance import (
     clearance_budget,
 )
 from bearing.geometry import Bearing, Race
+from bearing.heating.heat_balance import HIGHEST_TEMPERATURE
 from bearing.heating.paths import PUMPED_TO_OIL, Surroundings
 from bearing.library.tolerances import TOLERANCE_CLASSES, inner_interference, outer_interference
 from bearing.material import Material, load_material
@@ -337,6 +338,7 @@ class HeatingInput:
     fit: Fit | None = None
     # temperature at which clearance and fits were measured [K]; None: the clearance stays
     reference: float | None = None
+    hottest: float = HIGHEST_TEMPERATURE  # of the films, beyond which no balance counts [K]
 
 
 def heating(
@@ -363,6 +365,7 @@ def heating(
         model=table.heating_torque,
         fit=fit,
         reference=reference,
+        hottest=table.si()["highest_temperature"],
     )
 
 

@@ -117,6 +117,9 @@ class FrictionTable(LawTable):
     ambient_C: float = between(-100, 300, "temperature of the surroundings", 20.0)
     cooling_oil_mL_min: float | None = between(0, 1e7, "oil that cools it; else supply_mL_min")
     cooling_oil_C: float | None = between(-100, 300, "temperature as it comes; else ambient_C")
+    highest_temperature_C: float = between(
+        0, 400, "film temperature beyond which no balance counts; assumed, of mineral oils", 150.0
+    )
     heating_torque: Literal[
         "integrated",
         "skf",
@@ -180,7 +183,14 @@ RELATIONS: tuple[Relation, ...] = (
         for name, constant in CONSTANTS
         for relation in _constant_relations(name, constant)
     ),
-    *_only_with(HEATED, "ambient_C", "cooling_oil_mL_min", "cooling_oil_C", "heating_torque"),
+    *_only_with(
+        HEATED,
+        "ambient_C",
+        "cooling_oil_mL_min",
+        "cooling_oil_C",
+        "heating_torque",
+        "highest_temperature_C",
+    ),
     *_only_with(SUPPLIED, "supply_track_share", "supply_loss", "supply_residence_s"),
     *_only_with(SUPPLIED, "supply_track_share_least", "supply_track_share_most"),
     OnlyWith("friction.supply_groove_s", (SUPPLIED,)),

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ehl.units import notebook_html
+from postprocess.batch.main_results import point_error
 from postprocess.batch.results import BatchPoint
 from postprocess.batch.summary import point_numbers
 
@@ -74,7 +75,7 @@ def _design(study: Study, points: Sequence[BatchPoint], number: int, *, bars: bo
     for name, sign in sides.items():
         values = [row.get(name) for row in rows]
         head, _, unit = name.rpartition("_")
-        spread = [row.get(f"{head}_uncertainty_{unit}") or 0.0 for row in rows]
+        spread = [point_error(row, head, unit) or 0.0 for row in rows]
         if any(value is None for value in values):
             numbers[name] = None
             continue

@@ -12,10 +12,8 @@ from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.supply.starved_films import starved_films
 from bearing.supply.supply import AMPLE, Supply, inlet_layer
 from ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
-from ehl.closed_form.film import film_reduction_gupta, thermal_loading
 from ehl.multigrid.threads import cores, film_threads
 from ehl.oil.inlet_layer import InletLayer
-from ehl.units import MILLIMETRE, MILLION, RPM
 
 from ..format.case import Case
 from ..format.contact import FilmModel
@@ -28,8 +26,6 @@ SolveOne = Callable[[ContactConditions, SolverOptions], ContactSolution]
 Solve = Callable[[ContactConditions, SolverOptions, FilmPhysics], ContactSolution]
 Progress = Callable[[int, int, str], None]  # done, in all, what is being done
 
-HEAT_SPEED_FACTOR = 5.0e5  # n d_m from which heat in the inlets is told [mm/min]
-HEAT_SHARE = 0.1  # of a film that heat takes, from which it is told [-]
 LARGE_CONTACT = 513  # points from which several threads solve one contact faster than one does [-]
 EQUALITY_RTOL = 1e-9  # relative difference below which two contacts count as one [-]
 # compared absolutely, too
@@ -79,44 +75,6 @@ def film_plan(wanted: Sequence[ContactConditions | None], options: SolverOptions
             solved.append(own)
         bases.append(base)
     return FilmPlan(solved, bases)
-
-
-def heat_message(
-    case: Case, state: QuasistaticSolution, contacts: Sequence[BearingContact]
-) -> tuple[str, ...]:
-    """That films are isothermal, where the shear in their inlets heats them: from
-    `HEAT_SPEED_FACTOR` on, or where a formula takes `HEAT_SHARE` of a film.
-    """
-    chosen = _chosen_balls(case, contacts)
-    loaded = [c for c in contacts if c.loaded and c.load > 0.0 and c.ball in chosen]
-    if not loaded or case.films.model is FilmModel.THERMAL:
-        return ()
-    speed = abs(state.operation.shaft_speed) / RPM
-    speed_factor = speed * state.bearing.pitch_diameter / MILLIMETRE
-    left = []
-    if case.lubricant.thermal is not None:
-        left = sorted(_left_by_heat(contact) for contact in loaded)
-    if speed_factor < HEAT_SPEED_FACTOR and min(left, default=1.0) > 1.0 - HEAT_SHARE:
-        return ()
-    formula = ""
-    if left:
-        shares = " to ".join(dict.fromkeys(f"{share:.2f}" for share in (left[0], left[-1])))
-        formula = (
-            f": with it {shares} of these by a formula for line contacts (Gupta et al., 1992)"
-        )
-    return (
-        "contacts: films are isothermal, without the heat of the shear in their inlets "
-        f"(n d_m = {speed_factor / MILLION:.2g} million mm/min){formula}; "
-        '[ehl] film_model = "thermal" solves them with it',
-    )
-
-
-def _left_by_heat(contact: BearingContact) -> float:
-    """Share of the film that the heat in its inlet leaves, in pure rolling [-]."""
-    own = contact.conditions
-    assert own is not None and contact.hertz is not None  # loaded
-    ratio = contact.hertz.pressure / own.reduced_modulus
-    return max(film_reduction_gupta(ratio, thermal_loading(own), 0.0), 0.0)
 
 
 def inlet_layers(

@@ -141,6 +141,7 @@ def heating_problem(
         reference=given.reference,
         rows=case.rows or SINGLE,
         oil_share=case.friction.oil_share(case.bearing),
+        hottest=given.hottest,
         start=None if printed is None else printed.state,
     )
 

@@ -2,6 +2,7 @@
 
 film         - film thickness formulas from curve fits
 film_formula - film formula of fifty coefficients, fitted to the film atlas
+inlet_heat   - what the heat of its inlet leaves of a film
 hertz        - dry elastic contact of two quadratic surfaces, Hertz (1882)
 hertz_stress - stress below a dry elliptical contact, on its axis and beside it
 starvation   - what a layer of oil at the inlet leaves of a flooded contact

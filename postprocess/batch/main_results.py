@@ -37,6 +37,7 @@ TRACTION = "traction_coefficient"
 THINNEST = (  # of a bearing's thinnest film
     *("film_minimum_um", "film_minimum_uncertainty_um", "film_central_um"),
     *("film_central_uncertainty_um", "lambda_ratio"),
+    *("film_central_mesh_uncertainty_um", "film_minimum_mesh_uncertainty_um"),
 )
 LIVES = sorted(  # hours before revolutions, modified before basic ones
     (quantity.key for quantity in LIFE_RATING if "rating" in quantity.key),
@@ -135,6 +136,14 @@ def _bearing(summary: dict[str, Any]) -> dict[str, Any]:
         CAGE_SPEED.key: summary.get(CAGE_SPEED.key),
         **{key: life.get(key) for key in LIVES},
     }
+
+
+def point_error(numbers: dict[str, Any], head: str, unit: str) -> float | None:
+    """Error of a main result that two points do not share: of films what mesh or atlas leave open,
+    without the range of the heat of the inlets; None without one.
+    """
+    own: float | None = numbers.get(f"{head}_mesh_uncertainty_{unit}")
+    return numbers.get(f"{head}_uncertainty_{unit}") if own is None else own
 
 
 def thinnest_film(contacts: list[dict[str, Any]]) -> dict[str, Any] | None:

@@ -9,7 +9,7 @@ from ehl.arrays import Array
 
 from .columns import Columns
 from .indices import known, main_values
-from .main_results import main_results
+from .main_results import main_results, point_error
 from .results import BatchPoint, BatchResults
 
 QUANTILES = (0.05, 0.5, 0.95)
@@ -55,7 +55,7 @@ def _results(
             continue
         change = above[name] - below[name]
         head, _, unit = name.rpartition("_")
-        first, second = (row.get(f"{head}_uncertainty_{unit}") for row in (below, above))
+        first, second = (point_error(row, head, unit) for row in (below, above))
         resolved = None
         if first is not None and second is not None:
             resolved = change == 0.0 or abs(change) > hypot(first, second)

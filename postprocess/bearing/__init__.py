@@ -3,11 +3,11 @@
 atlas         - films of the film atlas of all contacts, as summary and in the terminal
 contacts      - contacts of a bearing: their quantities, and why some are null
 duty_cycle    - a duty cycle: blocks of the summary, lines of the terminal
+film_heat     - films with the heat of their inlets, the isothermal ones beside
 finite_bodies - the block `finite_bodies`: changes beside half-spaces; ellipses that shoulders cut
 heating       - the block `self_heating` of the summary
 plots         - figures of the whole bearing: film or pressure of every ball over the azimuth
-plots_torque  - figures of the friction torque: all models side by side in their components
-plots_supply  - figure of the film after the supply stops
+plots_torque  - figures of the friction torque by all models, of the film after the supply stops
 plots_strength - figure of the strength of the inner ring over temperature and speed
 quantities    - quantities of ring, balls, frequencies, life, clearance, torque
 ratings       - rating life and clearance in the summary and in the terminal's table

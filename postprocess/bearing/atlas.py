@@ -16,6 +16,7 @@ from ..results import Results
 from ..table import number_table
 from ..text import NOTHING, number, value_with_error
 from .contacts import CONTACT_QUANTITY
+from .film_heat import HEAT_QUANTITIES, HeatedFilms, heat_messages, heated_atlas_films
 from .results import balls_text
 
 DRY = (
@@ -36,6 +37,11 @@ class BearingAtlasRecord(AtlasRecord):
     def loaded(self) -> bool:
         """Whether it carries a load."""
         return self.contact.load > 0.0
+
+    @property
+    def heated(self) -> HeatedFilms:
+        """The films with the heat of the inlet, and without [m]."""
+        return heated_atlas_films(self.contact, self.in_lengths)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -68,12 +74,15 @@ def atlas_bearing_summary(results: AtlasBearingResults) -> dict[str, Any]:
 
 def _values(record: BearingAtlasRecord) -> dict[str, Any]:
     dry = values_of(record, [CONTACT_QUANTITY[key] for key in DRY])
-    return {**dry, **atlas_values(record), "note": record.reason}
+    heated = {} if record.films is None else record.heated.keys
+    beside = values_of(record, HEAT_QUANTITIES)
+    return {**dry, **atlas_values(record), **heated, **beside, "note": record.reason}
 
 
 def _messages(results: AtlasBearingResults) -> Iterator[str]:
     """What the films are, and why some are null."""
-    yield MODEL
+    yield MODEL.replace("isothermal, ", "")
+    yield from heat_messages([record.heated for record in results.records])
     if any(not record.loaded for record in results.records):
         yield "contacts: all but the load null where loaded is false"
     for (race, reason), balls in results.refusals.items():

@@ -6,6 +6,7 @@ from math import hypot, isfinite
 from typing import Any
 
 from bearing.contacts.contact import BearingContact
+from bearing.contacts.film_heat import solved_with_heat
 from bearing.contacts.stress import ContactStress, contact_stresses
 from bearing.contacts.surface_tension import SurfaceTension, edge_tension
 from bearing.friction.formula_films import FormulaFilm
@@ -13,10 +14,11 @@ from bearing.friction.resolvable import too_thick
 from bearing.heating.conductances import Conductance
 from bearing.studies.slip import HIRANO_CAVEAT, HIRANO_LIMIT
 from bearing.supply.starved_films import StarvedFilm
-from ehl.units import from_si, to_si
+from ehl.units import to_si
 
 from ..contact.quantities import FILM_QUANTITIES, FilmRecord, film_values, formula_films
 from ..quantities import by_key, quantities, values_of
+from .film_heat import HEAT_QUANTITIES, NO_FILM, NO_FILMS, HeatedFilms, heat_messages, heated_films
 from .finite_bodies import shoulder_messages
 from .quantities import CONTACT_CONDUCTANCE
 from .results import BearingResults, balls_text
@@ -37,6 +39,7 @@ class ContactRecord(FilmRecord):
     tension: SurfaceTension | None  # under the film's pressure and shear
     formula: FormulaFilm | None = None  # in place of a film that the mesh does not resolve
     conductance: Conductance | None = None  # of heat, through the film
+    heated: HeatedFilms = NO_FILMS
 
     @property
     def loaded(self) -> bool:
@@ -46,10 +49,8 @@ class ContactRecord(FilmRecord):
     @property
     def lambda_ratio(self) -> float | None:
         """Minimum film over the rms roughness of race and ball together [-]."""
-        film = None if self.film is None else self.film.film_minimum
-        if self.formula is not None:
-            film = self.formula.minimum
-        return lambda_ratio(self.contact, film, self.surface)
+        minimum = self.heated.minimum
+        return lambda_ratio(self.contact, minimum and minimum[0], self.surface)
 
     @property
     def lambda_ratio_formula(self) -> float | None:
@@ -68,13 +69,14 @@ class ContactRecord(FilmRecord):
         behind [-]; None if not resolved.
         """
         film = self.film
-        if film is None or not (film.converged and film.resolved) or film.film_minimum is None:
+        minimum = self.heated.minimum
+        if film is None or not (film.converged and film.resolved) or minimum is None:
             return None
-        error = film.film_minimum_uncertainty or 0.0
+        value, error, _ = minimum
         share = 1.0
         if self.starved is not None and film.supply is None:
-            share = self.starved.minimum / self.starved.flooded_minimum
-        moved = share * max(0.0, film.film_minimum + end * error)
+            share = self.starved.minimum / self.starved.flooded.minimum
+        moved = share * max(0.0, value + end * error)
         ratio = lambda_ratio(self.contact, moved, self.surface)
         exponent = (self.surface or {}).get("kappa_exponent")
         return None if ratio is None or exponent is None else float(ratio**exponent)
@@ -86,7 +88,6 @@ class ContactRecord(FilmRecord):
         return ratio if ratio is not None and isfinite(ratio) else None
 
 
-NO_FILM = "no film was computed"
 NO_LOAD = "it carries no load"
 NO_OIL = f"{NO_LOAD}, or no oil is entrained"
 NOT_STARVED = "the supply is flooded, or no flooded film is known"
@@ -120,6 +121,7 @@ CONTACT_QUANTITIES = (  # columns of contacts.csv
         ("hirano_ratio", "Hirano ratio"),
     ),
     *FILM_QUANTITIES,
+    *HEAT_QUANTITIES,
     *quantities(
         "",
         f"{NO_FILM}, or [surface] has no roughness of race and ball",
@@ -234,6 +236,7 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
             tension=tensions[i],
             formula=formulas[i],
             conductance=results.conductance(i),
+            heated=heated_films(contact, results.films[i]),
         )
         for i, contact in enumerate(results.contacts)
     ]
@@ -254,26 +257,13 @@ def contact_values(record: ContactRecord) -> dict[str, Any]:
     return {
         **values_of(record, CONTACT_QUANTITIES),
         **film_values(record),
-        **_formula_values(record.formula),
+        **record.heated.keys,
         "film_origin": _origin(record),
         "lambda_ratio_formula": record.lambda_ratio_formula,
         "film_formulas_um": formula_films(record.contact.conditions),
         "domain": None if film is None else list(film.domain),
         "points": None if film is None else list(film.P.shape),
     }
-
-
-def _formula_values(film: FormulaFilm | None) -> dict[str, float | None]:
-    """Films in place of one that the mesh does not resolve [um]."""
-    if film is None:
-        return {}
-    values = {
-        "film_central_um": film.central,
-        "film_central_uncertainty_um": film.uncertainty,
-        "film_minimum_um": film.minimum,
-        "film_minimum_uncertainty_um": film.minimum_uncertainty,
-    }
-    return {key: value and from_si(key, value) for key, value in values.items()}
 
 
 def _origin(record: ContactRecord) -> str | None:
@@ -302,6 +292,7 @@ def lambda_ratio(
 def contact_messages(results: BearingResults) -> Iterator[str]:
     """Contacts without a film, stresses at shoulders, and ratios that are null."""
     yield from _absent_films(results)
+    yield from heat_messages(_of_formulas(results))
     if any(c.conditions is None for c in results.contacts):
         yield (
             "contacts: Hertz, speed and formula values null where a contact carries no load or no "
@@ -309,6 +300,16 @@ def contact_messages(results: BearingResults) -> Iterator[str]:
         )
     yield from shoulder_messages(results)
     yield from _ratio_messages(results)
+
+
+def _of_formulas(results: BearingResults) -> list[HeatedFilms]:
+    """Films with heat [m] that were not solved with it."""
+    pairs = zip(results.contacts, results.films, strict=True)
+    return [
+        heated_films(contact, film)
+        for contact, film in pairs
+        if isinstance(film, FormulaFilm) or not solved_with_heat(film)
+    ]
 
 
 def _absent_films(results: BearingResults) -> Iterator[str]:

@@ -36,9 +36,9 @@ from ..plot_style import (
 )
 from ..quantities import Quantity
 from ..text import evenly_chosen, value_with_error
+from .film_heat import isothermal_note
 from .plots_strength import draw_strength
-from .plots_supply import draw_decay
-from .plots_torque import draw_torque
+from .plots_torque import draw_decay, draw_torque
 from .quantities import BALL_QUANTITY
 from .results import BearingResults, distinct_contacts
 
@@ -183,7 +183,8 @@ def _figures(results: BearingResults) -> Iterator[tuple[str, Callable[[Figure], 
         first = group.contacts[0]
         view = contact_view(group.solution)
         place = f"$Q$ = {first.load:.4g} N, contact angle {degrees(first.contact_angle):.1f}°"
-        title = f"{results.title}\n{group.label}\n{place}, {film_text(view)}"
+        cold = isothermal_note([first], [group.solution])
+        title = f"{results.title}\n{group.label}{cold}\n{place}, {film_text(view)}"
         name = f"plots/{first.race.value}_ball{first.ball:02d}"
         yield name, partial(draw_contact, view=view, title=title)
 
@@ -227,12 +228,12 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
         bar.ax.minorticks_off()
         ticks = logarithmic_ticks(*limits)
         bar.set_ticks(ticks, labels=[f"{tick:.3g}" for tick in ticks])
-    _over_azimuth(figure.add_axes(VALUES), results, quantity, _left_out(columns, results))
+    cold = isothermal_note(results.contacts, results.solutions) if quantity == "film" else ""
+    _over_azimuth(figure.add_axes(VALUES), results, quantity, _left_out(columns, results) + cold)
     views = [view for column in columns for view in column.views.values() if view is not None]
     starved = quantity == "film" and any(view.filled is not None for view in views)
     note = FOOTNOTES[quantity] + FILLED * starved + BOX_ENDS * any(view.cut for view in views)
-    style: Any = {"fontsize": 6.5, "color": REFERENCE, "ha": "center", "va": "bottom"}
-    figure.text(0.5, 0.008, note, **style)
+    figure.text(0.5, 0.008, note, fontsize=6.5, color=REFERENCE, ha="center", va="bottom")
 
 
 def _left_out(columns: tuple[BallColumn, ...], results: BearingResults) -> str:

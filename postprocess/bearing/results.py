@@ -6,11 +6,13 @@ from math import degrees
 from typing import Any
 
 from bearing.contacts.contact import BearingContact
+from bearing.contacts.film_heat import NO_HEAT, heat_beside
 from bearing.contacts.finite_bodies import FiniteBodies
 from bearing.contacts.surface_tension import SurfaceTension
 from bearing.contacts.traction import ContactTraction
 from bearing.fits.clearance import ClearanceBudget
 from bearing.fits.ring_strength import Strength
+from bearing.friction.flat_film import heated_solution
 from bearing.friction.formula_films import FormulaFilm
 from bearing.geometry import Array
 from bearing.heating.conductances import Conductance
@@ -32,6 +34,7 @@ from ehl.units import from_si, notebook_html
 from ..contact.quantities import oil_permittivity
 from ..results import Results
 from ..text import listed
+from .film_heat import film_bars
 
 
 @dataclass(frozen=True, kw_only=True)  # without slots, which would keep no cached property
@@ -81,9 +84,15 @@ class BearingResults(Results):
 
     @cached_property
     def instruments(self) -> tuple[FilmInstruments | None, ...]:
-        """What would be measured of the films of the contacts; None where none is solved."""
+        """What would be measured of the films of the contacts, with the heat of their inlets; None
+        where none is solved.
+        """
         permittivity = oil_permittivity(self.case)
-        found = {id(film): film_instruments(film, permittivity) for film in self.solutions if film}
+        found: dict[int, FilmInstruments | None] = {}
+        for contact, film in zip(self.contacts, self.solutions, strict=True):
+            if film is not None and id(film) not in found:
+                left = heat_beside(contact, film) if film.converged else NO_HEAT
+                found[id(film)] = film_instruments(heated_solution(film, left), permittivity)
         return tuple(found.get(id(film)) for film in self.solutions)
 
     @cached_property
@@ -139,7 +148,7 @@ class BearingResults(Results):
             "modified_rating_life_h": life,
             **self._facts(),
         }
-        films = [film_bars(film) for film in self.films]
+        films = [film_bars(*one) for one in zip(self.contacts, self.films, strict=True)]
         columns: dict[str, Any] = {
             "ball": [str(contact.ball) for contact in self.contacts],
             "azimuth_deg": [contact.azimuth for contact in self.contacts],
@@ -147,8 +156,8 @@ class BearingResults(Results):
             "load_N": [contact.load for contact in self.contacts],
             "angle_deg": [contact.contact_angle for contact in self.contacts],
             "Hertz_GPa": [c.hertz.pressure if c.hertz else None for c in self.contacts],
-            "central_film_um": [central for central, _ in films],
-            "minimum_film_um": [minimum for _, minimum in films],
+            "central_film_um": [central and central[:2] for central, _ in films],
+            "minimum_film_um": [minimum and minimum[:2] for _, minimum in films],
         }
         return notebook_html(self.title or "Bearing", facts, columns)
 
@@ -156,27 +165,6 @@ class BearingResults(Results):
     def pictures(self) -> int:
         """The most that are drawn [-]: six of the bearing, one of each distinct contact."""
         return 6 + len(distinct_contacts(self))
-
-
-Bar = tuple[float, float] | None  # a film and its error bar [m]
-
-
-def film_bars(film: ContactSolution | FormulaFilm | None) -> tuple[Bar, Bar]:
-    """Central and minimum film of a contact with their error bars [m]; None where there is none,
-    or it did not converge.
-    """
-    if film is None:
-        return None, None
-    if isinstance(film, FormulaFilm):
-        return (film.central, film.uncertainty), _bar(film.minimum, film.minimum_uncertainty)
-    return (
-        _bar(film.film_central, film.film_central_uncertainty),
-        _bar(film.film_minimum, film.film_minimum_uncertainty),
-    )
-
-
-def _bar(value: float | None, error: float | None) -> Bar:
-    return None if value is None or error is None else (value, error)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -221,7 +221,8 @@ def decay_messages(results: BearingResults) -> Iterator[str]:
     end = float(decay.time[-1])
     yield (
         f"decay: ball {decay.contact.ball} {decay.contact.race.value}, {end:.4g} s after the "
-        "supply stops; no oil returns from beside the tracks, on which real bearings depend"
+        "supply stops; no oil returns from beside the tracks, on which real bearings depend; "
+        "films without the heat of inlets"
     )
     if decay.loss > 0.0:
         yield (

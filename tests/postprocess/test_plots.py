@@ -80,7 +80,9 @@ def test_the_foot_of_the_films_explains_only_what_is_drawn(bearing_results):
         return " ".join(text.get_text() for text in figure.texts)
 
     first, *others = bearing_results.solutions
-    layer = SimpleNamespace(filled=np.full_like(first.P, 0.5), outlet_layer=np.ones(first.P.shape[1]))
+    layer = SimpleNamespace(
+        filled=np.full_like(first.P, 0.5), outlet_layer=np.ones(first.P.shape[1]), rolling_moment_ratio=0.5
+    )
     starved = replace(bearing_results, solutions=(replace(first, supply=layer), *others))
     assert "dotted: filled with oil" in foot(starved, "film")
     assert "dotted" not in foot(starved, "pressure")

@@ -22,6 +22,7 @@ CLOSED, SOLVED = 1e-6, 5e-3
 BALANCED = 1e-7  # of a balance of power, which is round-off and what the balls' search leaves [-]
 NOISE = 1e-9  # of values that are zero, in the unit of their key
 ROUND_OFF = 1e-14  # of the largest entry of a matrix, whose zeros are differences of such entries
+ELECTRICAL = ("6206_motor_steel", "6206_motor_hybrid")
 BEARINGS = ("6206_axial_500N", "6206_combined_1000N", "6205_all_silicon_nitride", "7008C_hybrid")
 
 
@@ -39,6 +40,17 @@ def bearing_parts(stem):
 
     found = summary(run_case(load_case(stem)))
     return leaves(found["torque_N_mm"], "torque_N_mm") | leaves(found["ring"]["stiffness"]["matrix"], "stiffness")
+
+
+def electrical_parts(stem):
+    """Capacitance and breakdown voltage of the bearing, and of its contacts by their films, on a coarse grid."""
+    from postprocess import summary
+
+    case = load_case(stem)
+    found = summary(run_case(replace(case, solver=replace(case.solver, points=65))))
+    keys = ("capacitance_pF", "capacitance_uncertainty_pF", "breakdown_voltage_V", "breakdown_voltage_low_V")
+    contacts = [{key: contact[key] for key in keys} for contact in found["contacts"][:6]]
+    return leaves({"electrical": found["electrical"], "contacts": contacts})
 
 
 def slip_parts(folder):
@@ -117,6 +129,11 @@ def test_torque_and_stiffness(stem):
     compare(bearing_parts(stem), stem, CLOSED)
 
 
+@pytest.mark.parametrize("stem", ELECTRICAL)
+def test_electrical(stem):
+    compare(electrical_parts(stem), stem, SOLVED)
+
+
 def test_slip(tmp_path):
     compare(slip_parts(tmp_path), "slip", CLOSED)
 
@@ -149,6 +166,7 @@ def compare(found, name, tolerance):
 
 if __name__ == "__main__":
     numbers = {stem: bearing_parts(stem) for stem in BEARINGS}
+    numbers |= {stem: electrical_parts(stem) for stem in ELECTRICAL}
     others = {"slip": slip_parts, "simulation": simulation_parts, **PROGRAMS, "fields": field_parts}
     for name, parts in others.items():
         with tempfile.TemporaryDirectory() as directory:

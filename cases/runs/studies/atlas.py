@@ -21,7 +21,7 @@ from ...format.contact import FilmModel
 from ...format.problems import CaseError
 from ...version import version
 from ..equilibrium import without_traction_equilibrium
-from ..films import heat_message, wanted_contacts
+from ..films import wanted_contacts
 
 HALF_AND_HALF = (
     "loads of half and half in place of traction equilibrium, which takes its friction from films"
@@ -62,8 +62,6 @@ def run_atlas_bearing(case: Case, name: str) -> AtlasBearingResults:
     if case.file.ehl.finite_bodies and state.converged:
         contacts = with_finite_bodies(contacts, finite_bodies(case.bearing, contacts))
     wanted, messages = wanted_contacts(case, state, contacts)
-    if state.converged:
-        messages += heat_message(case, state, contacts)
     if model is not case.model:
         messages += (HALF_AND_HALF,)
     pairs = zip(contacts, wanted, strict=True)

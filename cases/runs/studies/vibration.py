@@ -117,7 +117,7 @@ def _film_shares(case: Case, contacts: Sequence[BearingContact]) -> dict[Race, f
         contact = heaviest(contacts, race)
         (film,) = starved_films([contact], scarce or AMPLE, case.bearing.balls)
         if film is not None:
-            shares[race] = 1.0 - asperities.share(contact, film.share * film.flooded_central)
+            shares[race] = 1.0 - asperities.share(contact, film.central)
     return shares
 
 

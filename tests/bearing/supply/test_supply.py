@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from bearing import Operation, contact_conditions, solve_quasistatic
+from bearing.contacts.film_heat import film_heat
 from bearing.contacts.film_numbers import film_numbers
 from bearing.friction.asperities import asperity_share
 from bearing.heating.heat_balance import HIGHEST_TEMPERATURE, Cooling, heat_balance
@@ -98,7 +99,10 @@ def test_a_layer_at_the_inlets_starves_every_contact_by_its_own_film(radial):
         shares = starvation_shares(*moes_groups(own), own.radius_x / own.radius_y, 0.3e-6 / (packed * flooded))
         assert films[i].share == pytest.approx(shares.central.value, rel=1e-3)
         assert films[i].rolling_share == pytest.approx(shares.rolling_moment.value, abs=2e-3)
-        assert films[i].central == pytest.approx(films[i].share * flooded, rel=1e-12)
+        heat = film_heat(contacts[i]).value
+        assert heat < 1.0
+        assert films[i].heat == pytest.approx(heat ** films[i].rolling_share, rel=1e-12)
+        assert films[i].central == pytest.approx(films[i].heat * films[i].share * flooded, rel=1e-12)
         assert films[i].minimum <= films[i].central
         rough = 0.2e-6 if contacts[i].race.value == "inner" else 0.1e-6
         assert films[i].lambda_ratio == pytest.approx(films[i].minimum / rough, rel=1e-12)
@@ -109,7 +113,7 @@ def test_a_layer_at_the_inlets_starves_every_contact_by_its_own_film(radial):
 def test_ample_oil_leaves_the_flooded_films_to_the_last_digit(radial):
     state, contacts = radial
     films = [film for film in starved_films(contacts, InletFilm(layer=1e-3), 9) if film is not None]
-    assert all(film.share == 1.0 and film.central == film.flooded_central for film in films)
+    assert all(film.share == 1.0 and film.central == film.flooded_heat * film.flooded_central for film in films)
     scarce = starved_films(contacts, InletFilm(layer=0.2e-6), 9, (0.2e-6, 0.2e-6))
     driven = of_driven_balls(state, contacts, scarce)
     loaded = int((state.inner_load > 0.0).sum())

@@ -9,6 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import Operation, contact_conditions, solve_quasistatic
+from bearing.contacts.film_heat import NO_HEAT
 from bearing.contacts.motion import ball_speeds, motion_map
 from bearing.contacts.traction import contact_traction
 from bearing.friction.films import film_law, sheared_films
@@ -72,6 +73,12 @@ def test_integrated_torque_has_the_oil_up_to_its_meniscus(rolling):
     assert found.notes == ()
 
 
+@pytest.fixture
+def no_inlet_heat(monkeypatch):
+    """Films of the friction as they were solved."""
+    monkeypatch.setattr("bearing.friction.running_films.film_heat", lambda contact: NO_HEAT)
+
+
 def test_twice_the_layer_adds_what_is_said(rolling):
     state, tractions, films = rolling
     found = rolling_extent(state, tractions, films)
@@ -81,6 +88,7 @@ def test_twice_the_layer_adds_what_is_said(rolling):
     assert 0.0 < found.doubling < 0.15 * found.within_extent
 
 
+@pytest.mark.usefixtures("no_inlet_heat")
 def test_balls_balance_with_the_moment_of_the_torque(rolling, bearings):
     """A film law pulls with the same rolling moment as the traction of its contact."""
     state, tractions, films = rolling
@@ -121,6 +129,7 @@ def test_no_torque_at_rest(rolling, bearings):
     assert rolling_extent(solve_quasistatic(bearings.b6208, together), tractions, films) is None
 
 
+@pytest.mark.usefixtures("no_inlet_heat")
 def test_balance_and_torque_sum_the_same_nodes(rolling, monkeypatch):
     """On films finer than what is summed: else the power of balls in balance does not close."""
     for module in ("bearing.contacts.traction", "bearing.friction.film_nodes"):

@@ -30,7 +30,7 @@ case = "6208_full_ceramic"
 [goal]
 minimise = "torque_N_mm"
 [constraints]
-"film_minimum_um" = { least = 0.5 }
+"film_minimum_um" = { least = 0.35 }
 [search]
 designs = 6
 first = 4

@@ -90,9 +90,10 @@ def test_a_thin_inlet_film_starves_films_and_torque(flooded):
         share = contact["starved_film_share"]
         assert contact["starved_film_minimum_um"] <= contact["starved_film_central_um"]
         if whole := known.get((contact["ball"], contact["race"])):
-            assert contact["starved_film_central_um"] == pytest.approx(share * whole["film_central_um"])
+            cold = share * whole["isothermal_film_central_um"]  # a starved inlet has less heat
+            assert whole["inlet_heat_share"] * cold < contact["starved_film_central_um"] < cold
             left = contact["starved_film_minimum_um"] / whole["film_minimum_um"]
-            assert 0.9 * share < left < 1.5 * share
+            assert 0.9 * share < left < 1.7 * share
             assert contact["starved_lambda_ratio"] == pytest.approx(left * whole["lambda_ratio"])
     assert supply["lambda_least"] == pytest.approx(min(c["starved_lambda_ratio"] for c in lubricated if c["ball"] == 1))
     for name, model in torque["models"].items():  # all others are the flooded ones
@@ -269,7 +270,7 @@ def test_films_of_a_bearing_by_the_law():
     for one, other in zip(document["contacts"], flooded["contacts"], strict=True):
         if one["film_central_um"] is None:
             continue
-        assert one["flooded_film_central_um"] == other["film_central_um"]
+        assert one["flooded_film_central_um"] == other["isothermal_film_central_um"]
         assert one["film_central_um"] < min(one["flooded_film_central_um"], 0.2)
         assert one["film_minimum_um"] <= one["film_central_um"]
         assert one["starved_film_central_um"] == pytest.approx(one["film_central_um"])
@@ -381,7 +382,8 @@ def test_films_of_a_bearing_solved_behind_a_layer():
     loaded = [c for c in document["contacts"] if c["film_central_um"] is not None]
     assert len(loaded) >= 6
     for contact in loaded:
-        share = contact["film_central_um"] / contact["flooded_film_central_um"]
+        share = contact["isothermal_film_central_um"] / contact["flooded_film_central_um"]
+        assert contact["film_central_um"] < contact["isothermal_film_central_um"]
         assert contact["starved_film_share"] == pytest.approx(share)
         assert share < 1.03 * contact["inlet_ratio"] and contact["film_central_um"] < 0.2
         assert 0.0 < contact["rolling_moment_ratio"] < 1.0 and contact["meniscus_position"] < -0.9

@@ -5,8 +5,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import pytest
 from rich.console import Console
 
+from bearing.contacts.film_heat import NO_HEAT
 from bearing.torque.models import summed
 from postprocess.bearing.ratings import film_row
 from postprocess.bearing.strength import probability_text
@@ -43,6 +45,14 @@ def test_the_moment_of_a_ring_that_is_held_is_told(bearing_results):
 def test_an_angle_of_zero_has_no_sign(bearing_results):
     contacts = tuple(replace(contact, contact_angle=-1e-6) for contact in bearing_results.contacts)
     assert "-0.00" not in printed(replace(bearing_results, contacts=contacts))
+
+
+@pytest.fixture
+def bearing_results(bearing_results, monkeypatch):
+    """Without the heat of the inlets, whose spread widens all bars."""
+    monkeypatch.setattr("postprocess.bearing.film_heat.film_heat", lambda contact: NO_HEAT)
+    monkeypatch.setattr("postprocess.bearing.film_heat.heat_beside", lambda contact, film: NO_HEAT)
+    return bearing_results
 
 
 def test_narrow_error_bars_fit_80_columns(bearing_results):

@@ -1,0 +1,79 @@
+"""Films of bearings come with the heat of their inlets: bearings that are not shipped, at and above n d_m 5e5."""
+
+from __future__ import annotations
+
+import pytest
+
+from cases import run_case
+from cases.format.case import case_from_text
+from cases.format.problems import CaseError
+from postprocess import summary
+
+CASE = """
+schema_version = 1
+[bearing]
+name = "{name}"
+[lubricant]
+name = "iso vg 32"
+[surface]
+inner_ring_roughness_um = 0.3
+outer_ring_roughness_um = 0.3
+ball_roughness_um = 0.03
+[operation]
+inner_speed_rpm = {speed}
+{direction}_load_N = {load}
+temperature_C = 60.0
+[ehl]
+film_maps = "none"
+"""
+MADE = {
+    "7014C": {"speed": 20000.0, "direction": "axial", "load": 600.0},
+    "6010": {"speed": 15000.0, "direction": "radial", "load": 900.0},
+    "7205B": {"speed": 18000.0, "direction": "axial", "load": 400.0},
+}
+
+
+def text(name, **changes):
+    return CASE.format(name=name, **{**MADE[name], **changes})
+
+
+@pytest.mark.parametrize("name", MADE)
+def test_every_film_is_printed_with_heat_and_the_isothermal_one_beside(name):
+    found = summary(run_case(case_from_text(text(name), name)))
+    films = [contact for contact in found["contacts"] if contact["film_minimum_um"] is not None]
+    assert films
+    for contact in films:
+        share = contact["inlet_heat_share"]
+        assert contact["inlet_heat_share_low"] < share < contact["inlet_heat_share_high"] < 1.0
+        for film in ("central", "minimum"):
+            cold = contact[f"isothermal_film_{film}_um"]
+            assert contact[f"film_{film}_um"] == pytest.approx(share * cold)
+            bar = contact[f"film_{film}_uncertainty_um"]
+            assert bar >= 0.49 * (contact["inlet_heat_share_high"] - contact["inlet_heat_share_low"]) * cold
+        together = (0.3**2 + 0.03**2) ** 0.5
+        assert contact["lambda_ratio"] == pytest.approx(contact["film_minimum_um"] / together)
+    heaviest = max(films, key=lambda contact: contact["load_N"])
+    assert heaviest["inlet_heat_share"] < 0.9
+    assert any("heat of their inlets leaves" in message for message in found["messages"])
+
+
+def test_friction_takes_the_film_with_heat():
+    results = run_case(case_from_text(text("6010"), "6010"))
+    running = [film for film in results.torque.shear.films if film is not None]
+    films = [contact for contact in summary(results)["contacts"] if contact["film_central_um"] is not None]
+    assert len(running) == len(films)
+    for film, contact in zip(running, films, strict=True):
+        assert 1e6 * film.central == pytest.approx(contact["film_central_um"])
+        assert 1e6 * film.flooded_central == pytest.approx(contact["isothermal_film_central_um"])
+        assert film.asperity_share > film.flooded_share
+
+
+def test_a_slow_bearing_keeps_its_films():
+    found = summary(run_case(case_from_text(text("6010", speed=100.0), "6010")))
+    shares = [contact["inlet_heat_share"] for contact in found["contacts"] if contact["inlet_heat_share"]]
+    assert min(shares) > 0.99
+
+
+def test_no_key_takes_the_heat_away():
+    with pytest.raises(CaseError, match="inlet_heating"):
+        case_from_text(text("6010") + 'inlet_heating = "none"\n', "6010")
