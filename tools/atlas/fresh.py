@@ -1,8 +1,8 @@
 """Fresh contacts beside the film atlas, as a release has them: `python tools/atlas/fresh.py SEED [NUMBER]`.
 
-NUMBER contacts, 20 unless told, of the boxes of the held-out ones in turn, of a seed that none had before, the date,
-are solved as the labels are. Prints how far each film is off over its error bar; ends with 1 if more of them are outside
-than one in a hundred draws of a true bar of 95 % has.
+NUMBER contacts, 20 unless told, of the boxes of the held-out ones in turn, of a seed that none had before, such as the
+date, are solved as the labels are. Prints how far each film is off over its error bar; ends with 1 if more of them are
+outside than one in a hundred draws of a true bar of 95 % has.
 """
 
 from __future__ import annotations
