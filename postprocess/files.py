@@ -54,9 +54,15 @@ def plain_document(document: dict[str, Any]) -> dict[str, Any]:
 def plain(value: Any, path: str = "", lost: list[str] | None = None) -> Any:
     """Plain JSON types; a number that is not finite becomes None, its path is added to `lost`."""
     if isinstance(value, dict):
-        return {key: plain(v, f"{path}.{key}".lstrip("."), lost) for key, v in value.items()}
+        return {
+            key: v if _is_plain(v) else plain(v, f"{path}.{key}".lstrip("."), lost)
+            for key, v in value.items()
+        }
     if isinstance(value, list | tuple):
-        return [plain(item, f"{path}[{i}]", lost) for i, item in enumerate(value)]
+        return [
+            item if _is_plain(item) else plain(item, f"{path}[{i}]", lost)
+            for i, item in enumerate(value)
+        ]
     if hasattr(value, "tolist"):  # arrays and scalars of NumPy
         return plain(value.tolist(), path, lost)
     if isinstance(value, float) and not isfinite(value):
@@ -64,6 +70,12 @@ def plain(value: Any, path: str = "", lost: list[str] | None = None) -> Any:
             lost.append(path)
         return None
     return value
+
+
+def _is_plain(value: Any) -> bool:
+    """Whether a value is one of JSON as it is, as most are; the paths of others are built."""
+    kind = type(value)
+    return (kind is float and isfinite(value)) or kind in (str, int, bool, type(None))
 
 
 def write_csv(

@@ -80,35 +80,43 @@ def _rounded(value: float) -> float:
 @lru_cache(maxsize=256)
 def _film_numbers(conditions: ContactConditions, axes: tuple[float, float]) -> FilmNumbers:
     """The same of conditions that are alike."""
-    own = _by_formulas(conditions, axes)
     near, distance = nearest_covered(conditions)
     if near is None:
-        return own
+        return _by_formulas(conditions, axes)
     try:
         known = atlas_films(near)
     except NotInAtlasError:  # its film is too thick
-        return own
-    there = own
-    if distance:
-        stretch = (near.load / conditions.load) ** (1.0 / 3.0)
-        there = _by_formulas(near, (stretch * axes[0], stretch * axes[1]))
-    central = known.central.value * own.central / there.central
-    ratio = known.minimum.value / known.central.value
-    if own.ratio is not None and there.ratio is not None:
-        ratio *= own.ratio / there.ratio
-    moment = own.moment
-    if known.rolling_moment is not None:
-        moment *= known.rolling_moment.value / there.moment
+        return _by_formulas(conditions, axes)
     beyond = BEYOND_ERROR * distance
     errors = [one.uncertainty / one.value + beyond for one in (known.central, known.minimum)]
-    return FilmNumbers(
-        central=central,
-        ratio=ratio,
-        moment=moment,
+    found = FilmNumbers(
+        central=known.central.value,
+        ratio=known.minimum.value / known.central.value,
+        moment=0.0 if known.rolling_moment is None else known.rolling_moment.value,
         error=min(errors[0], FORMULA_ERROR),
         minimum_error=min(errors[1], FORMULA_ERROR),
         atlas=not distance,
     )
+    if not distance and known.rolling_moment is not None:
+        return found
+    own = _by_formulas(conditions, axes)
+    if not distance:
+        return found._replace(moment=own.moment)
+    stretch = (near.load / conditions.load) ** (1.0 / 3.0)
+    there = _by_formulas(near, (stretch * axes[0], stretch * axes[1]))
+    return _beyond(found, own, there)
+
+
+def _beyond(known: FilmNumbers, own: FilmNumbers, there: FilmNumbers) -> FilmNumbers:
+    """Those of the atlas at the nearest contact times what the formulas change from there."""
+    ratio = known.ratio
+    if ratio is not None and own.ratio is not None and there.ratio is not None:
+        ratio *= own.ratio / there.ratio
+    moment = own.moment
+    if known.moment:
+        moment *= known.moment / there.moment
+    central = known.central * own.central / there.central
+    return known._replace(central=central, ratio=ratio, moment=moment)
 
 
 def _by_formulas(conditions: ContactConditions, axes: tuple[float, float]) -> FilmNumbers:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import exp, log, sqrt
+from math import atan, exp, log, pi, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -29,12 +29,18 @@ class Part(NamedTuple):
     random: bool  # else of a low-discrepancy sequence
     seed: int
     oils: tuple[tuple[float, float], tuple[float, float]] = (BOX_Z, BOX_ALPHA)  # z and alpha of any oil
+    # entrainment at any angle up to where the ratio of curvatures across and along it is this one
+    skewed: float | None = None
+    angles: tuple[float, float] = (0.0, 1.0)  # over that angle
 
 
 HELD_OUT = 20261123  # seed of the contacts that judge: the date on which they were drawn
+HELD_OUT_SKEWED = 20261126
 HEAVY, LIGHT, WIDE = (6.3, 175.0), (2.2, 8.2), (1.0, 5.2)
 SLIM, LUBRICANT = (0.0092, 1.1), (0.0, 31.4)
 RIGID, ANY_RATIO = (0.32, 2.6), (0.0092, 5.2)
+SKEW, SKEW_RATIO, ACROSS = (9.0, 90.0), (0.045, 1.0), 5.0
+HELD_SKEW, HELD_SKEW_RATIO = (10.0, 80.0), (0.05, 1.0)
 PARTS = {
     "heavy": Part(HEAVY, LUBRICANT, SLIM, any_oil=False, random=False, seed=1),
     "start": Part((6.3, 13.0), (0.0, 8.0), SLIM, any_oil=False, random=False, seed=2),
@@ -57,6 +63,17 @@ PARTS = {
     "rigid wide oil": Part(RIGID, LUBRICANT, ANY_RATIO, any_oil=True, random=False, seed=12, oils=WIDE_OILS),
     "along": Part((6.3, 175.0), LUBRICANT, WIDE, any_oil=False, random=False, seed=5),
     "held along": Part((7.0, 160.0), (0.0, 30.0), (1.0, 5.0), any_oil=False, random=True, seed=HELD_OUT + 3),
+    "skew": Part(SKEW, LUBRICANT, SKEW_RATIO, any_oil=False, random=False, seed=13, skewed=ACROSS),
+    "skew across": Part(
+        SKEW, LUBRICANT, (0.045, 0.45), any_oil=False, random=False, seed=15, skewed=ACROSS, angles=(0.75, 1.0)
+    ),
+    "skew oil": Part(SKEW, LUBRICANT, SKEW_RATIO, any_oil=True, random=False, seed=14, skewed=ACROSS),
+    "held skew": Part(
+        HELD_SKEW, (0.0, 30.0), HELD_SKEW_RATIO, any_oil=False, random=True, seed=HELD_OUT_SKEWED, skewed=ACROSS
+    ),
+    "held skew oil": Part(
+        HELD_SKEW, (0.0, 30.0), HELD_SKEW_RATIO, any_oil=True, random=True, seed=HELD_OUT_SKEWED + 1, skewed=ACROSS
+    ),
 }
 
 
@@ -69,29 +86,44 @@ class Place(NamedTuple):
     L: float
     D: float
     oil: Lubricant
+    angle: float | None = None  # of the entrainment from the x of Rx to that of Ry [rad], of skewed parts
 
     def conditions(self):
         """In SI."""
         f = hertz_coefficients(self.D)[0]
-        groups = moes((self.A / f**2) ** 1.5, max(self.L, 1e-3), self.D, oil=self.oil)
+        groups = moes((self.A / f**2) ** 1.5, max(self.L, 1e-3), self.D, angle=self.angle or 0.0, oil=self.oil)
         return from_groups(groups, modulus=MODULUS)
 
 
-def places(kind, count):
-    """The first `count` contacts of a part; more of them leave the first as they are."""
-    part = PARTS[kind]
+def places(kind, count, seed=None):
+    """The first `count` contacts of a part, or of its box with another seed; more leave the first as they are."""
+    part = PARTS[kind] if seed is None else PARTS[kind]._replace(seed=seed)
+    columns = 5 if part.skewed is None else 6
     if part.random:
-        unit = np.random.default_rng(part.seed).random((count, 5))
+        unit = np.random.default_rng(part.seed).random((count, columns))
     else:
-        unit = qmc.Halton(5, seed=part.seed).random(count)
+        unit = qmc.Halton(columns, seed=part.seed).random(count)
     found = []
     for number, u in enumerate(unit):
         A = exp(log(part.load[0]) + u[0] * log(part.load[1] / part.load[0]))
         low, high = (sqrt(value) for value in part.lubricant)
         D = exp(log(part.ratio[0]) + u[2] * log(part.ratio[1] / part.ratio[0]))
         oil = _any_oil(part, u[3], u[4]) if part.any_oil else OIL
-        found.append(Place(kind, number, A, (low + u[1] * (high - low)) ** 2, D, oil))
+        angle = None if part.skewed is None else _angle(part, D, float(u[5]))
+        found.append(Place(kind, number, A, (low + u[1] * (high - low)) ** 2, D, oil, angle))
     return found
+
+
+def _angle(part, D, u):
+    """Of the entrainment [rad]."""
+    low, high = part.angles
+    return (low + u * (high - low)) * widest(D, part.skewed)
+
+
+def widest(D, ratio):
+    """Angle [rad] at which the curvature across the entrainment is `ratio` times that along it."""
+    rest = 1.0 - ratio * D
+    return atan(sqrt((ratio - D) / rest)) if rest > 0.0 else 0.5 * pi
 
 
 def _any_oil(part, u, v):

@@ -56,6 +56,7 @@ class Place(NamedTuple):
     D: float
     oil: Lubricant
     contact: ContactConditions
+    angle: None = None  # entrainment along x
 
     def conditions(self):
         """In SI."""

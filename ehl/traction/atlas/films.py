@@ -1,11 +1,12 @@
 """Films, rolling moment and stiffness of a flooded contact by the atlas, without a solve.
 
-Newtonian and isothermal, flooded, entrainment along x; the oil after Roelands with the density of
-Dowson and Higginson, or one of another law, for which a Roelands oil stands (`oils`). Each value
-has the error within which nineteen of twenty contacts lay that were solved to judge the table.
-What the table does not cover is refused.
+Newtonian and isothermal, flooded; entrainment along x, or at an angle (`skewed`); the oil after
+Roelands with the density of Dowson and Higginson, or one of another law, for which a Roelands oil
+stands (`oils`). Each value has the error within which nineteen of twenty contacts lay that were
+solved to judge the table. What the table does not cover is refused.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from math import exp, inf, log, pi, sin, sqrt
 from typing import NamedTuple
@@ -18,8 +19,9 @@ from ...closed_form.hertz import hertz_coefficients
 from ...conditions import ContactConditions, MoesConditions
 from ...oil.lubricant import Lubricant
 from ...scaling import ScaledContact, scale_contact
-from ..kapitza import kapitza_moment
+from ..kapitza import moment_lost_by_circles
 from .oils import LIGHT_DENSITY, by_density, density_excess, law_error, with_inlet_oil
+from .skewed import MIXED, SKEW_RANGE, Along, along_entrainment, mixed_functions, skew_bars
 from .table import BASE_ALPHA, BASE_Z, bars_of, functions
 
 # of A, L, D, Roelands' z [-] and alpha [1/Pa] between which the table was judged
@@ -30,7 +32,7 @@ RANGE = {
     "roelands_z": (0.3, 1.1),
     "pressure_viscosity": (8e-9, 32e-9),
 }
-ALIGNED = 1e-9  # sine of the angle between entrainment and principal direction that counts as none
+ALIGNED = 1e-9  # sine of the angle between entrainment and x that counts as none
 # speed at the end of the ellipse by a rotation of the entrainment, over u_m, up to which the table
 # counts
 ROTATION = 0.02
@@ -66,9 +68,9 @@ STEP = 0.02  # of ln A, over which H0 is differentiated
 # relative error of the stiffness below and above A = `LIGHT`: 70 contacts solved at 0.985 and
 # 1.015 of the load were within 6.9 % (A 2.2 to 6.5, others below 0.6 %) and 0.6 % [-]
 STIFFNESS_ERROR = (0.07, 0.01)
-# of the moment that the gap of circles takes from that of paraboloids, its error: rigid bodies
-# tell it to a fifth in 12 contacts of 6208 and 7008 [-]
-CIRCLES = 0.25
+# of the moment that the gap of circles takes from that of paraboloids, its error: 95 % of the
+# drawn by `python tools/atlas/circles.py 20261127 30` are within 0.17 [-]
+CIRCLES = 0.2
 
 
 class NotInAtlasError(ValueError):
@@ -97,7 +99,8 @@ class AtlasFilms:
     minimum: AtlasValue
     approach: AtlasValue  # h_0, the constant of the film equation
     # up to where the gap is as wide as the layer; None: a layer below 3 (1 + H_c) a^2/Rx ends
-    # too near the contact for the table, see `ehl.traction.rolling_moment`
+    # too near the contact for the table, see `ehl.traction.rolling_moment`, or the entrainment is
+    # at an angle to x
     rolling_moment: AtlasValue | None
     stiffness: AtlasValue  # -dF/dh_0
     inside: bool  # whether the contact lies in the range that was judged; others are refused
@@ -119,14 +122,16 @@ def atlas_films(
     given = conditions.lubricant
     conditions = with_inlet_oil(conditions)
     contact = scale_contact(conditions)
-    load = hertz_coefficients(contact.radius_ratio)[0] ** 2 * contact.moes_load ** (2.0 / 3.0)
-    _require_covered(conditions, contact, load)
-    ratio = contact.radius_ratio
+    own = hertz_coefficients(contact.radius_ratio)[0] ** 2 * contact.moes_load ** (2.0 / 3.0)
+    _require_covered(conditions, contact, own)
+    angle = conditions.entrainment_angle if _skewed(conditions) else 0.0
+    along = along_entrainment(own, contact.moes_lubricant, contact.radius_ratio, angle)
+    load, ratio = along.load, along.ratio
     # 1. the six functions at the contact, and at A a little smaller and larger
-    x = np.array([[log(load), sqrt(contact.moes_lubricant), log(ratio)]] * 3)
+    x = np.tile(along.place, (3, 1))
     x[1:, 0] += (-STEP, STEP)
-    found = _functions(x, load, contact, (conditions.lubricant, given))
-    bars = _bars(load, ratio, given)
+    found = _functions(x, along, contact, (conditions.lubricant, given))
+    bars = _bars(along, given)
     central, minimum = (exp(found[0, k]) / load for k in (0, 1))
     lowered, lobes, moved = _by_rotation(load, ratio, contact.turning)
     minimum = min(minimum, central) * lowered
@@ -137,10 +142,10 @@ def atlas_films(
     stiffness = -1.5 / (approach + float(approaches[2] - approaches[1]) / (2.0 * STEP))
     approach_error = float(bars[2]) + middle * central
     # 3. scales of the conditions
-    unit = contact.film_scale or 1.0
+    unit = along.unit * (contact.film_scale or 1.0)
     force = 1.0
     if isinstance(conditions, ContactConditions):
-        _require_thin(central * unit / conditions.radius_x)
+        _require_thin(central * unit * along.curvature / conditions.radius_x)
         force = conditions.load
     stiffness *= force / unit
     return AtlasFilms(
@@ -163,8 +168,10 @@ def _rolling_moment(
     layer: float | None,
 ) -> AtlasValue | None:
     """Moment up to a layer as `atlas_films` takes it, by the six functions, shape (6,), and their
-    relative error.
+    relative error; None also for entrainment at an angle.
     """
+    if _skewed(conditions):
+        return None
     load = hertz_coefficients(contact.radius_ratio)[0] ** 2 * contact.moes_load ** (2.0 / 3.0)
     central = exp(found[0]) / load
     unit = contact.film_scale or 1.0
@@ -178,7 +185,7 @@ def _rolling_moment(
     scale = moment_unit * pi * contact.speed / ((3.0 + 2.0 * ratio) * sqrt(ratio))
     rolling = _moment(found[3:], layer / unit, central, share, scale)
     if rolling is not None and isinstance(conditions, ContactConditions):
-        rolling = _of_circles(rolling, conditions, central * unit, layer)
+        rolling = _of_circles(rolling, conditions, contact, (central * unit, layer))
     return rolling
 
 
@@ -190,6 +197,8 @@ def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | 
     standing = with_inlet_oil(conditions)
     assert isinstance(standing, ContactConditions)
     contact = scale_contact(standing)
+    if _skewed(conditions):
+        return None, 0.0
     axis = hertz_coefficients(contact.radius_ratio)[0]
     own = axis**2 * contact.moes_load ** (2.0 / 3.0)
     wanted = _nearest("A = a^2/(Rx^2 sqrt(2U))", own)
@@ -227,17 +236,24 @@ def _nearest(name: str, value: float) -> float:
 
 
 def _functions(
-    x: Array, load: float, contact: ScaledContact, oils: tuple[Lubricant, Lubricant]
+    x: Array, along: Along, contact: ScaledContact, oils: tuple[Lubricant, Lubricant]
 ) -> Array:
-    """The six functions at x, shape (m, 3), of a contact, A, with the oil that stands for its own
-    and its own, shape (m, 6) [-].
+    """The six functions at x, shape (m, 4), of a contact with the oil that stands for its own and
+    its own, shape (m, 6) [-].
     """
     standing, own = oils
     alpha, z = _oil(standing)
-    _require_range((load, contact.moes_lubricant, contact.radius_ratio, z, alpha))
-    _require_density(own, contact.hertz_pressure, load)
-    found = functions(x, np.full(len(x), alpha), np.full(len(x), z))
-    return _with_density(found, x, by_density(own, contact.hertz_pressure, load))
+    _require_range((along.load, along.lubricant, along.ratio, z, alpha))
+    if along.mixed:
+        _require_range(along.slimmer, SKEW_RANGE)
+    _require_density(own, contact.hertz_pressure, along.load)
+    oil = np.full(len(x), alpha), np.full(len(x), z)
+    found = functions(x[:, :3], *oil)
+    if along.mixed:
+        found[:, :MIXED] += mixed_functions(x, *oil)
+        found[:, MIXED - 1] += along.approach
+    added = by_density(own, contact.hertz_pressure, along.load)
+    return _with_density(found, x, added) if added.any() else found
 
 
 def _with_density(found: Array, x: Array, added: Array) -> Array:
@@ -256,11 +272,13 @@ def _oil(oil: Lubricant) -> tuple[float, float]:
     return oil.pressure_viscosity, oil.exponent
 
 
-def _bars(load: float, ratio: float, oil: Lubricant) -> Array:
-    """Errors of the six functions at A and Rx/Ry with an oil, shape (6,) [-]."""
-    base = np.array([_oil(oil) == (BASE_ALPHA, BASE_Z)])
-    own = bars_of(np.array([load]), np.array([ratio]), base)[0]
-    return np.maximum(own, law_error(oil, load >= LIGHT))
+def _bars(along: Along, oil: Lubricant) -> Array:
+    """Errors of the six functions of a contact with an oil, shape (6,) [-]."""
+    base = _oil(oil) == (BASE_ALPHA, BASE_Z)
+    own = bars_of(np.array([along.load]), np.array([along.ratio]), np.array([base]))[0]
+    if along.mixed:
+        own[:MIXED] = np.maximum(own[:MIXED], skew_bars(along.ratio, base))
+    return np.maximum(own, law_error(oil, along.load >= LIGHT))
 
 
 def _slim(load: float, ratio: float) -> _Turning | None:
@@ -304,14 +322,23 @@ def _moment(
 
 
 def _of_circles(
-    moment: AtlasValue, conditions: ContactConditions, film: float, layer: float
+    moment: AtlasValue,
+    conditions: ContactConditions,
+    contact: ScaledContact,
+    films: tuple[float, float],
 ) -> AtlasValue:
-    """The moment [N m] of paraboloids less what Kapitza's pressure loses in the gap of circles, by
-    film and layer [m].
+    """The moment [N m] of paraboloids less what the gap of circles takes from Kapitza's pressure,
+    by film and layer [m].
     """
-    flat = kapitza_moment(conditions, film, layer, circles=False)
-    lost = flat - kapitza_moment(conditions, film, layer)
+    assert contact.semi_axis_x is not None
+    axes = (contact.semi_axis_x, contact.semi_axis_x * contact.semi_axis_ratio)
+    lost = moment_lost_by_circles(conditions, axes, *films)
     return AtlasValue(moment.value - lost, moment.uncertainty + CIRCLES * abs(lost))
+
+
+def _skewed(conditions: ContactConditions | MoesConditions) -> bool:
+    """Whether the entrainment is not along x."""
+    return abs(sin(conditions.entrainment_angle)) > ALIGNED
 
 
 def _require_covered(
@@ -320,8 +347,9 @@ def _require_covered(
     """NotInAtlasError unless the equations are those of the atlas; load: A [-]."""
     slim = _slim(load, contact.radius_ratio)
     turning = ROTATION if slim is None else slim.largest
+    turns = _skewed(conditions) and contact.turning > 0.0
     faults = {
-        "entrainment_angle: entrainment along x": abs(sin(conditions.entrainment_angle)) > ALIGNED,
+        "mean_spin: entrainment at an angle that does not turn": turns,
         f"mean_spin: entrainment that turns at the end of the ellipse by less than "
         f"{turning:g} of it, not {contact.turning:.2g},": contact.turning > turning,
         "coating: bodies without one": contact.coating is not None,
@@ -354,9 +382,11 @@ def _require_thin(share: float) -> None:
         )
 
 
-def _require_range(values: tuple[float, ...]) -> None:
-    """NotInAtlasError unless A, L, D, z and alpha lie in the range of the atlas."""
-    for (name, (low, high)), value in zip(RANGE.items(), values, strict=True):
+def _require_range(
+    values: tuple[float, ...], ranges: Mapping[str, tuple[float, float]] = RANGE
+) -> None:
+    """NotInAtlasError unless values, A, L, D, z and alpha of `RANGE`, lie in the ranges."""
+    for (name, (low, high)), value in zip(ranges.items(), values, strict=True):
         if not low <= value <= high:
             raise NotInAtlasError(
                 f"{name} must lie in {low:g} to {high:g} for the film atlas, got {value:.4g}"

@@ -114,11 +114,11 @@ def by_density(oil: Lubricant, hertz_pressure: float, load: float) -> Array:
     of an isoviscous one that cannot be compressed, shape (6,), at p_h [Pa] and A; of the moments
     relative to T/C [-].
     """
+    if oil.piezoviscous and oil.density_law is DensityLaw.DOWSON_HIGGINSON:
+        return np.zeros(len(DENSITY))
     heavy = float(heavy_share(np.log(load), DENSITY_SEAM)[0])
     if not oil.piezoviscous:
         return -heavy * np.array(ISOVISCOUS_DENSITY) * _log_density(oil, hertz_pressure)
-    if oil.density_law is DensityLaw.DOWSON_HIGGINSON:
-        return np.zeros(len(DENSITY))
     first = inlet_oil(oil).moment
     there = density_excess(oil, hertz_pressure)
     added = [density_excess(oil, at * first) - share * there for share, at in DENSITY]

@@ -71,10 +71,10 @@ def bars_of(load: Array, ratio: Array, base: NDArray[np.bool_]) -> Array:
     """Errors of the six functions at A and Rx/Ry of shape (m,), shape (m, 6) [-]; base: whether
     the oil is that of the solves, shape (m,).
     """
-    heavy = np.where(load < SEAM[0], 0, 1)
-    slim, wide, oils = (table().bars[heavy, k] for k in range(3))
-    own = np.where(ratio[:, None] > 1.0, wide, slim)
-    return np.where(base[:, None], own, np.maximum(own, oils))
+    known = table().bars
+    heavy = (load >= SEAM[0]).astype(int)
+    own = known[heavy, (ratio > 1.0).astype(int)]
+    return np.where(base[:, None], own, np.maximum(own, known[heavy, 2]))
 
 
 def heavy_share(log_load: Array, seam: tuple[float, float] = SEAM) -> tuple[Array, Array]:

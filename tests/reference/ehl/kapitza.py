@@ -1,7 +1,7 @@
-"""Moment of Kapitza's (1955) pressure ahead of rigid bodies in NumPy, twin of the kernel of `ehl.traction.kapitza`."""
+"""Moment of Kapitza's (1955) pressure ahead of two bodies in NumPy, twin of the kernels of `ehl.traction.kapitza`."""
 
 from functools import cache
-from math import pi
+from math import acos, pi, sqrt
 
 import numpy as np
 
@@ -13,6 +13,7 @@ RAYS = 48  # of a quarter, by Gauss and Legendre [-]
 NODES = 48  # of each, in the logarithm of the distance [-]
 NEWTON_STEPS = 60  # most of them for the meniscus: 5 to 9 are taken
 LAST_STEP = 1e-6  # of the square of its distance, after which a step of second order is exact
+INLET_GAP, PARABOLA_SHARE, LOSS = 0.04, 0.2, 1.1  # as in `ehl.traction.kapitza` and its kernels
 NEAREST = 0.03  # of the distance at which the gap is twice the film: what is within is left out
 
 
@@ -47,6 +48,48 @@ def kapitza_moment_twin(
     strength = 12.0 * c.lubricant.viscosity * c.entrainment_speed
     strength = strength / (3.0 + 2.0 * c.radius_x / c.radius_y)
     return float(2.0 * strength * np.sum(0.25 * pi * weights * cosine**2 * radial))
+
+
+def circles_loss_twin(conditions: ContactConditions, axes: tuple[float, float], film: float, layer: float) -> float:
+    """What elastic bodies lose as circles, by even steps in place of Gauss and halvings."""
+    c, (a, b) = conditions, axes
+    reciprocal = (1.0 / c.radius_x, 1.0 / c.radius_y)
+    ball = 1.0 / c.ball_radius
+    least = min(INLET_GAP * a**2 * reciprocal[0], layer - film)
+
+    def excess(race: float, r: float) -> float:
+        if max(ball, abs(race)) * r <= PARABOLA_SHARE:
+            return 0.0
+        return sum((1.0 - sqrt(max(1.0 - (k * r) ** 2, 0.0))) / k - 0.5 * k * r * r for k in (ball, race))
+
+    lost = 0.0
+    for angle, weight in zip(*(_nodes(RAYS)), strict=True):
+        cosine, sine = np.cos(0.25 * pi * (angle + 1.0)), np.sin(0.25 * pi * (angle + 1.0))
+        edge = 1.0 / np.hypot(cosine / a, sine / b)
+        curvature = cosine**2 * reciprocal[0] + sine**2 * reciprocal[1]
+
+        def gap(r: float, circles: bool, ray: tuple[float, ...] = (cosine, sine, edge, curvature)) -> float:
+            along, across, rim, bend = ray
+            q = max(r / rim, 1.0)
+            own = bend * rim**2 * ((q * q - 2.0) * acos(1.0 / q) + sqrt(q * q - 1.0)) / pi
+            if not circles:
+                return own
+            y = min(r * across, b)
+            x = min(r * along, a * sqrt(1.0 - (y / b) ** 2))
+            near = (x * x * reciprocal[0] + y * y * reciprocal[1]) / (x * x + y * y)
+            return own + excess(bend - ball, r) - excess(near - ball, np.hypot(x, y))
+
+        far = edge + np.sqrt(2.0 * layer / curvature)
+        start = edge * (1.0 + (3.0 * pi / (8.0 * sqrt(2.0)) * least / (curvature * edge**2)) ** (2.0 / 3.0))
+        for circles, sign in ((False, 1.0), (True, -1.0)):
+            end = min(far, (1.0 - 1e-9) / max(ball, abs(curvature - ball))) if circles else far
+            wide = np.linspace(start, end, 1501)
+            open_ = [r for r in wide if gap(r, circles) < layer - film]
+            r = np.geomspace(start, open_[-1], 250)
+            values = np.array([(x * x / (film + gap(x, circles))) ** 2 for x in r])
+            lost += sign * 0.25 * pi * weight * cosine**2 * np.trapezoid(values, np.log(r))
+    strength = 12.0 * c.lubricant.viscosity * c.entrainment_speed / (3.0 + 2.0 * c.radius_x / c.radius_y)
+    return float(2.0 * LOSS * strength * lost)
 
 
 @cache

@@ -1,0 +1,28 @@
+"""The whole film atlas by one command: `python tools/atlas/rebuild.py [missing]`, solves, fits, errors.
+
+A run that was stopped goes on. After the word `missing` contacts whose labels the repository has are not solved again.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+SOLVED = (
+    *("heavy 400", "oil 130", "held 150", "start 40", "held oil 80", "light 480", "held light 100", "along 400"),
+    *("held along 40", "light oil 130", "light along 110", "held light oil 60", "held light along 40", "rigid 220"),
+    *("rigid oil 60", "held rigid 60", "held rigid oil 40", "wide oil 60", "light wide oil 40", "rigid wide oil 20"),
+    *("skew 160", "skew across 60", "skew oil 60", "held skew 200", "held skew oil 40"),
+)
+
+
+def main() -> None:
+    """One script after the other."""
+    words = [*sys.argv[1:], *" ".join(SOLVED).split()]
+    for name, given in (("solves.py", words), ("fit.py", []), ("skewed.py", [])):
+        subprocess.run([sys.executable, str(Path(__file__).with_name(name)), *given], check=True)
+
+
+if __name__ == "__main__":
+    main()
