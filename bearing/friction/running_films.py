@@ -76,14 +76,15 @@ def running_films(
     contacts: Sequence[BearingContact],
     films: Sequence[ContactSolution | FormulaFilm | None],
     asperities: Asperities | None = None,
-    rolling_factor: float = 1.0,
+    factors: tuple[float, float] = (1.0, 1.0),
     supply: OilAtInlets | None = None,
 ) -> tuple[RunningFilm | None, ...]:
     """Films of contacts as they run, those of formulas where none is solved, None without oil.
 
-    rolling_factor: of the rolling moment, that of all contacts [-]; supply: oil that flooded films
-    get, and those solved behind the layers of another supply, by the law of starvation; None:
-    films as they are. Heat of the inlets thins those that were not solved with it.
+    factors: of the rolling moment, that of all contacts, and more of those whose film is not solved
+    with heat [-]; supply: oil that flooded films get, and those solved behind the layers of another
+    supply, by the law of starvation; None: films as they are. Heat of the inlets thins those that
+    were not solved with it.
     """
     distinct = {
         id(film): film
@@ -104,7 +105,8 @@ def running_films(
             if supply is not None:
                 running = _supplied(running, contact, supply)
             running = heated.film(running, contact)
-            running = replace(running, rolling_factor=rolling_factor * running.rolling_factor)
+            left = factors[0] * (1.0 if _has_heat(running) else factors[1])
+            running = replace(running, rolling_factor=left * running.rolling_factor)
             running = _with_asperities(running, contact, asperities)
         found.append(running)
     return tuple(found)
@@ -121,7 +123,7 @@ class _Heated:
         rolling moment; one that was solved with heat as it is.
         """
         solved = film.film
-        if not (film.formula or isinstance(solved, FlatFilm)) and solved_with_heat(solved):
+        if _has_heat(film):
             return film
         share = film_heat(contact).at(film.rolling_factor)
         if share.value == 1.0:
@@ -136,6 +138,12 @@ class _Heated:
             minimum=None if film.minimum is None else share.value * film.minimum,
             heat_error=share.uncertainty / share.value,
         )
+
+
+def _has_heat(film: RunningFilm) -> bool:
+    """Whether a film was solved with heat."""
+    solved = film.whole
+    return not (film.formula or isinstance(solved, FlatFilm)) and solved_with_heat(solved)
 
 
 def film_is_flooded(film: ContactSolution) -> bool:

@@ -203,7 +203,7 @@ class FilmTraction(TractionLaw):
         """
         pairs = zip(contacts, self.loads, strict=True)
         scale = np.array([contact.load / load if load > 0.0 else 0.0 for contact, load in pairs])
-        running = running_films(contacts, self.films, self.asperities, self.rolling_factor)
+        running = running_films(contacts, self.films, self.asperities, (self.rolling_factor, 1.0))
         return film_law(solution, contacts, running, self.rheology, scale=scale)
 
     def load_change(self, contacts: Sequence[BearingContact]) -> float:

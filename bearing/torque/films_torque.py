@@ -55,4 +55,5 @@ def films_as_they_run(
         supply = OilAtInlets(
             oil=friction.scarce, balls=solution.bearing.balls, solved=friction.solved_supply
         )
-    return running_films(contacts, films, friction.asperities, inlet.rolling, supply)
+    factors = (inlet.rolling, inlet.unheated)
+    return running_films(contacts, films, friction.asperities, factors, supply)

@@ -22,6 +22,8 @@ class InletFactors:
 
     shear_heating: float = 1.0
     replenishment: float = 1.0
+    # of films not solved with heat, where others are and have their loss of their own
+    unheated: float = 1.0
     heating_source: str = ""
     replenishment_source: str = ""
 
@@ -46,13 +48,15 @@ def inlet_factors(
     """Factors at a speed of the rings against each other [rad/s] and a kinematic viscosity
     [m^2/s].
 
-    heated: the films are solved with heat; layered: the oil that they find is given or solved.
+    heated: films that are solved are solved with heat; layered: the oil that they find is given or
+    solved.
     """
     shear = supplied = 1.0
-    why_shear = "solved with the films"
+    why_shear = "solved with the films; SKF's phi_ish where one is not"
     why_supplied = "the oil at the inlets is that of the stated supply"
+    phi = skf.inlet_shear_factor(speed, viscosity, mean_diameter(bearing))
     if not heated:
-        shear = skf.inlet_shear_factor(speed, viscosity, mean_diameter(bearing))
+        shear = phi
         why_shear = "SKF's phi_ish"
     if not layered:
         geometry = skf.geometry_factor(bearing_kind(bearing))
@@ -62,6 +66,7 @@ def inlet_factors(
     return InletFactors(
         shear_heating=shear,
         replenishment=supplied,
+        unheated=phi if heated else 1.0,
         heating_source=why_shear,
         replenishment_source=why_supplied,
     )

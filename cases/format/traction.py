@@ -59,8 +59,10 @@ def resisted_traction(
     inlet: InletFactors,
 ) -> BallTraction:
     """A source of friction with what the inlets leave of its rolling moment, and drag and cage."""
-    if isinstance(source, LawTraction | FilmTraction):
+    if isinstance(source, FilmTraction):
         source = replace(source, rolling_factor=inlet.rolling)
+    if isinstance(source, LawTraction):  # of tables, whose films are isothermal
+        source = replace(source, rolling_factor=inlet.rolling * inlet.unheated)
     resistance = friction.resistance(bearing, oil)
     return BallTraction(source=source, lubricant=oil, resistance=resistance)
 

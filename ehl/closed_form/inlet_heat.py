@@ -45,6 +45,7 @@ class HeatShare(NamedTuple):
     low: float
     high: float
     assumed: bool = False  # whether the oil's heat properties are those of a mineral oil
+    beyond: bool = False  # whether no film was solved at so large an L_T
 
     @property
     def uncertainty(self) -> float:
@@ -58,7 +59,7 @@ class HeatShare(NamedTuple):
         if inlet == 1.0:
             return self
         value, low, high = (max(end, 0.0) ** inlet for end in self[:3])
-        return HeatShare(value, low, high, self.assumed)
+        return HeatShare(value, low, high, self.assumed, self.beyond)
 
 
 def inlet_heat(conditions: ContactConditions, pressure: float) -> HeatShare:
@@ -71,14 +72,16 @@ def inlet_heat(conditions: ContactConditions, pressure: float) -> HeatShare:
     else:
         slope = oil.thermal.viscosity_temperature / oil.thermal.conductivity
     loading = oil.viscosity * slope * conditions.entrainment_speed**2
-    spread = SPREAD * (2.0 if loading > LARGEST_LOADING else 1.0)
+    beyond = loading > LARGEST_LOADING
+    spread = SPREAD * (2.0 if beyond else 1.0)
     spread += ASSUMED_SPREAD if assumed else 0.0
     ratio = pressure / conditions.reduced_modulus
     moes_load, _ = moes_groups(conditions)
     whole = heat_loss(loading, ratio)
     loss = heat_loss(loading, ratio, moes_load)
     low = max(1.0 - (1.0 + spread) * whole, 0.0)
-    return HeatShare(1.0 - loss, low, 1.0 - max(1.0 - spread, 0.0) * loss, assumed)
+    high = 1.0 - max(1.0 - spread, 0.0) * loss
+    return HeatShare(1.0 - loss, low, high, assumed, beyond)
 
 
 def heat_loss(loading: float, pressure_ratio: float, moes_load: float = inf) -> float:

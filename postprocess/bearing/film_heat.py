@@ -9,7 +9,7 @@ from bearing.contacts.film_heat import film_heat, heat_beside, solved_with_heat
 from bearing.contacts.film_numbers import film_numbers
 from bearing.friction.formula_films import FormulaFilm
 from ehl import AtlasFilms, ContactSolution
-from ehl.closed_form.inlet_heat import HeatShare
+from ehl.closed_form.inlet_heat import LARGEST_LOADING, HeatShare
 from ehl.units import from_si
 
 from ..quantities import quantities
@@ -172,3 +172,9 @@ def heat_messages(films: Sequence[HeatedFilms]) -> Iterator[str]:
         f"solved with heat{oil}, its spread, up to {100.0 * widest:.2g} %, in their error bars; "
         '[ehl] film_model = "thermal" solves them with it'
     )
+    if any(share.beyond for share in shares):
+        yield (
+            "contacts: the heat of the inlets lies beyond the range of its formula (thermal "
+            f"loading parameter above {LARGEST_LOADING:g}): films, lambda, kappa and life by them "
+            "are guesses"
+        )

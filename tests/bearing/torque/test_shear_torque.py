@@ -54,7 +54,7 @@ def test_power_balances_where_the_cage_takes_balls_along(light):
     )  # fmt: skip
     for resistance, asperities in ((NO_RESISTANCE, ROUGH), (land, None)):
         solved = [film and film.film for film in films]
-        running = running_films(contacts, solved, asperities, 0.6)
+        running = running_films(contacts, solved, asperities, (0.6, 1.0))
         shear = solved_shear(state, contacts, running, rheology, resistance)
         assert shear.closed and not shear.note
         assert shear.torque.imbalance == pytest.approx(0.0, abs=1e-8)
@@ -63,6 +63,19 @@ def test_power_balances_where_the_cage_takes_balls_along(light):
         assert shear.flooded.relative_error == pytest.approx(0.0, abs=1e-8)
         assert shear.torque.rolling == pytest.approx(0.6 * shear.flooded.rolling, rel=0.03)
     assert shear.torque.resisted > 0.1 * shear.torque.heat
+
+
+def test_inlet_heating_counts_once_in_each_contact(light, monkeypatch):
+    """Films not solved with heat lose rolling moment by the factor for them, those that were do not."""
+    _, contacts, films, _ = light
+    solved = [film and film.film for film in films]
+    cold = running_films(contacts, solved, factors=(0.9, 0.6))
+    assert [film.rolling_factor for film in cold if film is not None] == pytest.approx([0.54] * 12)
+    monkeypatch.setattr("bearing.friction.running_films.solved_with_heat", lambda film: True)
+    hot = running_films(contacts, [solved[0], *[None] * (len(solved) - 1)], factors=(0.9, 0.6))
+    assert hot[0] is not None
+    assert hot[0].rolling_factor == pytest.approx(0.9)
+    assert [film.rolling_factor for film in hot[1:] if film is not None] == pytest.approx([0.54] * 11)
 
 
 def test_push_is_that_of_the_motion_found_from_a_law_nearby_too(light):
