@@ -81,10 +81,10 @@ def running_films(
 ) -> tuple[RunningFilm | None, ...]:
     """Films of contacts as they run, those of formulas where none is solved, None without oil.
 
-    factors: of the rolling moment, that of all contacts, and more of those whose film is not solved
-    with heat [-]; supply: oil that flooded films get, and those solved behind the layers of another
-    supply, by the law of starvation; None: films as they are. Heat of the inlets thins those that
-    were not solved with it.
+    factors: of the rolling moment, that of all contacts, and more of those whose film is not
+    solved with heat [-]; supply: oil that flooded films get, and those solved behind the layers of
+    another supply, by the law of starvation; None: films as they are. Heat of the inlets thins
+    those that were not solved with it.
     """
     distinct = {
         id(film): film
