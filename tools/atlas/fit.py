@@ -89,16 +89,22 @@ def places(rows):
     return np.column_stack([np.log(rows[:, 0]), np.sqrt(rows[:, 1]), np.log(rows[:, 2])])
 
 
-def fitted(x, y, scales):
-    """Weights of trend and radial functions, outliers weighed down by what the other contacts say of them."""
-    basis = trend_terms(x)
-    prior = DEVIATION**2 * radial(x, x, scales) + TREND**2 * basis @ basis.T
+def robust_weights(y, prior, noise):
+    """Weights of the columns of a prior covariance, outliers weighed down by what the other contacts say of them."""
     doubt = np.ones(len(y))
     for _ in range(3):
-        inverse = np.linalg.inv(prior + np.diag(NOISE**2 * doubt))
+        inverse = np.linalg.inv(prior + np.diag(noise**2 * doubt))
         weights = inverse @ y
         left = weights / np.diag(inverse)
         doubt = (4.0 + (left / (1.5 * np.median(np.abs(left)))) ** 2) / 5.0
+    return weights
+
+
+def fitted(x, y, scales):
+    """Weights of trend and radial functions."""
+    basis = trend_terms(x)
+    prior = DEVIATION**2 * radial(x, x, scales) + TREND**2 * basis @ basis.T
+    weights = robust_weights(y, prior, NOISE)
     return TREND**2 * basis.T @ weights, DEVIATION**2 * weights
 
 

@@ -11,7 +11,7 @@ import json
 from itertools import pairwise
 
 import numpy as np
-from fit import SOLVES, limit, table
+from fit import SOLVES, limit, robust_weights, table
 from solves import SKEWED
 
 from ehl.traction.atlas.skewed import (
@@ -76,17 +76,6 @@ def placed(rows):
     return x, np.column_stack([films, deflection]) - straight
 
 
-def fitted(x, y, prior, noise):
-    """Weights of radial functions, outliers weighed down by what the other contacts say of them, and these errors."""
-    doubt = np.ones(len(y))
-    for _ in range(3):
-        inverse = np.linalg.inv(prior + np.diag(noise**2 * doubt))
-        weights = inverse @ y
-        left = weights / np.diag(inverse)
-        doubt = (4.0 + (left / (1.5 * np.median(np.abs(left)))) ** 2) / 5.0
-    return weights, left
-
-
 def skew_table(x, y, own, oil, oils):
     """What is added, of the base oil's contacts `own` and those of other oils."""
     places = x[own].astype(np.float32).astype(float)
@@ -94,7 +83,8 @@ def skew_table(x, y, own, oil, oils):
     shape = mixed * radial(places, places, np.array(SCALES))
     weights = np.empty((len(places), MIXED))
     for k in range(MIXED):
-        weights[:, k] = DEVIATION[k] ** 2 * fitted(places, y[own, k], DEVIATION[k] ** 2 * shape, NOISE[k])[0]
+        variance = DEVIATION[k] ** 2
+        weights[:, k] = variance * robust_weights(y[own, k], variance * shape, NOISE[k])
     base = Skew(places, np.array(SCALES), weights, np.zeros((8, MIXED)), np.zeros((2, MIXED, MIXED)))
     terms = mixed_oil_terms(x[oil], *oils)
     left = y[oil] - mixed_functions(x[oil], *oils, base)
