@@ -108,7 +108,8 @@ def test_steady_motion_with_traction_tables_is_the_traction_equilibrium():
     tables = build_race_tables(solve_quasistatic(BEARING, operation), oil.lubricant, oil.rheology, options)
     assert all(table.converged for table in tables.values())
     friction = RaceFriction(inner=tables[Race.INNER], outer=tables[Race.OUTER])
-    compare(settled(operation, friction, 0.06), operation, friction)
+    # the turning across is 4e-5 of the ball's: at 1e-6 friction on its own clock leaves its force 5 % off
+    compare(settled(operation, friction, 0.06, tolerance=1e-7), operation, friction)
 
 
 def compare(found, operation, friction):
