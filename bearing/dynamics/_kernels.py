@@ -47,7 +47,7 @@ from .arrays import (
     Body,
 )
 from .contact._ball_kernels import ball_collisions
-from .contact._cage_kernels import cage_land, pocket_forces
+from .contact._cage_kernels import cage_direction, cage_land, pocket_forces
 from .contact._implicit_kernels import friction_is_stiff, implicit_friction
 from .contact._kernels import elastic_energy
 from .contact._race_kernels import race_forces
@@ -189,15 +189,19 @@ def ring_equations(p, t, y, acceleration, body, dy):
     load = p.loads[INNER]
     power = p.power
     first = velocities(c.balls)
-    phase = y[ring_angle(c.balls)] + c.unbalance_phase
     spin = given[INNER_SPEED]
-    co, si = np.cos(phase), np.sin(phase)
-    steady = c.unbalance * spin * spin
-    swing = c.unbalance * acceleration
     fx, fy, fz = vector(given, GIVEN_FORCE)
-    turning = c.rotating_speed * t + c.rotating_phase
-    fy += steady * co + swing * si + c.rotating_force * np.cos(turning)
-    fz += steady * si - swing * co + c.rotating_force * np.sin(turning)
+    if c.unbalance != 0.0:
+        phase = y[ring_angle(c.balls)] + c.unbalance_phase
+        co, si = np.cos(phase), np.sin(phase)
+        steady = c.unbalance * spin * spin
+        swing = c.unbalance * acceleration
+        fy += steady * co + swing * si
+        fz += steady * si - swing * co
+    if c.rotating_force != 0.0:
+        turning = c.rotating_speed * t + c.rotating_phase
+        fy += c.rotating_force * np.cos(turning)
+        fz += c.rotating_force * np.sin(turning)
     pushes = (fx, fy, fz)
     for i in range(3):
         v = y[first + i]
@@ -227,9 +231,11 @@ def cage_equations(p, y, body, dy):
     turning = first + CAGE_ROTATION
     tilting = first + CAGE_TILT
     spin = y[turning]
-    steady = c.cage_unbalance * spin * spin
-    angle = y[RING + CAGE_ROTATION]
-    swing = (0.0, steady * np.cos(angle), steady * np.sin(angle))
+    swing = (0.0, 0.0, 0.0)
+    if c.cage_unbalance != 0.0:
+        steady = c.cage_unbalance * spin * spin
+        co, si = cage_direction(y)
+        swing = (0.0, steady * co, steady * si)
     for i in range(3):
         force = load[FORCE + i] + swing[i]
         dy[first + i] = free[RING + i] * (force / c.cage_mass + gravity[i])

@@ -198,9 +198,8 @@ def all_states(states: Array, balls: int, solved: int) -> Array:
     return out
 
 
-def symmetric_part(kind: LoadType, data: EquationData, rates: Array) -> Array:
+def symmetric_part(motion: SolvedMotion, rates: Array) -> Array:
     """Rates of all balls as they would be if those that are solved stood for the others [SI]."""
-    motion = solved_motion(kind, data)
     first = rates[_first_places(motion.balls, motion.solved)]
     kept = np.zeros_like(first)
     kept[motion.data.solved] = first[motion.data.solved]

@@ -22,7 +22,7 @@ from .integration.methods import advance_explicit, advance_implicit
 from .laws import vibration_frequency
 from .layout import Layout
 from .record import Record, SimulationState, StepControl, empty_record, join
-from .reduction import SYMMETRIC, symmetric_part
+from .reduction import SYMMETRIC, SolvedMotion, solved_motion, symmetric_part
 
 PIECE = 128  # samples of a record
 REFERENCE_LOAD = 10.0  # least load that sets the scale of errors [N]
@@ -58,6 +58,7 @@ class Simulation:
     converged: bool = True
     messages: list[str] = field(default_factory=list)
     wall: float = 0.0  # time spent stepping [s]
+    _solved: tuple[EquationData, SolvedMotion] | None = None
 
     @property
     def layout(self) -> Layout:
@@ -72,6 +73,13 @@ class Simulation:
         static, quasi_static = self.point.unknowns
         motion = equation_counts(self.state.kind, self.bearing.balls, self.operation)
         return {"static": static, "quasi_static": quasi_static, **motion}
+
+    @property
+    def motion(self) -> SolvedMotion:
+        """What is solved with the equations in use."""
+        if self._solved is None or self._solved[0] is not self.data:
+            self._solved = self.data, solved_motion(self.state.kind, self.data)
+        return self._solved[1]
 
     @property
     def scale(self) -> Array:
@@ -119,11 +127,13 @@ class Simulation:
         step fails; Ctrl-C during a piece leaves the state at its beginning.
         """
         times = self.sample_times()
+        scale = self.scale
+        method = self._control(scale), scale
         for first in range(0, times.size, PIECE):
             began = perf_counter()
             before = deepcopy(self.state)
             try:
-                record = self._advance(times[first : first + PIECE])
+                record = self._advance(times[first : first + PIECE], method)
             except KeyboardInterrupt:
                 self._restore(before)
                 raise
@@ -154,17 +164,17 @@ class Simulation:
         general = general._replace(**laws)
         rates = np.zeros(layout.size)
         derivative(self.state.time, self.state.y, general, rates)
-        against = rates - symmetric_part(self.state.kind, self.data, rates)
+        against = rates - symmetric_part(self.motion, rates)
         speeds = slice(layout.positions, layout.mechanical)
         change = np.abs(against[speeds]) * control.longest
         return bool(np.all(change <= scale[speeds]))
 
-    def _advance(self, times: Array) -> Record:
+    def _advance(self, times: Array, method: tuple[StepControl, Array]) -> Record:
         """A piece with the equations that hold, and general ones where their symmetry ends."""
-        scale = self.scale
-        method = (self._control(scale), scale)
+        if self.state.kind not in SYMMETRIC:
+            return self._steps(times, method)
         until = symmetric_until(self.state.kind, self.operation, self.model)
-        if self.state.kind in SYMMETRIC and not self._symmetric(*method):
+        if not self._symmetric(*method):
             until = self.state.time
         held = times[times <= until]
         parts = [held] if held.size == times.size else [held, times[held.size :]]
@@ -184,11 +194,12 @@ class Simulation:
 
     def _steps(self, times: Array, method: tuple[StepControl, Array]) -> Record:
         """Explicit steps; where they are given up, the rest by LSODA."""
-        before = deepcopy(self.state)
+        began, stiff = self.state.time, self.state.stiff
+        before = deepcopy(self.state) if stiff else None
         # 1. explicit steps, after LSODA too: a stiff start may be over
-        status, record = advance_explicit(self.state, self.data, times, *method)
+        status, record = advance_explicit(self.state, self.motion, times, *method)
         # 2. where they fail after LSODA, undo them: LSODA does the whole piece
-        if before.stiff and status not in (DONE, STIFF):
+        if before is not None and status not in (DONE, STIFF):
             self.state.restore(before)
             status = STIFF
             record = empty_record(times[:0], self.bearing.balls)
@@ -197,10 +208,10 @@ class Simulation:
             self._note(f"dynamics: stiff from t = {self.state.time:.6g} s on; LSODA took over")
             self.state.stiff = True
             remaining = times[record.time.size :]
-            status, remainder = advance_implicit(self.state, self.data, remaining, *method)
+            status, remainder = advance_implicit(self.state, self.motion, remaining, *method)
             record = join(record, remainder)
-        elif self.state.stiff and status == DONE:
-            text = f"explicit steps again from t = {before.time:.6g} s on; LSODA where"
+        elif stiff and status == DONE:
+            text = f"explicit steps again from t = {began:.6g} s on; LSODA where"
             self._note(f"dynamics: {text} they are given up")
         if status != DONE:
             self.converged = False

@@ -40,6 +40,13 @@ def belt_places(c):
 
 
 @compiled
+def belt_gap(c, play, place):
+    """Film of the narrow side of a ball at a place in its pocket, at least `film_least` [m]."""
+    across, axial = place
+    return max(play - np.sqrt(across * across + axial * axial), c.film_least)
+
+
+@compiled
 def belt_of(c, frame, play, place):
     """Directions towards the narrow side and across it, play, eccentricity and its `a`."""
     across, axial = place
@@ -103,15 +110,17 @@ def film_matrix(c, frame, play, place, velocity, film):
     """`pocket_film` as a matrix over velocity and angular velocity of the ball, squeezed where it
     comes nearer now; with the gap that it is of.
     """
-    across, axial = place
     film[:] = 0.0
-    film[GAP] = play - np.sqrt(across * across + axial * axial)
+    film[GAP] = belt_gap(c, play, place)
     belt = belt_of(c, frame, play, place)
     matrix = film[MATRIX:].reshape((6, 6))
     for k in range(belt_places(c)):
         normal, pull, squeeze = belt_place(c, belt, k)
         push = squeeze if dot(velocity, normal) > 0.0 else 0.0
         arm = c.ball_radius * pull
+        if c.mirrored:
+            straight_place(matrix, normal, pull, push, c.ball_radius)
+            continue
         for i in range(3):
             for j in range(3):
                 both = normal[i] * normal[j]
@@ -127,11 +136,28 @@ def film_matrix(c, frame, play, place, velocity, film):
 
 
 @compiled
-def film_holds(film, play, place):
+def straight_place(matrix, normal, pull, push, radius):
+    """What one place adds to a film's matrix of motions in the middle plane: velocity y and z, turn
+    about the axis.
+    """
+    n_x, n_y, n_z = normal
+    arm = radius * pull
+    matrix[1, 1] += pull * (1.0 - n_y * n_y) + push * n_y * n_y
+    matrix[2, 2] += pull * (1.0 - n_z * n_z) + push * n_z * n_z
+    matrix[1, 2] += (push - pull) * n_y * n_z
+    matrix[2, 1] += (push - pull) * n_y * n_z
+    matrix[1, 3] -= arm * n_z
+    matrix[3, 1] -= arm * n_z
+    matrix[2, 3] += arm * n_y
+    matrix[3, 2] += arm * n_y
+    matrix[3, 3] += radius * arm * (1.0 - n_x * n_x)
+
+
+@compiled
+def film_holds(c, film, play, place):
     """Whether a matrix is there, of about the gap at a place in the pocket."""
-    across, axial = place
-    gap = play - np.sqrt(across * across + axial * axial)
-    return film[GAP] > 0.0 and abs(gap - film[GAP]) <= GAP_CHANGE * film[GAP]
+    change = abs(belt_gap(c, play, place) - film[GAP])
+    return film[GAP] > 0.0 and change <= GAP_CHANGE * film[GAP]
 
 
 @compiled

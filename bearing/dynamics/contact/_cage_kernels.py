@@ -85,7 +85,7 @@ def film_now(p, film, frame, play, motion):
     motion: place, velocity and turn of the ball in its pocket.
     """
     place, velocity, turn = motion
-    if film_holds(film, play, place):
+    if film_holds(p.constants, film, play, place):
         force, moment, lost = film_by_matrix(p.constants, film, velocity, turn)
     else:
         force, moment, lost = pocket_film(p.constants, frame, play, place, velocity, turn)

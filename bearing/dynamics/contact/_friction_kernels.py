@@ -47,10 +47,16 @@ def friction_law(kind, mirrored, data, load, speed, motions, friction):
 
 
 @compiled
+def load_changed(linear, load):
+    """Whether there are no slopes of about this load."""
+    base = linear[LINEAR.load]
+    return not base <= LOAD_CHANGE * load or load > LOAD_CHANGE * base or base <= 0.0
+
+
+@compiled
 def slopes_hold(linear, load, motion):
     """Whether slopes are there, of about this load, and of rolling the same way round."""
-    base = linear[LINEAR.load]
-    if not base <= LOAD_CHANGE * load or load > LOAD_CHANGE * base or base <= 0.0:
+    if load_changed(linear, load):
         return False
     return dot(motion.x_axis, vector(linear, LINEAR.x_axis)) > 0.0
 

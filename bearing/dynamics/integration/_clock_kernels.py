@@ -25,6 +25,7 @@ from ..contact._friction_kernels import (
     FORCES,
     friction_by_slopes,
     friction_law,
+    load_changed,
     set_friction,
     set_slopes,
     slopes_hold,
@@ -98,13 +99,11 @@ def renew_friction(p, y, step, time, speed):
             if step == 0 or load <= 0.0:
                 linear[LINEAR.load] = 0.0
                 linear[LINEAR.interval] = 1.0
-            if load <= 0.0:
-                continue
-            motion = motion_of(c, race, body, y, j)
             due = step % int(linear[LINEAR.interval]) == 0
-            if not due and slopes_hold(linear, load, motion):
+            if load <= 0.0 or not (due or load_changed(linear, load)):
                 continue
             some = True
+            motion = motion_of(c, race, body, y, j)
             data = p.friction_inner if race == INNER else p.friction_outer
             renew_contact(
                 c, p.friction_kind, data, load, motion, linear, p.foretold, p.friction, time, speed
@@ -119,7 +118,7 @@ def renew_pocket(c, frame, play, motion, film, time, speed):
     """
     place, velocity, turn = motion
     error = 0.0
-    held = film_holds(film, play, place)
+    held = film_holds(c, film, play, place)
     interval = film[INTERVAL]
     if held:
         force, moment, _ = film_by_matrix(c, film, velocity, turn)
@@ -151,7 +150,7 @@ def renew_pockets(p, y, step, time, speed):
         frame = pocket_frame(c, body, p.pocket_place[j], turned)
         place = pocket_motion(c, body, frame, position)[2]
         due = step == 0 or step % int(film[INTERVAL]) == 0
-        if not due and film_holds(film, p.pocket_play[j], place):
+        if not due and film_holds(c, film, p.pocket_play[j], place):
             continue
         some = True
         relative = minus(velocity, point_velocity(body, position))

@@ -12,7 +12,7 @@ from threadpoolctl import threadpool_limits
 from .._kernels import solved_derivative
 from ..arrays import Array, EquationData
 from ..record import ContactHistory, Record, SimulationState, StepControl, empty_record, first_rows
-from ..reduction import SolvedMotion, solved_motion
+from ..reduction import SolvedMotion
 from . import _kernels
 from ._jacobian_kernels import jacobian
 from ._kernels import DONE, EVALUATIONS, SOFT_SEEN, STAGE_ROWS, STEPS, STIFF_SEEN, TOO_SMALL
@@ -28,13 +28,12 @@ LOOK = 10000
 
 
 def advance_explicit(
-    state: SimulationState, data: EquationData, times: Array, control: StepControl, scale: Array
+    state: SimulationState, motion: SolvedMotion, times: Array, control: StepControl, scale: Array
 ) -> tuple[int, Record]:
     """Move a state on to the given times [s]; the kernel's status, and the rows reached.
 
     `scale`, shape (mechanical,): errors that count as one [SI].
     """
-    motion = solved_motion(state.kind, data)
     y, history = motion.begin(state)
     record = empty_record(times, motion.solved)
     stages = np.zeros((STAGE_ROWS, y.size))
@@ -65,13 +64,12 @@ class _Pace:
 
 
 def advance_implicit(
-    state: SimulationState, data: EquationData, times: Array, control: StepControl, scale: Array
+    state: SimulationState, motion: SolvedMotion, times: Array, control: StepControl, scale: Array
 ) -> tuple[int, Record]:
     """`advance_explicit` by LSODA; status DONE or TOO_SMALL, and the rows reached [SI].
 
     Its systems of a hundred unknowns are solved by one thread: several took twelve times as long.
     """
-    motion = solved_motion(state.kind, data)
     y, history = motion.begin(state)
     record = empty_record(times, motion.solved)
     state.counters[[STIFF_SEEN, SOFT_SEEN]] = 0  # the test begins anew when explicit steps do

@@ -255,7 +255,7 @@ def test_lsoda_counts_the_work_of_films(setup):
     for stiff in (False, True):
         model, _ = lubricated(setup, bearing, end_time=3e-4, sample_interval=1e-4, tolerance=1e-6)
         sim = simulation(bearing, setup.operation(5000.0, 60.0), model)
-        method = (sim.state, sim.data, sim.sample_times(), sim.control, sim.scale)
+        method = (sim.state, sim.motion, sim.sample_times(), sim.control, sim.scale)
         record = advance_implicit(*method)[1] if stiff else setup.run(sim)
         assert setup.balance(sim, record) < 1e-3
         ends.append(record)

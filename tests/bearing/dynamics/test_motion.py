@@ -36,7 +36,7 @@ def flight(setup, law=NormalLaw.LANKARANI_NIKRAVESH, y_change=None, **options):
 
 def by_lsoda(sim):
     """Record of a simulation that LSODA alone moves to its end."""
-    return advance_implicit(sim.state, sim.data, sim.sample_times(), sim.control, sim.scale)[1]
+    return advance_implicit(sim.state, sim.motion, sim.sample_times(), sim.control, sim.scale)[1]
 
 
 def test_a_free_ball_goes_straight_and_keeps_its_spin(setup):
