@@ -120,8 +120,10 @@ def place_body(y, first, tilt, first_velocity, spin):
     """A body from its coordinates, `tilt` the index of its tilts, and its axial speed."""
     ty = y[first + tilt]
     tz = y[first + tilt + 1]
-    size = 1.0 / np.sqrt(1.0 + ty * ty + tz * tz)
-    axis = (size, tz * size, -ty * size)
+    axis = (1.0, 0.0, 0.0)
+    if ty != 0.0 or tz != 0.0:
+        size = 1.0 / np.sqrt(1.0 + ty * ty + tz * tz)
+        axis = (size, tz * size, -ty * size)
     rate = first_velocity + tilt
     x, y_turn, z_turn = times(spin, axis)
     turn = (x, y_turn + y[rate], z_turn + y[rate + 1])
@@ -203,11 +205,12 @@ def ring_equations(p, t, y, acceleration, body, dy):
         fy += c.rotating_force * np.cos(turning)
         fz += c.rotating_force * np.sin(turning)
     pushes = (fx, fy, fz)
+    mobility = 1.0 / c.ring_mass
     for i in range(3):
         v = y[first + i]
         dy[i] = v
         force = pushes[i] + load[FORCE + i] - c.ring_damping * v
-        dy[first + i] = free[i] * (force / c.ring_mass + c.gravity[i])
+        dy[first + i] = free[i] * (force * mobility + c.gravity[i])
         power[WORK.loads] += (free[i] * pushes[i] - held[i] * load[FORCE + i]) * v
         power[WORK.support] += free[i] * c.ring_damping * v * v
     tilting_equations(p, y, first + RING_TILT, dy)
@@ -231,6 +234,7 @@ def cage_equations(p, y, body, dy):
     turning = first + CAGE_ROTATION
     tilting = first + CAGE_TILT
     spin = y[turning]
+    mobility = 1.0 / c.cage_mass
     swing = (0.0, 0.0, 0.0)
     if c.cage_unbalance != 0.0:
         steady = c.cage_unbalance * spin * spin
@@ -238,7 +242,7 @@ def cage_equations(p, y, body, dy):
         swing = (0.0, steady * co, steady * si)
     for i in range(3):
         force = load[FORCE + i] + swing[i]
-        dy[first + i] = free[RING + i] * (force / c.cage_mass + gravity[i])
+        dy[first + i] = free[RING + i] * (force * mobility + gravity[i])
         power[WORK.loads] += swing[i] * y[first + i]
     gyro = c.cage_polar * spin
     pull = c.cage_drag * abs(spin) * spin

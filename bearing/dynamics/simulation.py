@@ -24,7 +24,7 @@ from .layout import Layout
 from .record import Record, SimulationState, StepControl, empty_record, join
 from .reduction import SYMMETRIC, SolvedMotion, solved_motion, symmetric_part
 
-PIECE = 128  # samples of a record
+PIECE = 256  # samples of a record
 REFERENCE_LOAD = 10.0  # least load that sets the scale of errors [N]
 HEAVIEST = 5.0  # load of the heaviest ball over the mean one, Stribeck (1901) [-]
 FIRST_STEP = 1.0e-9  # [s]

@@ -40,10 +40,10 @@ def belt_places(c):
 
 
 @compiled
-def belt_gap(c, play, place):
-    """Film of the narrow side of a ball at a place in its pocket, at least `film_least` [m]."""
+def belt_gap(play, place):
+    """Gap of the narrow side of a ball at a place in its pocket, negative where pressed [m]."""
     across, axial = place
-    return max(play - np.sqrt(across * across + axial * axial), c.film_least)
+    return play - np.sqrt(across * across + axial * axial)
 
 
 @compiled
@@ -111,7 +111,7 @@ def film_matrix(c, frame, play, place, velocity, film):
     comes nearer now; with the gap that it is of.
     """
     film[:] = 0.0
-    film[GAP] = belt_gap(c, play, place)
+    film[GAP] = max(belt_gap(play, place), c.film_least)
     belt = belt_of(c, frame, play, place)
     matrix = film[MATRIX:].reshape((6, 6))
     for k in range(belt_places(c)):
@@ -137,7 +137,7 @@ def film_matrix(c, frame, play, place, velocity, film):
 
 @compiled
 def straight_place(matrix, normal, pull, push, radius):
-    """What one place adds to a film's matrix of motions in the middle plane: velocity y and z, turn
+    """What one place adds to a film's matrix of motions in the middle plane, y and z, and of turns
     about the axis.
     """
     n_x, n_y, n_z = normal
@@ -154,9 +154,9 @@ def straight_place(matrix, normal, pull, push, radius):
 
 
 @compiled
-def film_holds(c, film, play, place):
-    """Whether a matrix is there, of about the gap at a place in the pocket."""
-    change = abs(belt_gap(c, play, place) - film[GAP])
+def film_holds(c, film, gap):
+    """Whether a matrix is there, of about a gap."""
+    change = abs(max(gap, c.film_least) - film[GAP])
     return film[GAP] > 0.0 and change <= GAP_CHANGE * film[GAP]
 
 

@@ -19,7 +19,7 @@ from ..arrays import (
     OIL_VISCOSITY,
     OUTER_SPEED,
 )
-from ..contact._belt_kernels import INTERVAL, film_by_matrix, film_holds, film_matrix
+from ..contact._belt_kernels import INTERVAL, belt_gap, film_by_matrix, film_holds, film_matrix
 from ..contact._cage_kernels import cage_direction, pocket_frame, pocket_motion
 from ..contact._friction_kernels import (
     FORCES,
@@ -118,7 +118,7 @@ def renew_pocket(c, frame, play, motion, film, time, speed):
     """
     place, velocity, turn = motion
     error = 0.0
-    held = film_holds(c, film, play, place)
+    held = film_holds(c, film, belt_gap(play, place))
     interval = film[INTERVAL]
     if held:
         force, moment, _ = film_by_matrix(c, film, velocity, turn)
@@ -146,13 +146,14 @@ def renew_pockets(p, y, step, time, speed):
     turned = cage_direction(y)
     for j in range(c.balls):
         film = p.pocket_films[j]
+        due = step == 0 or step % int(film[INTERVAL]) == 0
+        # in a round pocket the film's gap is wider by what the ball is off along the pocket's axis
+        if not due and film_holds(c, film, -p.pocket_out[j, CONTACT.approach]):
+            continue
+        some = True
         position, velocity, turn = ball_motion(y, c.balls, j)
         frame = pocket_frame(c, body, p.pocket_place[j], turned)
         place = pocket_motion(c, body, frame, position)[2]
-        due = step == 0 or step % int(film[INTERVAL]) == 0
-        if not due and film_holds(c, film, p.pocket_play[j], place):
-            continue
-        some = True
         relative = minus(velocity, point_velocity(body, position))
         motion = (place, relative, minus(turn, body.turn))
         renew_pocket(
