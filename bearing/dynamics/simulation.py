@@ -11,7 +11,17 @@ import numpy as np
 from ..geometry import Bearing
 from ..operation import Operation
 from ._kernels import derivative, energies
-from .arrays import DAMPING, FILM, GIVEN_FORCE, GIVEN_MOMENT, OUTER, STIFFNESS, Array, EquationData
+from .arrays import (
+    DAMPING,
+    FILM,
+    GIVEN_FORCE,
+    GIVEN_MOMENT,
+    GUIDED_BY_BALLS,
+    OUTER,
+    STIFFNESS,
+    Array,
+    EquationData,
+)
 from .assembly import assemble, scales, with_equations
 from .bodies import equation_counts, symmetric_until
 from .choices import LoadType
@@ -36,10 +46,11 @@ STEP_ANGLE = 0.8
 # where no contact is damped, what steps gain or lose of the energy stays: a light ring among
 # impacts kept it to 1.5e-3 in 2000 steps of 0.8, to 1.1e-4 in steps of 0.4
 UNDAMPED_ANGLE = 0.4
+LAND_ADVICE = "; the film of the cage's land stiffens as its gap closes: a wider one, thinner oil"
 LINEARISED = ("linear", "pocket_films", "pace")  # of the data of the equations
 FAILURES = {
     TOO_SMALL: "steps of {step:.1g} s at t = {t:.6g} s do not lead on; try a larger "
-    "tolerance, friction ramp or impact floor, or less load",
+    "tolerance, friction ramp or impact floor, or less load{land}",
     NOT_FINITE: "the state is not finite at t = {t:.6g} s",
 }
 
@@ -215,9 +226,14 @@ class Simulation:
             self._note(f"dynamics: {text} they are given up")
         if status != DONE:
             self.converged = False
-            failure = FAILURES[status].format(t=self.state.time, step=self.state.step)
-            self.messages.append(f"dynamics: not converged: {failure}")
+            self._fail(status)
         return record
+
+    def _fail(self, status: int) -> None:
+        c = self.data.constants
+        film = c.cage_mass > 0.0 and c.guide != GUIDED_BY_BALLS and c.film_viscosity > 0.0
+        told = {"t": self.state.time, "step": self.state.step, "land": LAND_ADVICE if film else ""}
+        self.messages.append(f"dynamics: not converged: {FAILURES[status].format(**told)}")
 
     def _note(self, text: str) -> None:
         """Add a message unless one that begins alike is there."""

@@ -43,6 +43,7 @@ ORBIT_POINTS = 4000  # of an orbit, the last ones
 SMALLEST_LOAD = 1.0e-2  # of the largest one; below, a traction factor says nothing [-]
 ROUND_ORBIT = 1e-3  # smaller over larger extent of an orbit below which it is a line [-]
 SPECTRUM_REACH = 6.0  # highest frequency shown over the ball pass frequency of the inner ring [-]
+FEWEST_SAMPLES = 8  # of the half that a spectrum is of [-]
 
 
 def write_dynamics_plots(
@@ -263,6 +264,10 @@ def draw_spectrum(figure: Figure, data: xarray.Dataset, document: dict[str, Any]
     """Spectrum of the ring along y, or x where y is fixed [um], and defect frequencies [Hz]."""
     (ax,) = _start(figure, document, (1, 1), 3.4)
     defects = document["frequencies_Hz"]["with_slip"]
+    if data.sizes["time"] < 2 * FEWEST_SAMPLES:
+        told = f"fewer than {2 * FEWEST_SAMPLES} samples hold no spectrum"
+        ax.text(0.5, 0.5, told, ha="center", transform=ax.transAxes, color=REFERENCE)
+        return
     frequency, amplitude, direction = ring_spectrum(data)
     shown = frequency <= SPECTRUM_REACH * max(defects["ball_pass_inner"], 1.0)
     length = PLOTTED["amplitude_um"]
@@ -312,13 +317,14 @@ def last_turns(data: xarray.Dataset) -> xarray.Dataset:
 
 
 def ring_spectrum(data: xarray.Dataset) -> tuple[Any, Any, str]:
-    """Frequencies [Hz], amplitudes [m], direction of the ring in the second half; Hann window."""
+    """Frequencies [Hz], amplitudes [m], direction of the ring in the second half; Hann window.
+
+    Of at least two times `FEWEST_SAMPLES`.
+    """
     late = data.isel(time=slice(data.sizes["time"] // 2, None))
     place = late["ring_position"]
     direction = "y" if float(np.ptp(place.sel(ring_coordinate="y").to_numpy())) > 0.0 else "x"
     values = place.sel(ring_coordinate=direction).to_numpy().astype(np.float64)
-    if values.size < 8:
-        raise ValueError("too few samples for a spectrum")
     time = late["time"].to_numpy()
     window = np.hanning(values.size)
     trend = np.polyval(np.polyfit(time - time[0], values, 1), time - time[0])

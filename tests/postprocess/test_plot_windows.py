@@ -6,9 +6,10 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+import xarray
 from matplotlib.figure import Figure
 
-from postprocess.dynamics.plots import _without_spikes
+from postprocess.dynamics.plots import FEWEST_SAMPLES, _without_spikes, draw_spectrum
 from postprocess.slip.plots import draw_balls
 
 
@@ -68,3 +69,16 @@ def test_slip_factors_all_alike(factor):
     results = SimpleNamespace(factors=np.full(2, factor), state=state, limit=10.0, printed_force=None)
     draw_balls(figure, results)
     assert figure.axes[0].get_ylim()[1] > 10.0
+
+
+@pytest.mark.parametrize("samples", [1, 2 * FEWEST_SAMPLES - 1, 2 * FEWEST_SAMPLES])
+def test_a_history_too_short_for_a_spectrum_says_so(samples):
+    figure, time = Figure(), np.linspace(0.0, 1.0, samples)
+    place = np.stack((0.0 * time, np.sin(9.0 * time)), axis=1)
+    ring = (("time", "ring_coordinate"), place)
+    data = xarray.Dataset({"ring_position": ring}, coords={"time": time, "ring_coordinate": ["x", "y"]})
+    draw_spectrum(figure, data, {"case": {}, "frequencies_Hz": {"with_slip": {"ball_pass_inner": 5.0}}})
+    (axes,) = figure.axes
+    told = any("hold no spectrum" in text.get_text() for text in axes.texts)
+    assert told is (samples < 2 * FEWEST_SAMPLES)
+    assert bool(axes.lines) is not told

@@ -12,6 +12,7 @@ from numpy.testing import assert_allclose
 from bearing.dynamics.choices import Guidance, LoadType, NormalLaw, Start
 from bearing.dynamics.friction import race_friction
 from bearing.dynamics.inputs import NormalContact, Schedule
+from bearing.dynamics.integration._kernels import TOO_SMALL
 from bearing.dynamics.integration.methods import advance_implicit
 from bearing.dynamics.laws import damping_factor
 from bearing.dynamics.record import empty_record
@@ -249,7 +250,7 @@ def test_stiff_friction_over_the_ellipse_needs_no_lsoda(setup):
 def test_lsoda_goes_on_where_a_trial_of_explicit_steps_fails(setup, monkeypatch, failure):
     """The state is put back, and LSODA does the piece as if there had been no trial; without LSODA the run ends."""
 
-    def fail(state, data, times, control, scale):
+    def fail(state, motion, times, control, scale):
         state.y[:] = np.nan
         state.time = times[1]
         return failure, empty_record(times[:1], 3)
@@ -269,6 +270,20 @@ def test_lsoda_goes_on_where_a_trial_of_explicit_steps_fails(setup, monkeypatch,
     sim = simulation(bearing, setup.operation(5000.0, 60.0), model)
     assert next(sim.pieces()).time.size == 1
     assert not sim.converged
+
+
+@pytest.mark.parametrize(("guidance", "named"), [(Guidance.BALLS, False), (Guidance.INNER_RING, True)])
+def test_the_film_of_a_land_is_named_where_steps_do_not_lead_on(setup, monkeypatch, guidance, named):
+    def fail(state, motion, times, control, scale):
+        return TOO_SMALL, empty_record(times[:0], 3)
+
+    monkeypatch.setattr("bearing.dynamics.simulation.advance_explicit", fail)
+    land = {"land_diameter": 50e-3, "land_width": 4e-3, "land_clearance": 0.1e-3} if named else {}
+    model = setup.model(setup.bearing_7008(3), film_viscosity=0.3, cage_options={"guidance": guidance} | land)
+    sim = simulation(setup.bearing_7008(3), setup.operation(5000.0, 60.0), model)
+    assert list(sim.pieces()) == []
+    assert not sim.converged
+    assert ("cage's land" in sim.messages[-1]) is named
 
 
 def test_lsoda_agrees_with_the_explicit_method(setup):
