@@ -53,6 +53,7 @@ STAGE_ROWS = 9
 SAFETY = 0.9
 SMALLEST_FACTOR = 0.2
 LARGEST_FACTOR = 5.0
+FEW_ERRORS = (SAFETY / LARGEST_FACTOR) ** 5  # a step grows by the largest factor below them
 # stiff: h |lambda| beyond the edge of the stability region in fifteen steps, fewer than six not
 STIFF_BOUND = 3.25
 STIFF_STEPS = 15
@@ -278,9 +279,10 @@ def advance(t, y, end, h, p, control, scale, k, trial, history, counters):
         error, renewed = trial_step(t, y, step, p, control, scale, k, trial, counters)
         finite = np.isfinite(error)
         factor = SMALLEST_FACTOR
-        if finite:
-            growth = SAFETY * (1.0 / max(error, 1e-10)) ** 0.2
-            factor = min(LARGEST_FACTOR, max(SMALLEST_FACTOR, growth))
+        if error < FEW_ERRORS:
+            factor = LARGEST_FACTOR
+        elif finite:
+            factor = max(SMALLEST_FACTOR, SAFETY * (1.0 / error) ** 0.2)
         # 2. rejected: again with a smaller step
         if not finite or error > 1.0:
             counters[REJECTED] += 1
