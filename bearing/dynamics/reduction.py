@@ -7,6 +7,7 @@ of a simulation always holds all balls; the integrators work on what is solved a
 """
 
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -88,9 +89,9 @@ class SolvedMotion:
             return record
         return record._replace(
             state=all_states(record.state, self.balls, self.solved),
-            races=np.repeat(record.races, self.balls, axis=2),
-            pockets=np.repeat(record.pockets, self.balls, axis=1),
-            contact_state=np.repeat(record.contact_state, self.balls, axis=2),
+            races=_repeated(record.races, 2, self.balls),
+            pockets=_repeated(record.pockets, 1, self.balls),
+            contact_state=_repeated(record.contact_state, 2, self.balls),
             attitude=turned_attitudes(record.attitude, self.balls),
         )
 
@@ -165,16 +166,26 @@ def _all_contacts(balls: int) -> NDArray[np.int64]:
     return np.concatenate([np.repeat(np.arange(3), balls), 3 + np.arange(LANDS)])
 
 
+def _repeated(values: NDArray[Any], axis: int, balls: int) -> NDArray[Any]:
+    """The one value along an axis for all balls, a view."""
+    return np.broadcast_to(values, (*values.shape[:axis], balls, *values.shape[axis + 1 :]))
+
+
+@cache
+def _turns(balls: int) -> Array:
+    """Rotations about the axis by multiples of a Z-th of a turn, side by side, shape (3, 3 Z)."""
+    angle = 2.0 * np.pi / balls * np.arange(balls)
+    out = np.zeros((3, balls, 3))
+    out[0, :, 0] = 1.0
+    out[1, :, 1] = out[2, :, 2] = np.cos(angle)
+    out[1, :, 2] = np.sin(angle)
+    out[2, :, 1] = -np.sin(angle)
+    return out.reshape(3, 3 * balls)
+
+
 def turned(vectors: Array, balls: int) -> Array:
     """Vectors of one ball, shape (m, 3), for all balls: turned about the axis, (m, Z, 3)."""
-    angle = 2.0 * np.pi / balls * np.arange(balls)
-    c, s = np.cos(angle), np.sin(angle)
-    x, y, z = (part[:, None] for part in vectors.T)
-    out = np.empty((len(vectors), balls, 3))
-    out[..., 0] = x
-    out[..., 1] = c * y - s * z
-    out[..., 2] = s * y + c * z
-    return out
+    return (vectors @ _turns(balls)).reshape(len(vectors), balls, 3)
 
 
 def turned_attitudes(attitude: Array, balls: int) -> Array:
