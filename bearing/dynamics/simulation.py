@@ -35,6 +35,7 @@ from .record import Record, SimulationState, StepControl, empty_record, join
 from .reduction import SYMMETRIC, SolvedMotion, solved_motion, symmetric_part
 
 PIECE = 256  # samples of a record
+STRETCH = 128  # samples by LSODA before explicit steps are tried again
 REFERENCE_LOAD = 10.0  # least load that sets the scale of errors [N]
 HEAVIEST = 5.0  # load of the heaviest ball over the mean one, Stribeck (1901) [-]
 FIRST_STEP = 1.0e-9  # [s]
@@ -69,7 +70,7 @@ class Simulation:
     converged: bool = True
     messages: list[str] = field(default_factory=list)
     wall: float = 0.0  # time spent stepping [s]
-    _solved: tuple[EquationData, SolvedMotion] | None = None
+    _in_use: tuple[EquationData, SolvedMotion, EquationData] | None = None
 
     @property
     def layout(self) -> Layout:
@@ -88,9 +89,18 @@ class Simulation:
     @property
     def motion(self) -> SolvedMotion:
         """What is solved with the equations in use."""
-        if self._solved is None or self._solved[0] is not self.data:
-            self._solved = self.data, solved_motion(self.state.kind, self.data)
-        return self._solved[1]
+        return self._equations_in_use()[1]
+
+    def _equations_in_use(self) -> tuple[EquationData, SolvedMotion, EquationData]:
+        """Those of all balls, of what is solved, and the general ones by the laws themselves: what
+        is linearised is that of the motion in use.
+        """
+        if self._in_use is None or self._in_use[0] is not self.data:
+            general = with_equations(self.data, LoadType.GENERAL, self.operation, self.model)
+            laws = {name: np.zeros_like(getattr(general, name)) for name in LINEARISED}
+            motion = solved_motion(self.state.kind, self.data)
+            self._in_use = self.data, motion, general._replace(**laws)
+        return self._in_use
 
     @property
     def scale(self) -> Array:
@@ -169,13 +179,10 @@ class Simulation:
         acceleration against the symmetry changes a speed in a step by an error that counts as one.
         """
         layout = self.layout
-        general = with_equations(self.data, LoadType.GENERAL, self.operation, self.model)
-        # by the laws themselves: what is linearised is that of the motion in use
-        laws = {name: np.zeros_like(getattr(general, name)) for name in LINEARISED}
-        general = general._replace(**laws)
+        _, motion, general = self._equations_in_use()
         rates = np.zeros(layout.size)
         derivative(self.state.time, self.state.y, general, rates)
-        against = rates - symmetric_part(self.motion, rates)
+        against = rates - symmetric_part(motion, rates)
         speeds = slice(layout.positions, layout.mechanical)
         change = np.abs(against[speeds]) * control.longest
         return bool(np.all(change <= scale[speeds]))
@@ -197,28 +204,35 @@ class Simulation:
                 records.append(self._steps(part, method))
         return reduce(join, records)
 
+    def _steps(self, times: Array, method: tuple[StepControl, Array]) -> Record:
+        """Explicit steps, and LSODA for a stretch where they are given up."""
+        record = self._stretch(times, method)
+        while self.converged and record.time.size < times.size:
+            record = join(record, self._stretch(times[record.time.size :], method))
+        return record
+
     def _break_symmetry(self) -> None:
         """Go on with the general equations, and say so."""
         lost = f"dynamics: the motion lost the symmetry of the {self.state.kind.value} equations"
         self.set_equations(LoadType.GENERAL)
         self._note(f"{lost} at t = {self.state.time:.6g} s; the general ones went on from there")
 
-    def _steps(self, times: Array, method: tuple[StepControl, Array]) -> Record:
-        """Explicit steps; where they are given up, the rest by LSODA."""
+    def _stretch(self, times: Array, method: tuple[StepControl, Array]) -> Record:
+        """Explicit steps; where they are given up, at most `STRETCH` samples by LSODA."""
         began, stiff = self.state.time, self.state.stiff
         before = deepcopy(self.state) if stiff else None
         # 1. explicit steps, after LSODA too: a stiff start may be over
         status, record = advance_explicit(self.state, self.motion, times, *method)
-        # 2. where they fail after LSODA, undo them: LSODA does the whole piece
+        # 2. where they fail after LSODA, undo them: LSODA does their samples too
         if before is not None and status not in (DONE, STIFF):
             self.state.restore(before)
             status = STIFF
             record = empty_record(times[:0], self.bearing.balls)
-        # 3. LSODA for the rest
+        # 3. LSODA from there on
         if status == STIFF:
             self._note(f"dynamics: stiff from t = {self.state.time:.6g} s on; LSODA took over")
             self.state.stiff = True
-            remaining = times[record.time.size :]
+            remaining = times[record.time.size :][:STRETCH]
             status, remainder = advance_implicit(self.state, self.motion, remaining, *method)
             record = join(record, remainder)
         elif stiff and status == DONE:
