@@ -59,7 +59,7 @@ class LawTable(Table):
     )
     table_films: Literal["solved", "atlas"] = described(
         "films of traction tables that are computed: solved, or of the film atlas where it has "
-        "them, loaded contacts (A from 15 on), others solved",
+        "all of a table, loaded contacts (A from 15 on)",
         "solved",
     )
     traction_constants: Constants | None = described("of the law of a plug-in, by their names")

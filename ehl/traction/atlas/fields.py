@@ -23,7 +23,7 @@ from ...arrays import Array
 from ...closed_form.hertz import hertz_coefficients
 from ...conditions import ContactConditions
 from ...oil.lubricant import DensityLaw, Lubricant, ViscosityLaw
-from ...scaling import ScaledContact, scale_contact
+from ...scaling import scale_contact
 from ..film_quadrature import HIGH_PRESSURE, LINES, node_shares
 from .films import NotInAtlasError, require_covered, require_range, skewed
 from .table import BASE_ALPHA, BASE_Z, radial, trend_terms
@@ -155,17 +155,19 @@ def sheared(vector: Array) -> float:
 
 def contact_fields(conditions: ContactConditions) -> ContactFields:
     """Fields of a contact; `NotInAtlasError` where tables were not judged by such."""
+    require_fields(conditions)
     contact = scale_contact(conditions)
     load = hertz_coefficients(contact.radius_ratio)[0] ** 2 * contact.moes_load ** (2.0 / 3.0)
     oil = conditions.lubricant
-    _require_judged(conditions, contact, load)
     place = np.array([[log(load), sqrt(contact.moes_lubricant), log(contact.radius_ratio)]])
     vector = field_vectors(place, np.array([oil.pressure_viscosity]), np.array([oil.exponent]))[0]
     return fields_of_vector(vector, conditions)
 
 
-def _require_judged(conditions: ContactConditions, contact: ScaledContact, load: float) -> None:
-    """NotInAtlasError unless tables were judged by such contacts; load: A [-]."""
+def require_fields(conditions: ContactConditions) -> None:
+    """NotInAtlasError unless tables were judged by such contacts."""
+    contact = scale_contact(conditions)
+    load = hertz_coefficients(contact.radius_ratio)[0] ** 2 * contact.moes_load ** (2.0 / 3.0)
     require_covered(conditions, contact, load)
     oil = conditions.lubricant
     if not _judged_oil(oil):

@@ -1,6 +1,7 @@
 """Films of a traction table by the film atlas, without a solve."""
 
 from dataclasses import replace
+from itertools import product
 from math import exp, nan
 
 import numpy as np
@@ -9,7 +10,7 @@ from ...conditions import ContactConditions
 from ...oil.rheology import contact_rheology
 from ...scaling import scale_contact
 from ...solution import MEAN_PRESSURE_RATIO
-from ..atlas.fields import ContactFields, contact_fields
+from ..atlas.fields import ContactFields, contact_fields, require_fields
 from ..atlas.films import NotInAtlasError, atlas_films
 from ..film_quadrature import FilmQuadrature, strongest_nodes
 from ..response.normal import NormalResponse, ResponseValue
@@ -20,12 +21,16 @@ from .table import TableContact, TableRange
 
 
 def atlas_sampler(solve: FilmSampler) -> FilmSampler:
-    """A sampler of films by the atlas, of those that it does not cover by `solve`."""
+    """A sampler of films by the atlas; by `solve` those of tables that it does not cover whole, so
+    that no film of a table steps beside its neighbour.
+    """
 
     def sample(
         contact: TableContact, limits: TableRange, place: tuple[float, float], points: int
     ) -> FilmSample:
         try:
+            for load, speed in product(limits.load, limits.speed):
+                require_fields(contact.conditions(load, speed))
             return atlas_sample(contact, limits, place)
         except NotInAtlasError as error:
             solved = solve(contact, limits, place, points)

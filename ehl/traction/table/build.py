@@ -234,7 +234,7 @@ def _of_atlas(films: Sequence[FilmSample]) -> str:
     if not reasons:
         return ""
     text = f"; {len(reasons) - len(solved)} of {len(films)} films by the film atlas"
-    return text + f", the others solved: {solved[0]}" if solved else text
+    return text + f", others solved: {solved[0]}" if solved else text
 
 
 def _scalars(films: list[list[FilmSample]]) -> Array:

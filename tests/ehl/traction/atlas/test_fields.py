@@ -87,5 +87,6 @@ def test_what_has_no_fields_is_solved_and_says_why():
 
     sample = atlas_sampler(solve)
     assert sample(CONTACT, LIMITS, PLACES[0], 65).solved_because == "" and not asked
-    light = sample(CONTACT, LIMITS, (float(np.log(3.0)), PLACES[0][1]), 65)
+    # also at a place that has fields, where the table reaches to lighter ones
+    light = sample(CONTACT, replace(LIMITS, load=(3.0, 900.0)), PLACES[0], 65)
     assert asked and "A = " in light.solved_because
