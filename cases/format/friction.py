@@ -57,6 +57,11 @@ class LawTable(Table):
     traction_table: str | None = described(
         "file of `oilfilm table`; also of a simulation's table", min_length=1
     )
+    table_films: Literal["solved", "atlas"] = described(
+        "films of traction tables that are computed: solved, or of the film atlas where it has "
+        "all of a table, loaded contacts (A from 15 on)",
+        "solved",
+    )
     traction_constants: Constants | None = described("of the law of a plug-in, by their names")
 
 

@@ -11,6 +11,7 @@ from bearing.friction.race_tables import build_race_tables, build_temperature_ta
 from ehl import Lubricant, SolverOptions
 from ehl.multigrid.threads import cores
 from ehl.oil.rheology import Rheology
+from ehl.traction.table.atlas_film import atlas_sampler
 from ehl.traction.table.build import START, FilmSampler, TableOptions
 from ehl.traction.table.film import film_sample
 from ehl.traction.table.full_solves import full_solves
@@ -124,6 +125,13 @@ def span(option: str, text: str | None) -> tuple[float, float] | None:
     return low, high
 
 
+def asked_films(case: Case, solve: FilmSampler = film_sample) -> FilmSampler:
+    """Sampler of a case's tables: of solved films, or of the atlas's where the case asks for
+    them.
+    """
+    return atlas_sampler(solve) if case.file.friction.table_films == "atlas" else solve
+
+
 def run_table(
     case: Case,
     points: int = 257,
@@ -149,7 +157,7 @@ def run_table(
     if not state.converged:
         raise CaseError(f"no table without an equilibrium of the bearing: {state.message}")
     wish = wish or TableWish()
-    options = wish.options(points, workers, sample)
+    options = wish.options(points, workers, asked_films(case, sample))
     solids = case.films.solids
     try:
         if over is None:

@@ -65,11 +65,17 @@ def film_quadrature(
     blocks = low_pressure_blocks(with_outlet(solution))
     fields = np.concatenate([zone.fields.reshape(7, -1), blocks], axis=1)
     eta = bounded_viscosity(fields[4], dimensional_conditions(solution).lubricant)
-    return strongest_nodes(solution, fields, eta, rheology, largest_slide, temperature)
+    width = transverse_axis(solution)
+    return strongest_nodes(width, fields, eta, rheology, largest_slide, temperature)
+
+
+def transverse_axis(solution: ContactSolution) -> float:
+    """Transverse semi-axis of Hertz' ellipse [m]."""
+    return float(solution.semi_axis_x or 0.0) * solution.semi_axis_ratio
 
 
 def strongest_nodes(
-    solution: ContactSolution,
+    half_width: float,
     fields: Array,
     viscosity: Array,
     rheology: Rheology,
@@ -78,7 +84,8 @@ def strongest_nodes(
     further: float = 0.0,
 ) -> FilmQuadrature:
     """Nodes of the rows of `HertzZone.fields` without the weakest: a share of their friction and
-    that of further nodes [N] is left out; viscosity [Pa s], slide [m/s], temperature [K].
+    that of further nodes [N] is left out; transverse semi-axis [m], viscosity [Pa s], slide [m/s],
+    temperature [K].
     """
     x, y, area, gap, pressure, width, breadth = fields
     film = np.maximum(gap, SMALLEST_FILM)
@@ -91,9 +98,7 @@ def strongest_nodes(
     limit = np.broadcast_to(limiting_stress(pressure, rheology, temperature), x.shape)
     rows = np.stack([x, y, area, film, viscosity, limit, width**2 / 12.0, breadth**2 / 12.0])
     return FilmQuadrature(
-        nodes=np.ascontiguousarray(rows[:, chosen]),
-        half_width=float(solution.semi_axis_x or 0.0) * solution.semi_axis_ratio,
-        rheology=rheology,
+        nodes=np.ascontiguousarray(rows[:, chosen]), half_width=half_width, rheology=rheology
     )
 
 
@@ -127,7 +132,7 @@ def hertz_zone(solution: ContactSolution) -> HertzZone:
     rows = ends[0] + (np.arange(LINES) + 0.5) * width
     edges = np.array([_crossings(x, line) for line in (pressure(x, rows) - edge_pressure).T])
     # 3. nodes along each
-    shares, weights = _panels()
+    shares, weights = node_shares()
     span = (edges[:, 1] - edges[:, 0])[:, None]
     along = edges[:, :1] + span * shares
     across = np.broadcast_to(rows[:, None], along.shape)
@@ -141,8 +146,8 @@ def hertz_zone(solution: ContactSolution) -> HertzZone:
     )
 
 
-def _panels() -> tuple[Array, Array]:
-    """Places from edge to edge and their weights [-]."""
+def node_shares() -> tuple[Array, Array]:
+    """Places of a line's nodes from edge to edge and their weights, each of shape (n,) [-]."""
     places: list[float] = []
     weights: list[float] = []
     for low, high, count in PANELS:

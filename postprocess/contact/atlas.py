@@ -10,6 +10,7 @@ from rich.text import Text
 
 from ehl import AtlasFilms, AtlasValue, ContactConditions, MoesConditions
 from ehl.scaling import ScaledContact, scale_contact
+from ehl.traction.atlas.films import skewed
 from ehl.units import from_si
 
 from ..files import plain_document
@@ -22,6 +23,7 @@ SOURCE = "atlas"
 MODEL = "films: of the film atlas, flooded, isothermal, of a Newtonian oil; nothing is solved"
 NO_LENGTHS = "film_..._um, rolling_moment_..., stiffness_...: null, Moes' groups have no lengths"
 THIN_LAYER = "the flooded layer ends too near the contact for the atlas"
+AT_AN_ANGLE = "the atlas has no moment of entrainment at an angle"
 NOT_COVERED = "the atlas does not cover the contact"
 NO_VALUE = f"{NOT_COVERED}, or it has no lengths"
 ATLAS_QUANTITIES = (
@@ -116,7 +118,8 @@ def _messages(record: AtlasRecord, pressure: float | None) -> Iterator[str]:
     if record.in_lengths is None:
         yield f"load_N, {NO_LENGTHS}"
     elif record.in_lengths.rolling_moment is None:
-        yield f"rolling_moment_...: null, {THIN_LAYER}"
+        angle = 0.0 if record.conditions is None else record.conditions.entrainment_angle
+        yield f"rolling_moment_...: null, {AT_AN_ANGLE if skewed(angle) else THIN_LAYER}"
     if not pressure:
         yield "hertz_pressure_GPa: null, without piezoviscosity the scale of pressure is open"
 

@@ -40,6 +40,7 @@ HEAVY, LIGHT, WIDE = (6.3, 175.0), (2.2, 8.2), (1.0, 5.2)
 SLIM, LUBRICANT = (0.0092, 1.1), (0.0, 31.4)
 RIGID, ANY_RATIO = (0.32, 2.6), (0.0092, 5.2)
 SKEW, SKEW_RATIO, ACROSS = (9.0, 90.0), (0.045, 1.0), 5.0
+FIELDS = (7.0, 175.0)
 HELD_SKEW, HELD_SKEW_RATIO = (10.0, 80.0), (0.05, 1.0)
 PARTS = {
     "heavy": Part(HEAVY, LUBRICANT, SLIM, any_oil=False, random=False, seed=1),
@@ -74,6 +75,11 @@ PARTS = {
     "held skew oil": Part(
         HELD_SKEW, (0.0, 30.0), HELD_SKEW_RATIO, any_oil=True, random=True, seed=HELD_OUT_SKEWED + 1, skewed=ACROSS
     ),
+    # whose pressure and film traction takes without a solve, `fields.py`
+    "fields": Part(FIELDS, LUBRICANT, SLIM, any_oil=False, random=False, seed=101),
+    "fields oil": Part(FIELDS, LUBRICANT, SLIM, any_oil=True, random=False, seed=102),
+    "fields held": Part((15.0, 160.0), (0.0, 30.0), (0.01, 1.0), any_oil=True, random=True, seed=20261128),
+    "fields judge": Part((15.0, 160.0), (2.0, 30.0), (0.01, 1.0), any_oil=True, random=True, seed=20261201),
 }
 
 

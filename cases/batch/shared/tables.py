@@ -31,6 +31,7 @@ from ...format.traction import fitting_tables, tables_of_file
 from ...runs.equilibrium import case_equilibrium, without_traction_equilibrium
 from ...runs.films import Progress
 from ...runs.interrupt import say
+from ...runs.traction_table import asked_films
 from ..keys import BESIDE_TRACTION_TABLES, content_key, digest, document_text
 from ..points import Point, Sweep
 from ..program import program_digest
@@ -60,8 +61,9 @@ def bodies_and_oil(case: Case) -> str:
     """Hash of what points that share tables must have in common."""
     temperature = case.operation.temperature
     try:
+        films = case.file.friction.table_films
         return content_key(
-            case.bearing, case.lubricant, case.rheology, temperature, case.films.solids
+            case.bearing, case.lubricant, case.rheology, temperature, case.films.solids, films
         )
     except TypeError:
         return document_text(case.document)
@@ -214,7 +216,8 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
     heaviest = max(
         states, key=lambda state: float(max(state.outer_load.max(), state.inner_load.max()))
     )
-    options = TableOptions(points=sweep.table_points, workers=cores())
+    sample = asked_films(cases[0])
+    options = TableOptions(points=sweep.table_points, workers=cores(), sample=sample)
     contacts = table_contacts(heaviest, oil, rheology, solids=cases[0].films.solids)
 
     def notify(done: int, total: int, state: str) -> None:

@@ -3,6 +3,7 @@
 _lookup_kernels - compiled: films of many contacts on a lattice
 arrays          - films of many contacts at once
 check           - a solved film beside that of the atlas
+fields          - pressure and film over the ellipse, for traction
 films           - central and minimum film, approach, stiffness, rolling moment of a contact
 oils            - the oil that stands for one of another law, and what another density adds
 skewed          - entrainment at an angle: the straight contact, and what mixed curvature adds

@@ -123,8 +123,8 @@ def atlas_films(
     conditions = with_inlet_oil(conditions)
     contact = scale_contact(conditions)
     own = hertz_coefficients(contact.radius_ratio)[0] ** 2 * contact.moes_load ** (2.0 / 3.0)
-    _require_covered(conditions, contact, own)
-    angle = conditions.entrainment_angle if _skewed(conditions) else 0.0
+    require_covered(conditions, contact, own)
+    angle = conditions.entrainment_angle if skewed(conditions.entrainment_angle) else 0.0
     along = along_entrainment(own, contact.moes_lubricant, contact.radius_ratio, angle)
     load, ratio = along.load, along.ratio
     # 1. the six functions at the contact, and at A a little smaller and larger
@@ -170,7 +170,7 @@ def _rolling_moment(
     """Moment up to a layer as `atlas_films` takes it, by the six functions, shape (6,), and their
     relative error; None also for entrainment at an angle.
     """
-    if _skewed(conditions):
+    if skewed(conditions.entrainment_angle):
         return None
     load = hertz_coefficients(contact.radius_ratio)[0] ** 2 * contact.moes_load ** (2.0 / 3.0)
     central = exp(found[0]) / load
@@ -197,7 +197,7 @@ def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | 
     standing = with_inlet_oil(conditions)
     assert isinstance(standing, ContactConditions)
     contact = scale_contact(standing)
-    if _skewed(conditions):
+    if skewed(conditions.entrainment_angle):
         return None, 0.0
     axis = hertz_coefficients(contact.radius_ratio)[0]
     own = axis**2 * contact.moes_load ** (2.0 / 3.0)
@@ -220,8 +220,8 @@ def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | 
     # 2. whether that brings it into the range
     near = replace(standing, load=conditions.load * (wanted / own) ** 1.5, lubricant=oil)
     try:
-        _require_covered(near, contact, wanted)
-        _require_range((wanted, thick, contact.radius_ratio, rise, alpha))
+        require_covered(near, contact, wanted)
+        require_range((wanted, thick, contact.radius_ratio, rise, alpha))
     except NotInAtlasError:
         return None, 0.0
     return (near, way) if way else (conditions, 0.0)
@@ -243,9 +243,9 @@ def _functions(
     """
     standing, own = oils
     alpha, z = _oil(standing)
-    _require_range((along.load, along.lubricant, along.ratio, z, alpha))
+    require_range((along.load, along.lubricant, along.ratio, z, alpha))
     if along.mixed:
-        _require_range(along.slimmer, SKEW_RANGE)
+        require_range(along.slimmer, SKEW_RANGE)
     _require_density(own, contact.hertz_pressure, along.load)
     oil = np.full(len(x), alpha), np.full(len(x), z)
     found = functions(x[:, :3], *oil)
@@ -336,18 +336,18 @@ def _of_circles(
     return AtlasValue(moment.value - lost, moment.uncertainty + CIRCLES * abs(lost))
 
 
-def _skewed(conditions: ContactConditions | MoesConditions) -> bool:
-    """Whether the entrainment is not along x."""
-    return abs(sin(conditions.entrainment_angle)) > ALIGNED
+def skewed(angle: float) -> bool:
+    """Whether entrainment at an angle to x [rad] counts as such."""
+    return abs(sin(angle)) > ALIGNED
 
 
-def _require_covered(
+def require_covered(
     conditions: ContactConditions | MoesConditions, contact: ScaledContact, load: float
 ) -> None:
     """NotInAtlasError unless the equations are those of the atlas; load: A [-]."""
     slim = _slim(load, contact.radius_ratio)
     turning = ROTATION if slim is None else slim.largest
-    turns = _skewed(conditions) and contact.turning > 0.0
+    turns = skewed(conditions.entrainment_angle) and contact.turning > 0.0
     faults = {
         "mean_spin: entrainment at an angle that does not turn": turns,
         f"mean_spin: entrainment that turns at the end of the ellipse by less than "
@@ -382,7 +382,7 @@ def _require_thin(share: float) -> None:
         )
 
 
-def _require_range(
+def require_range(
     values: tuple[float, ...], ranges: Mapping[str, tuple[float, float]] = RANGE
 ) -> None:
     """NotInAtlasError unless values, A, L, D, z and alpha of `RANGE`, lie in the ranges."""

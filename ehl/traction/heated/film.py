@@ -27,6 +27,7 @@ from ..film_quadrature import (
     low_pressure_blocks,
     sliding_forces,
     strongest_nodes,
+    transverse_axis,
 )
 from ..shear import (
     bounded_viscosity,
@@ -159,9 +160,8 @@ def heated_film(
     with_outlet_lines = with_outlet(contact), with_outlet_values(temperature)
     *fields, temperature = low_pressure_blocks(*with_outlet_lines)
     eta = bounded_viscosity(fields[4], oil, temperature)
-    others = strongest_nodes(
-        contact, np.stack(fields), eta, rheology, largest_slide, temperature, float(friction.sum())
-    )
+    shared = (rheology, largest_slide, temperature, float(friction.sum()))
+    others = strongest_nodes(transverse_axis(contact), np.stack(fields), eta, *shared)
     return HeatedFilm(
         lines=HeatedLines(
             lines=lines,

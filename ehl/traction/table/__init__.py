@@ -1,11 +1,14 @@
 """Traction tables: films, sampling, storage, interpolation.
 
-build       - films over load and speed, sheared over motions until a check is passed
-film        - the film that a table shears, and what it takes from it at a load and a speed
-full_solves - full solves beside a table: what its films leave out
-packing     - values of a table as whole numbers, and those packed for a file
-splines     - uniform cubic B-splines through values on a grid
-storage     - traction tables on disk
-table       - a contact's traction over load, entrainment speed, sliding and spin
-temperature - traction tables over the temperature of the oil at the inlet
+_many_kernels - sliding forces at thousands of motions, compiled
+atlas_film    - films of a table by the film atlas, without a solve
+build         - films over load and speed, sheared over motions until a check is passed
+film          - the film that a table shears, and what it takes from it at a load and a speed
+full_solves   - full solves beside a table: what its films leave out
+many_motions  - sliding forces of a film at thousands of motions
+packing       - values of a table as whole numbers, and those packed for a file
+splines       - uniform cubic B-splines through values on a grid
+storage       - traction tables on disk
+table         - a contact's traction over load, entrainment speed, sliding and spin
+temperature   - traction tables over the temperature of the oil at the inlet
 """

@@ -211,7 +211,7 @@ def _largest(raw: Array) -> Array:
 def _with_message(study: _Study, table: TractionTable) -> TractionTable:
     """Whether it converged, and what did not."""
     films = [*study.films.values(), *study.checks]
-    bad = sum(not film.film.solution.converged for film in films)
+    bad = sum(not film.film.converged for film in films)
     filled = sum(not film.response.converged for film in study.films.values())
     error = table.error
     faults = []
@@ -220,10 +220,21 @@ def _with_message(study: _Study, table: TractionTable) -> TractionTable:
     if bad:
         faults.append(f"{bad} of {len(films)} films did not converge")
     message = "; ".join(faults) or "converged"
+    message += _of_atlas(films)
     if filled:
         few = f"{filled} of {len(films)} films"
         message += f"; stiffness and damping of {few} are those of neighbouring loads"
     return replace(table, converged=not faults, message=message)
+
+
+def _of_atlas(films: Sequence[FilmSample]) -> str:
+    """How many films are the atlas's, and why others are not; nothing where it was not asked."""
+    reasons = [film.solved_because for film in films if film.solved_because is not None]
+    solved = [reason for reason in reasons if reason]
+    if not reasons:
+        return ""
+    text = f"; {len(reasons) - len(solved)} of {len(films)} films by the film atlas"
+    return text + f", others solved: {solved[0]}" if solved else text
 
 
 def _scalars(films: list[list[FilmSample]]) -> Array:
@@ -256,7 +267,7 @@ def _values(study: _Study, film: FilmSample, axes: Array) -> Array:
     """Forces and moments of a film at the motions, shape (nX, nY, nS, 4) [N], [N m]."""
     places = np.meshgrid(*(_axis_nodes(axis) for axis in axes[2:]), indexing="ij")
     motions = _motions(study, film, places)
-    forces = relative_forces(study.contact, film.film, film.speed, motions)
+    forces = relative_forces(study.contact, film.film, film.speed, motions, many=True)
     return forces.reshape(*places[0].shape, 4)
 
 

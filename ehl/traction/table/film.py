@@ -16,6 +16,7 @@ from ..film_quadrature import FilmQuadrature, film_quadrature, sliding_forces
 from ..heated.film import HeatedFilm, heated_film, heated_forces
 from ..response.normal import NormalResponse, normal_response
 from ..rolling_moment import rolling_moment
+from .many_motions import many_sliding_forces
 from .table import TableContact, TableRange
 
 # of the motion where the traction has risen by half, along, across and of spin: the scale there
@@ -27,29 +28,39 @@ RESPONSE_POINTS = 129  # of the films that stiffness and damping are taken from
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TableFilm:
-    """A solved film and its quadrature, ready to shear."""
+    """The quadrature of a film, ready to shear."""
 
-    solution: ContactSolution
     quadrature: FilmQuadrature | HeatedFilm
+    central: float  # film [m]: extrapolated; with heat that of the finest grid
+    converged: bool
 
-    @property
-    def central(self) -> float:
-        """Central film [m]: extrapolated; with heat that of the finest grid."""
-        film = self.solution.film_central_dimensionless
-        scale = self.solution.film_scale
-        assert scale is not None  # of conditions with dimensions
-        return scale * (film.finest if isinstance(self.quadrature, HeatedFilm) else film.value)
-
-    def forces(self, slide: tuple[Array, Array, Array], rolling: Array, curvature: float) -> Array:
-        """F_x, F_y [N] and M_n, M_y [N m] on body 1 by sliding, as `sliding_forces`."""
+    def forces(
+        self,
+        slide: tuple[Array, Array, Array],
+        rolling: Array,
+        curvature: float,
+        *,
+        many: bool = False,
+    ) -> Array:
+        """F_x, F_y [N] and M_n, M_y [N m] on body 1 by sliding, as `sliding_forces`; many: as
+        `many_sliding_forces`, where the film has no heat.
+        """
         if isinstance(self.quadrature, HeatedFilm):
             return heated_forces(self.quadrature, slide, rolling, curvature)
-        return sliding_forces(self.quadrature, slide, rolling, curvature)
+        forces = many_sliding_forces if many else sliding_forces
+        return forces(self.quadrature, slide, rolling, curvature)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SolvedFilm(TableFilm):
+    """That of a film that was solved."""
+
+    solution: ContactSolution
 
 
 def table_film(
     contact: TableContact, load: float, speed: float, largest_slide: float, options: SolverOptions
-) -> TableFilm:
+) -> SolvedFilm:
     """Solve the film of a table's contact at a load [N] and entrainment speed [m/s]; ValueError
     where it cannot be used.
 
@@ -71,7 +82,15 @@ def table_film(
         quadrature = film_quadrature(solution, rheology, largest_slide, temperature=temperature)
     else:
         quadrature = heated_film(thermal, solids, rheology, largest_slide)
-    return TableFilm(solution=solution, quadrature=quadrature)
+    film = solution.film_central_dimensionless
+    scale = solution.film_scale
+    assert scale is not None  # of conditions with dimensions
+    return SolvedFilm(
+        solution=solution,
+        quadrature=quadrature,
+        central=scale * (film.value if solids is None else film.finest),
+        converged=solution.converged,
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -83,6 +102,9 @@ class FilmSample:
     scales: tuple[float, float, float]  # of slide_x/u, slide_y/u, spin R_x/u [-]
     moment: float  # hydrodynamic, of the oil up to its meniscus, positive [N m]
     response: NormalResponse  # stiffness and damping
+    # of a film that was to be the atlas's: why it was solved, nothing where it was not; None:
+    # the atlas was not asked
+    solved_because: str | None = None
 
     @property
     def load(self) -> float:
@@ -106,7 +128,7 @@ def film_sample(
     return FilmSample(
         place=place,
         film=film,
-        scales=_scales(contact, limits, film, speed),
+        scales=motion_scales(contact, limits, film, speed),
         moment=rolling_moment(solution).value,
         response=_response(contact, (load, speed), points),
     )
@@ -121,10 +143,12 @@ def _response(contact: TableContact, place: tuple[float, float], points: int) ->
     return response
 
 
-def _scales(
+def motion_scales(
     contact: TableContact, limits: TableRange, film: TableFilm, speed: float
 ) -> tuple[float, float, float]:
-    """Motions over u or u/R_x at a share of where traction or spin moment is half."""
+    """Motions over u or u/R_x at a share of where traction or spin moment is half, at an
+    entrainment speed [m/s], each [-].
+    """
     none = np.zeros(SCALE_SAMPLES.size)
     scales = []
     for axis, (limit, share) in enumerate(zip(limits.motions, SCALE_SHARE, strict=True)):
@@ -140,10 +164,17 @@ def _scales(
 
 
 def relative_forces(
-    contact: TableContact, film: TableFilm, speed: float, motions: list[Array]
+    contact: TableContact,
+    film: TableFilm,
+    speed: float,
+    motions: list[Array],
+    *,
+    many: bool = False,
 ) -> Array:
-    """F_x, F_y, M_n, M_y by sliding, shape (n, 4) [N], [N m]; slides over u, spin over u/R_x."""
+    """F_x, F_y, M_n, M_y by sliding, shape (n, 4) [N], [N m]; slides over u, spin over u/R_x; many
+    as `TableFilm.forces`.
+    """
     slide_x = motions[0] * speed
     slide = (slide_x, motions[1] * speed, motions[2] * speed / contact.radius_x)
     rolling = speed / contact.radius_x - 0.5 * contact.curvature_difference * slide_x
-    return film.forces(slide, rolling, 0.5 / contact.curvature_radius)
+    return film.forces(slide, rolling, 0.5 / contact.curvature_radius, many=many)

@@ -99,3 +99,27 @@ def test_what_is_not_covered_ends_with_one_line(case, fault, solver):
     (line,) = found.stderr.strip().splitlines()
     assert fault in line
     assert solver in line
+
+
+def test_the_moment_at_an_angle_is_null_for_its_reason(tmp_path):
+    case = tmp_path / "skew.toml"
+    case.write_text(
+        """schema_version = 1
+[contact]
+load_N = 60.0
+radius_x_mm = 5.0
+radius_y_mm = 12.0
+reduced_modulus_GPa = 226.0
+entrainment_speed_m_s = 3.0
+entrainment_angle_deg = 25.0
+[lubricant]
+viscosity_mPa_s = 20.0
+pressure_viscosity_1_GPa = 18.0
+density_kg_m3 = 870.0
+"""
+    )
+    found = call(str(case), "--json")
+    assert found.exit_code == 0, found.stderr
+    told = json.loads(found.stdout)
+    assert told["rolling_moment_N_mm"] is None
+    assert "rolling_moment_...: null, the atlas has no moment of entrainment at an angle" in told["messages"]

@@ -4,17 +4,22 @@ from __future__ import annotations
 
 import json
 import math
+import tomllib
+from contextlib import nullcontext
 from dataclasses import replace
 
+import numpy as np
 import pytest
 from typer.testing import CliRunner
 
 from bearing.friction.table_files import load_tables
 from bearing.geometry import Race
 from bearing.library.lubricants import library_lubricant
+from cases.batch.shared.tables import bodies_and_oil
 from cases.cli.main import app
-from cases.format.case import load_case
+from cases.format.case import case_of_document, load_case
 from cases.format.traction import tables_of_file
+from cases.runs.traction_table import run_table
 from ehl.oil.rheology import Rheology
 from ehl.traction.table.build import TableOptions
 from ehl.traction.table.full_solves import FullSolve
@@ -39,6 +44,65 @@ def quick(monkeypatch):
         return TableOptions(**{**chosen, **EASY})
 
     monkeypatch.setattr("cases.runs.traction_table.TableOptions", few)
+
+
+# its loads and speeds are those of which the film atlas has fields; its heaviest contacts and no light ones
+LOADED = """schema_version = 1
+[bearing]
+name = "7012AC"
+[lubricant]
+name = "iso vg 32"
+[operation]
+inner_speed_rpm = 6000.0
+axial_load_N = 3000.0
+temperature_C = 60.0
+[ehl]
+film_maps = "none"
+[friction]
+table_films = "atlas"
+"""
+
+
+def test_films_of_the_atlas_are_told(quick, monkeypatch, tmp_path):
+    solved = []
+    monkeypatch.setattr("cases.cli.compute._films_kept", lambda path: nullcontext(solved.append))
+    path = tmp_path / "loaded.toml"
+    path.write_text(LOADED)
+    found = call(str(path), "--json")
+    assert found.exit_code == 0, found.stderr
+    messages = json.loads(found.stdout)["messages"]
+    for race in ("inner", "outer"):
+        assert f"{race} race: converged; 18 of 18 films by the film atlas" in messages
+    assert not solved
+
+
+def test_points_with_films_of_the_atlas_have_tables_of_their_own(tmp_path):
+    path = tmp_path / "loaded.toml"
+    path.write_text(LOADED)
+    other = tmp_path / "solved.toml"
+    other.write_text(LOADED.replace('"atlas"', '"solved"'))
+    assert bodies_and_oil(load_case(str(path))) != bodies_and_oil(load_case(str(other)))
+
+
+@pytest.mark.slow
+def test_table_by_the_atlas_is_the_solved_one():
+    """Both races of a bearing of no shipped case, 100 random motions each."""
+    tables = {}
+    for films in ("atlas", "solved"):
+        document = tomllib.loads(LOADED.replace('"atlas"', f'"{films}"'))
+        document["operation"] |= {"axial_load_N": 2200.0, "inner_speed_rpm": 8000.0}
+        case = case_of_document(document)
+        tables[films] = run_table(case).tables
+    rng = np.random.default_rng(11)
+    for race, solved in tables["solved"].items():
+        own = tables["atlas"][race]
+        for _ in range(100):
+            load, speed = (np.exp(rng.uniform(*np.log(ends))) for ends in (solved.range.load, solved.range.speed))
+            ratio, angle = 10.0 ** rng.uniform(-3.0, 0.0), rng.uniform(0.0, 2.0 * np.pi)
+            spin = rng.uniform(-0.3, 0.3) * speed / solved.contact.radius_x
+            motion = (ratio * speed * np.cos(angle), 0.5 * ratio * speed * np.sin(angle), spin)
+            one, other = (np.array(table.forces(load, speed, *motion)[:2]) for table in (own, solved))
+            assert np.hypot(*(one - other)) < 0.01 * solved.largest(load, speed)[0]
 
 
 @pytest.mark.slow

@@ -1,0 +1,233 @@
+"""Pressure and film over the ellipse of a flooded contact from a table of solved ones, for
+traction without a solve.
+
+What is tabulated are the nodes that a traction table shears (`film_quadrature`): 64 lines, the
+edges of the zone of high pressure on each, pressure and film at 24 places from edge to edge, so
+that the spike stands at nearly the same place of its line in every contact; and what lies around
+that zone, in 45 cells of elliptical rings and sectors. All of it over Hertz' pressure and
+semi-axes and, of films, a^2/Rx/A, is one vector of solved contacts, of which the first principal
+modes stay.
+Their amplitudes are Gaussian processes in (ln A, sqrt L, ln D), A as in `table`, with Matern's
+kernel of 5/2, plus sqrt L times terms of the oil, whose coefficients are such processes, too. At
+last the pressure is scaled so that it carries the load. Fitted by `tools/atlas/fields.py`.
+"""
+
+from functools import cache
+from math import exp, log, pi, sqrt
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from ...arrays import Array
+from ...closed_form.hertz import hertz_coefficients
+from ...conditions import ContactConditions
+from ...oil.lubricant import DensityLaw, Lubricant, ViscosityLaw
+from ...scaling import scale_contact
+from ..film_quadrature import HIGH_PRESSURE, LINES, node_shares
+from .films import NotInAtlasError, require_covered, require_range, skewed
+from .table import BASE_ALPHA, BASE_Z, radial, trend_terms
+
+FILE = Path(__file__).parent / "fields.npz"
+# of A, L, D, Roelands' z [-] and alpha [1/Pa] between which tables were judged
+RANGE = {
+    "A = a^2/(Rx^2 sqrt(2U))": (15.0, 160.0),
+    "L": (2.0, 30.0),
+    "Rx/Ry": (0.01, 1.0),
+    "roelands_z": (0.4, 0.8),
+    "pressure_viscosity": (1e-8, 3e-8),
+}
+HALF = LINES // 2  # lines on one side of the middle
+# radii of the rings of cells, over the ellipse's, and sectors of half a turn
+RINGS = (0.0, 1.12, 1.25, 1.5, 2.2, np.inf)
+SECTORS = 9
+CELLS = (len(RINGS) - 1) * SECTORS
+# of a cell: area, area over film, and means with the latter as weight: pressure, place, spread
+CELL_ROWS = 7
+# prior deviations of the amplitudes over theirs: radial functions, trend, terms of the oil
+DEVIATION = 0.3
+TREND = 5.0
+OIL = 0.1
+# of places in the oil's terms
+CENTRE = np.array([2.5, 2.5, -2.5])
+SPREAD = np.array([1.2, 1.5, 1.5])
+
+
+class FieldTable(NamedTuple):
+    """What the file holds [-]."""
+
+    places: Array  # (n, 3) ln A, sqrt L, ln D of the contacts
+    oils: Array  # (n, 5) their `oil_features`
+    scales: Array  # (3,) of the radial functions
+    mean: Array  # (m,) vector
+    modes: Array  # (k, m)
+    trend: Array  # (10, k)
+    weights: Array  # (n, k)
+
+
+class ContactFields(NamedTuple):
+    """A contact's fields [-]."""
+
+    zone: Array  # (7, lines, nodes) as `HertzZone.fields`, SI
+    cells: Array  # (7, n) likewise, of low pressure: `low_pressure_blocks`
+    damping: float  # -dF/d(dh_0/dt) of slow movement [N s/m]
+
+
+class Layout(NamedTuple):
+    """Parts of a vector."""
+
+    half_width: slice
+    first: slice  # edge of each line on the side of the inlet
+    last: slice
+    pressure: slice
+    film: slice  # ln(H A)
+    cells: slice
+    load: slice  # share of the load that the zone carries
+    damping: slice  # ln(c u_m/(p_h a Rx))
+    shear: slice  # ln of the area over film of all cells together
+
+
+def layout() -> Layout:
+    """Parts of a vector."""
+    nodes = HALF * node_shares()[0].size
+    sizes = (1, HALF, HALF, nodes, nodes, CELL_ROWS * CELLS, 1, 1, 1)
+    ends = np.cumsum((0, *sizes))
+    return Layout(*(slice(int(a), int(b)) for a, b in zip(ends[:-1], ends[1:], strict=True)))
+
+
+@cache
+def field_table() -> FieldTable:
+    """The table, read once [-]."""
+    with np.load(FILE) as file:
+        return FieldTable(**{name: file[name].astype(float) for name in FieldTable._fields})
+
+
+def oil_features(places: Array, alpha: Array, z: Array) -> Array:
+    """sqrt L times {z', a, z' a/2, a^2/2, z'^2/2}, zero for the oil of `table`, at places of shape
+    (m, 3), shape (m, 5) [-]; alpha [1/Pa].
+    """
+    a = np.log(np.asarray(alpha) / BASE_ALPHA) / 0.45
+    d = (np.asarray(z) - BASE_Z) / 0.2
+    own = np.stack([d, a, 0.5 * d * a, 0.5 * a * a, 0.5 * d * d], axis=1)
+    return np.asarray(0.25 * places[:, 1:2] * own)
+
+
+def kernel(x: Array, oils: Array, y: Array, others: Array, scales: Array) -> Array:
+    """Covariance of amplitudes at places (m, 3) and (n, 3) with features of oils, without the
+    trend, shape (m, n) [-].
+    """
+    near = radial(x, y, scales)
+    with_line = 1.0 + ((x - CENTRE) / SPREAD) @ ((y - CENTRE) / SPREAD).T
+    return DEVIATION**2 * near + OIL**2 * (oils @ others.T) * (with_line + near)
+
+
+def field_vectors(x: Array, alpha: Array, z: Array, known: FieldTable | None = None) -> Array:
+    """Vectors of `layout` at places of shape (m, 3), their pressure carrying the load, the
+    cells as stiff to shear as in all; alpha [1/Pa]; known: None for the table as it is stored.
+    """
+    known = known or field_table()
+    near = kernel(x, oil_features(x, alpha, z), known.places, known.oils, known.scales)
+    amplitudes = trend_terms(x) @ known.trend + near @ known.weights
+    found = known.mean + amplitudes @ known.modes
+    parts = layout()
+    for own in found:
+        own[parts.pressure] *= own[parts.load] / carried(own)
+        rows = own[parts.cells].reshape(CELL_ROWS, CELLS)[:2]
+        rows *= np.exp(own[parts.shear]) / sheared(own)
+    return np.asarray(found)
+
+
+def carried(vector: Array) -> float:
+    """Share of the load that the zone's pressure carries [-]."""
+    parts = layout()
+    _, weights = node_shares()
+    span = (vector[parts.last] - vector[parts.first])[:, None]
+    p = vector[parts.pressure].reshape(HALF, -1)
+    width = 2.0 * float(vector[parts.half_width][0]) / LINES
+    return float(2.0 * width * (span * weights * p).sum() / (2.0 * pi / 3.0))
+
+
+def sheared(vector: Array) -> float:
+    """Area over film of all cells that oil shears in [-]."""
+    area, by_film = vector[layout().cells].reshape(CELL_ROWS, CELLS)[:2]
+    return float(by_film[np.minimum(area, by_film) > 0.0].sum())
+
+
+def contact_fields(conditions: ContactConditions) -> ContactFields:
+    """Fields of a contact; `NotInAtlasError` where tables were not judged by such."""
+    require_fields(conditions)
+    contact = scale_contact(conditions)
+    load = hertz_coefficients(contact.radius_ratio)[0] ** 2 * contact.moes_load ** (2.0 / 3.0)
+    oil = conditions.lubricant
+    place = np.array([[log(load), sqrt(contact.moes_lubricant), log(contact.radius_ratio)]])
+    vector = field_vectors(place, np.array([oil.pressure_viscosity]), np.array([oil.exponent]))[0]
+    return fields_of_vector(vector, conditions)
+
+
+def require_fields(conditions: ContactConditions) -> None:
+    """NotInAtlasError unless tables were judged by such contacts."""
+    contact = scale_contact(conditions)
+    load = hertz_coefficients(contact.radius_ratio)[0] ** 2 * contact.moes_load ** (2.0 / 3.0)
+    require_covered(conditions, contact, load)
+    oil = conditions.lubricant
+    if not _judged_oil(oil):
+        raise NotInAtlasError(
+            "an oil after Roelands with p_r 196 MPa and the density of Dowson and Higginson is "
+            "what the atlas has fields of"
+        )
+    if skewed(conditions.entrainment_angle) or contact.turning > 0.0:
+        raise NotInAtlasError(
+            "mean_spin: entrainment along x that does not turn is what the atlas has fields of"
+        )
+    values = (load, contact.moes_lubricant, contact.radius_ratio)
+    require_range((*values, oil.exponent, oil.pressure_viscosity), RANGE)
+
+
+def _judged_oil(oil: Lubricant) -> bool:
+    """Whether the oil is of the kind of the solved ones."""
+    usual = Lubricant(viscosity=oil.viscosity, pressure_viscosity=oil.pressure_viscosity)
+    return (
+        oil.viscosity_law is ViscosityLaw.ROELANDS
+        and oil.density_law is DensityLaw.DOWSON_HIGGINSON
+        and oil.roelands_pressure == usual.roelands_pressure
+    )
+
+
+def fields_of_vector(vector: Array, conditions: ContactConditions) -> ContactFields:
+    """Fields of a contact by its vector, on both sides of the middle."""
+    contact = scale_contact(conditions)
+    assert contact.semi_axis_x is not None and contact.film_scale is not None
+    load = hertz_coefficients(contact.radius_ratio)[0] ** 2 * contact.moes_load ** (2.0 / 3.0)
+    parts = layout()
+    shares, weights = node_shares()
+    a = contact.semi_axis_x
+    film_unit = contact.film_scale / load
+    b = a * contact.semi_axis_ratio
+    # 1. the zone of high pressure
+    width = float(vector[parts.half_width][0]) * b / HALF
+    span = (vector[parts.last] - vector[parts.first])[:, None] * a
+    x = vector[parts.first][:, None] * a + span * shares
+    y = np.broadcast_to(width * (np.arange(HALF) + 0.5)[:, None], x.shape)
+    size = span * weights
+    film = np.exp(vector[parts.film]).reshape(x.shape) * film_unit
+    p = np.maximum(vector[parts.pressure], 0.0).reshape(x.shape) * contact.hertz_pressure
+    half = np.stack([x, y, size * width, film, p, size, np.full_like(x, width)])
+    # 2. the cells around it: a twelfth of the squared size is the spread
+    own = vector[parts.cells].reshape(CELL_ROWS, CELLS)
+    area, by_film, pressure, along, across, spread_x, spread_y = own[:, own[:2].min(axis=0) > 0.0]
+    sizes = (np.sqrt(12.0 * np.maximum(s, 0.0)) for s in (spread_x, spread_y))
+    p = np.clip(pressure, 0.0, HIGH_PRESSURE) * contact.hertz_pressure
+    rows = (0.5 * area * a * b, area / by_film * film_unit, p)
+    cells = np.stack(
+        [along * a, across * b, *rows, *(s * u for s, u in zip(sizes, (a, b), strict=True))]
+    )
+    damping = exp(float(vector[parts.damping][0]))
+    unit = contact.hertz_pressure * a * conditions.radius_x / conditions.entrainment_speed
+    return ContactFields(zone=_mirrored(half), cells=_mirrored(cells), damping=damping * unit)
+
+
+def _mirrored(half: Array) -> Array:
+    """Nodes on both sides of the middle."""
+    other = half.copy()
+    other[1] = -other[1]
+    return np.concatenate([other[:, ::-1], half], axis=1)

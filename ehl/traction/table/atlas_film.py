@@ -1,0 +1,88 @@
+"""Films of a traction table by the film atlas, without a solve."""
+
+from dataclasses import replace
+from itertools import product
+from math import exp, nan
+
+import numpy as np
+
+from ...conditions import ContactConditions
+from ...oil.rheology import contact_rheology
+from ...scaling import scale_contact
+from ...solution import MEAN_PRESSURE_RATIO
+from ..atlas.fields import ContactFields, contact_fields, require_fields
+from ..atlas.films import NotInAtlasError, atlas_films
+from ..film_quadrature import FilmQuadrature, strongest_nodes
+from ..response.normal import NormalResponse, ResponseValue
+from ..shear import bounded_viscosity
+from .build import FilmSampler
+from .film import FilmSample, TableFilm, motion_scales
+from .table import TableContact, TableRange
+
+
+def atlas_sampler(solve: FilmSampler) -> FilmSampler:
+    """A sampler of films by the atlas; by `solve` those of tables that it does not cover whole, so
+    that no film of a table steps beside its neighbour.
+    """
+
+    def sample(
+        contact: TableContact, limits: TableRange, place: tuple[float, float], points: int
+    ) -> FilmSample:
+        try:
+            for load, speed in product(limits.load, limits.speed):
+                require_fields(contact.conditions(load, speed))
+            return atlas_sample(contact, limits, place)
+        except NotInAtlasError as error:
+            solved = solve(contact, limits, place, points)
+            return replace(solved, solved_because=error.reason)
+
+    return sample
+
+
+def atlas_sample(
+    contact: TableContact, limits: TableRange, place: tuple[float, float]
+) -> FilmSample:
+    """The film at a place (ln load, ln speed); `NotInAtlasError` where the atlas has none."""
+    load, speed = (exp(value) for value in place)
+    if contact.solids is not None:
+        raise NotInAtlasError("film_model: isothermal films are what the atlas has")
+    conditions = contact.conditions(load, speed)
+    fields = contact_fields(conditions)
+    films = atlas_films(conditions)
+    if films.rolling_moment is None:
+        raise NotInAtlasError("flooded_layer: a thicker layer is what the atlas has moments of")
+    film = TableFilm(
+        quadrature=_quadrature(contact, conditions, fields, limits.slide_x * speed),
+        central=films.central.value,
+        converged=True,
+    )
+    stiffness = ResponseValue(value=films.stiffness.value, uncertainty=films.stiffness.uncertainty)
+    response = NormalResponse(
+        stiffness=stiffness,
+        damping=ResponseValue(value=fields.damping, uncertainty=nan),
+        converged=True,
+        resolved=True,
+        message="converged",
+    )
+    return FilmSample(
+        place=place,
+        film=film,
+        scales=motion_scales(contact, limits, film, speed),
+        moment=films.rolling_moment.value,
+        response=response,
+        solved_because="",
+    )
+
+
+def _quadrature(
+    contact: TableContact, conditions: ContactConditions, fields: ContactFields, slide: float
+) -> FilmQuadrature:
+    """Nodes of fields as `film_quadrature` has them; largest slide [m/s]."""
+    scaled = scale_contact(conditions)
+    assert scaled.semi_axis_x is not None
+    mean = MEAN_PRESSURE_RATIO * scaled.hertz_pressure
+    rheology = contact_rheology(contact.rheology, contact.lubricant, mean)
+    rows = np.concatenate([fields.zone.reshape(7, -1), fields.cells], axis=1)
+    eta = bounded_viscosity(rows[4], contact.lubricant)
+    width = scaled.semi_axis_x * scaled.semi_axis_ratio
+    return strongest_nodes(width, rows, eta, rheology, slide, contact.temperature)

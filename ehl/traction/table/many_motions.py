@@ -1,0 +1,51 @@
+"""Sliding forces of a film at thousands of motions, by the drag of its nodes as a table."""
+
+import numpy as np
+
+from ...arrays import Array
+from ...oil.rheology import kernel_rheology
+from .. import _kernels
+from ..film_quadrature import FilmQuadrature
+from . import _many_kernels
+from ._many_kernels import SHIFT
+
+# smallest over largest sliding in the table of drags, below which the drag goes with the sliding
+SMALLEST = 1e-8
+
+
+def many_sliding_forces(
+    film: FilmQuadrature, slide: tuple[Array, Array, Array], rolling: Array, curvature: float
+) -> Array:
+    """As `film_quadrature.sliding_forces`, ten times faster for thousands of motions,
+    within 0.03 % of the largest force.
+    """
+    out = np.zeros((_kernels.COLUMNS, slide[0].size))
+    largest = _largest_sliding(film, slide, rolling, curvature)
+    if largest == 0.0:
+        return np.ascontiguousarray(out.T)
+    squares = _squares(largest)
+    law = kernel_rheology(film.rheology)[:4]
+    drags = np.empty((film.nodes.shape[1], squares.size))
+    _many_kernels.node_drags(film.nodes, law, squares, drags)
+    surface = (curvature, film.half_width)
+    motions = (*slide, rolling)
+    _many_kernels.tabulated_sums(film.nodes, drags, squares, motions, surface, out)
+    return np.ascontiguousarray(out.T)
+
+
+def _largest_sliding(
+    film: FilmQuadrature, slide: tuple[Array, Array, Array], rolling: Array, curvature: float
+) -> float:
+    """More than any node slides at any of the motions [m/s]."""
+    slide_x, slide_y, spin = (float(np.abs(part).max()) for part in slide)
+    x, y = (float(np.abs(film.nodes[k]).max()) for k in (_kernels.X, _kernels.Y))
+    bent = float(np.abs(rolling).max()) * curvature * y * y
+    return slide_x + slide_y + 2.0 * spin * (x + y) + 3.0 * bent
+
+
+def _squares(largest: float) -> Array:
+    """Squares of the sliding at which drags are tabulated, from small ones to beyond that of the
+    largest [m^2/s^2].
+    """
+    ends = np.array([(SMALLEST * largest) ** 2, largest**2]).view(np.int64) >> SHIFT
+    return np.asarray((np.arange(ends[0], ends[1] + 2) << SHIFT).view(np.float64))

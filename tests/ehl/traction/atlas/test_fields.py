@@ -1,0 +1,92 @@
+"""Pressure and film of the atlas, sheared, beside solved ones; what it has no fields of."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+import ehl
+from ehl.oil.lubricant import ViscosityLaw
+from ehl.oil.rheology import Rheology, ShearLaw
+from ehl.traction.atlas.fields import contact_fields
+from ehl.traction.atlas.films import NotInAtlasError
+from ehl.traction.table.atlas_film import atlas_sample, atlas_sampler
+from ehl.traction.table.film import film_sample, relative_forces
+from ehl.traction.table.table import TableContact, TableRange
+
+SHEAR = Rheology(law=ShearLaw.REE_EYRING, eyring_coefficient=0.047, limiting_coefficient=0.047)
+OIL = ehl.Lubricant(viscosity=0.012, pressure_viscosity=19e-9, roelands_z=0.6)
+# inner race of a ball of 9.5 mm
+CONTACT = TableContact(
+    radius_x=3.9e-3,
+    radius_y=0.11,
+    reduced_modulus=2.26e11,
+    lubricant=OIL,
+    rheology=replace(SHEAR, limiting_minimum=5e6),
+    temperature=333.0,
+    curvature_radius=5e-3,
+    curvature_difference=-10.0,
+)
+LIMITS = TableRange(load=(150.0, 900.0), speed=(4.0, 20.0))
+RATIOS = np.array([1e-3, 1e-2, 0.1, 1.0, 2.0])
+# ln load [N], ln speed [m/s]: two of which none was fitted
+PLACES = [(float(np.log(load)), float(np.log(speed))) for load, speed in ((220.0, 14.0), (800.0, 6.0))]
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_traction_is_that_of_the_solved_film(place):
+    solved, unsolved = film_sample(CONTACT, LIMITS, place, 257), atlas_sample(CONTACT, LIMITS, place)
+    none = np.zeros(RATIOS.size)
+    for motions in ([RATIOS, none, none], [none, 0.5 * RATIOS, none], [RATIOS, 0.3 * RATIOS, none + 0.2]):
+        one, other = (relative_forces(CONTACT, s.film, s.speed, motions)[:, :2] for s in (solved, unsolved))
+        largest = relative_forces(CONTACT, solved.film, solved.speed, [RATIOS, none, none])[:, 0].max()
+        largest = max(abs(largest), np.abs(one).max())
+        assert np.hypot(*(other - one).T).max() < 0.01 * largest
+    assert unsolved.film.central == pytest.approx(solved.film.central, rel=0.01)
+    # the moment of a solved film on 257 points carries 2 to 4 % of its mesh
+    assert unsolved.moment == pytest.approx(solved.moment, rel=0.06)
+    assert unsolved.response.damping.value == pytest.approx(solved.response.damping.value, rel=0.1)
+    assert unsolved.response.stiffness.value == pytest.approx(solved.response.stiffness.value, rel=0.02)
+
+
+def test_pressure_carries_the_load():
+    conditions = CONTACT.conditions(400.0, 10.0)
+    fields = contact_fields(conditions)
+    area, pressure = fields.zone[2], fields.zone[4]
+    carried = float((area * pressure).sum() + (fields.cells[2] * fields.cells[4]).sum())
+    assert carried == pytest.approx(400.0, rel=0.01)
+    # one side mirrors the other
+    assert fields.zone[1, ::-1] == pytest.approx(-fields.zone[1])
+
+
+@pytest.mark.parametrize(
+    ("changed", "reason"),
+    [
+        ({"load": 2.0}, "A = "),
+        ({"entrainment_angle": 0.2}, "along x"),
+        ({"mean_spin": 500.0}, "turn"),
+        ({"lubricant": replace(OIL, viscosity_law=ViscosityLaw.BARUS)}, "Roelands"),
+        ({"lubricant": replace(OIL, roelands_pressure=1.5e8)}, "196 MPa"),
+        ({"lubricant": replace(OIL, roelands_z=0.9)}, "roelands_z"),
+        ({"radius_y": 2e-3, "load": 20.0}, "Rx/Ry"),
+    ],
+)
+def test_what_has_no_fields_is_refused(changed, reason):
+    with pytest.raises(NotInAtlasError, match=reason):
+        contact_fields(replace(CONTACT.conditions(400.0, 10.0), **changed))
+
+
+def test_what_has_no_fields_is_solved_and_says_why():
+    asked = []
+
+    def solve(*arguments):
+        asked.append(arguments)
+        return atlas_sample(*arguments[:2], PLACES[0])
+
+    sample = atlas_sampler(solve)
+    assert sample(CONTACT, LIMITS, PLACES[0], 65).solved_because == "" and not asked
+    # also at a place that has fields, where the table reaches to lighter ones
+    light = sample(CONTACT, replace(LIMITS, load=(3.0, 900.0)), PLACES[0], 65)
+    assert asked and "A = " in light.solved_because
