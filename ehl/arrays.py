@@ -8,9 +8,14 @@ Array = NDArray[np.float64]
 SAME = 1.0e-12  # within which two numbers count as one, over the scale of their column [-]
 
 
-def lagrange_weights(places: Array, place: float) -> Array:
-    """Lagrange's weights of values at places [same unit] at another place [-]."""
-    return np.array([np.prod([(place - b) / (a - b) for b in places if b != a]) for a in places])
+def lagrange_weights(places: Array, place: Array | float) -> Array:
+    """Lagrange's weights of values at k places [same unit] at another place [-]; of many at once
+    where places have the shape (..., k) and those others the shape (...).
+    """
+    own = np.eye(places.shape[-1], dtype=np.bool_)
+    apart = places[..., :, None] - places[..., None, :] + own
+    away = np.where(own, 1.0, np.asarray(place)[..., None, None] - places[..., None, :])
+    return np.asarray(np.prod(away / apart, axis=-1))
 
 
 def alike(rows: Array) -> tuple[NDArray[np.int64], NDArray[np.int64]]:

@@ -10,7 +10,7 @@ from numba.core import cgutils
 from numba.extending import intrinsic, overload
 
 from ..compiled import compiled
-from ..oil._rheology_kernels import inverse_sine, shear_stress
+from ..oil._rheology_kernels import inverse_sine
 from .coefficient_kernels import coefficient as coefficient_formula
 
 # rows of the nodes of a film; spread: a twelfth of the squared size
@@ -34,59 +34,6 @@ BELOW_LOAD, ABOVE_LOAD, BELOW_SPEED, ABOVE_SPEED = (1 << bit for bit in range(4)
 SLIDE_X, SLIDE_Y, SPIN = (1 << bit for bit in range(4, 7))
 
 coefficient = compiled(coefficient_formula)
-
-
-@compiled
-def mean_sliding(x, y, spread_x, spread_y, motion, surface):
-    """Sliding along x and y at a node, its root mean square over it, and y^2/(2R), which does not
-    grow beyond the width.
-
-    spread_x, spread_y: a twelfth of the node's squared size; motion: slide_x, slide_y, spin,
-    rolling; surface: 1/(2R) over +-width across.
-    """
-    slide_x, slide_y, spin, rolling = motion
-    curvature, width = surface
-    curvature_height = curvature * min(y * y, width * width)
-    s_x = slide_x - spin * y - rolling * curvature_height
-    s_y = slide_y + spin * x
-    slope = spin + (2.0 * rolling * curvature * y if abs(y) < width else 0.0)
-    square = s_x * s_x + s_y * s_y + slope * slope * spread_y + spin * spin * spread_x
-    return s_x, s_y, np.sqrt(square), curvature_height
-
-
-@compiled
-def add_shear(out, x, y, curvature_height, pull, s_x, s_y):
-    """Add a node's share of F_x, F_y, M_n, M_y on body 1; pull = area stress/sliding."""
-    t_x, t_y = pull * s_x, pull * s_y
-    out[0] -= t_x
-    out[1] -= t_y
-    out[2] += y * t_x - x * t_y
-    out[3] += curvature_height * t_x
-
-
-@compiled
-def sliding_sums(nodes, law, motion, surface, out):
-    """Forces and moments on body 1 by sliding, added to out: F_x, F_y, M_n, M_y.
-
-    nodes, shape (8, n): rows as named above. law: base law and its constants. motion and surface
-    as in `mean_sliding`.
-    """
-    for k in range(nodes.shape[1]):
-        x, y = nodes[X, k], nodes[Y, k]
-        spread_x, spread_y = nodes[SPREAD_X, k], nodes[SPREAD_Y, k]
-        s_x, s_y, s, curvature_height = mean_sliding(x, y, spread_x, spread_y, motion, surface)
-        if s > 0.0:
-            tau = shear_stress(s / nodes[FILM, k], nodes[VISCOSITY, k], nodes[LIMIT, k], *law)
-            add_shear(out, x, y, curvature_height, nodes[AREA, k] * tau / s, s_x, s_y)
-
-
-@compiled
-def sliding_sums_many(nodes, law, motions, surface, out):
-    """`sliding_sums` for each of n motions, four arrays, added to out of shape (n, 4)."""
-    slide_x, slide_y, spin, rolling = motions
-    for k in range(slide_x.size):
-        motion = (slide_x[k], slide_y[k], spin[k], rolling[k])
-        sliding_sums(nodes, law, motion, surface, out[k])
 
 
 @compiled

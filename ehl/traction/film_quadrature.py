@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ..arrays import Array
 from ..oil.rheology import Rheology, kernel_rheology, limiting_stress, shear_stress
 from ..solution import ContactSolution
-from . import _kernels
+from . import _block_kernels, _kernels
 from .shear import (
     Cavitation,
     bounded_viscosity,
@@ -218,5 +218,5 @@ def sliding_forces(
     out = np.zeros((slide[0].size, _kernels.COLUMNS))
     law = kernel_rheology(film.rheology)[:4]
     surface = (curvature, film.half_width)
-    _kernels.sliding_sums_many(film.nodes, law, (*slide, rolling), surface, out)
+    _block_kernels.sliding_sums_many(film.nodes, law, (*slide, rolling), surface, out)
     return out

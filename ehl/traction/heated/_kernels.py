@@ -38,12 +38,19 @@ import numpy as np
 
 from ...compiled import compiled
 from ...oil._rheology_kernels import limiting_stress, shear_stress
+from .._block_kernels import (
+    BLOCK,
+    F_X,
+    F_Y,
+    M_N,
+    M_Y,
+    ROOM,
+    SQUARES,
+    block_sums,
+    load_block,
+)
 from .._kernels import AREA as COLD_AREA
-from .._kernels import SPREAD_X as COLD_SPREAD_X
-from .._kernels import SPREAD_Y as COLD_SPREAD_Y
-from .._kernels import TINY, mean_sliding, sliding_sums
-from .._kernels import X as COLD_X
-from .._kernels import Y as COLD_Y
+from .._kernels import TINY
 from .nahme import LARGEST_ROOT, PROFILE, ROOTS
 
 # columns of a node
@@ -199,18 +206,6 @@ def line_factors(film, law, responses, slides, out):
 
 
 @compiled
-def line_slide(nodes, motion, surface):
-    """Root mean square of the sliding over the area of a line's nodes [m/s]."""
-    total = area = 0.0
-    for k in range(nodes.shape[1]):
-        spread = (nodes[COLD_SPREAD_X, k], nodes[COLD_SPREAD_Y, k])
-        s = mean_sliding(nodes[COLD_X, k], nodes[COLD_Y, k], *spread, motion, surface)[2]
-        total += nodes[COLD_AREA, k] * s * s
-        area += nodes[COLD_AREA, k]
-    return np.sqrt(total / max(area, TINY))
-
-
-@compiled
 def factor_at(factors, weights, place):
     """A line's factor at a place of the sliding speed counted in nodes: cubics through the four
     nearest nodes, of the weighted sum over the responses.
@@ -245,15 +240,18 @@ def factored_sums(lines, law, axis, motions, weights, surface, out):
     the half width over which it counts.
     """
     nodes, factors = lines
-    slide_x, slide_y, spin, rolling = motions
-    part = np.empty(4)
-    for n in range(slide_x.size):
-        motion = (slide_x[n], slide_y[n], spin[n], rolling[n])
+    room = np.empty(ROOM)
+    for first in range(0, motions[0].size, BLOCK):
+        count = load_block(motions, first, room)
         for k in range(nodes.shape[0]):
-            part[:] = 0.0
-            sliding_sums(nodes[k], law, motion, surface, part)
-            slide = line_slide(nodes[k], motion, surface)
-            place = (np.log(max(slide, TINY)) - axis[0]) * axis[1]
-            factor = factor_at(factors[k], weights[n], place)
-            for column in range(4):
-                out[n, column] += factor * part[column]
+            block_sums(nodes[k], law, surface, room)
+            area = max(nodes[k, COLD_AREA].sum(), TINY)
+            for n in range(count):
+                # root mean square of the sliding over the area of the line's nodes
+                slide = np.sqrt(room[SQUARES + n] / area)
+                place = (np.log(max(slide, TINY)) - axis[0]) * axis[1]
+                factor = factor_at(factors[k], weights[first + n], place)
+                out[first + n, 0] += factor * room[F_X + n]
+                out[first + n, 1] += factor * room[F_Y + n]
+                out[first + n, 2] += factor * room[M_N + n]
+                out[first + n, 3] += factor * room[M_Y + n]

@@ -105,15 +105,15 @@ class HeatedLines:
         places = np.clip(slide_x / self.speed, nodes[0], nodes[-1])
         known = _difference(self.wall_response(nodes * self.speed))
         at = _difference(self.wall_response(places * self.speed))
-        weights = np.zeros((places.size, nodes.size))
-        for row, place, here in zip(weights, places, at, strict=True):
-            if abs(place) > 2.0:
-                chosen = [0, 1] if place < 0.0 else [nodes.size - 2, nodes.size - 1]
-            else:
-                first = int(np.searchsorted(nodes, place)) - 2
-                first = min(max(first, 1), nodes.size - 5)
-                chosen = list(range(first, first + 4))
-            row[chosen] = lagrange_weights(known[chosen], here)
+        count = nodes.size
+        inside = np.clip(np.searchsorted(nodes, places) - 2, 1, count - 5)
+        first = np.where(places < -2.0, 0, np.where(places > 2.0, count - 2, inside))
+        beyond = np.abs(places) > 2.0
+        weights = np.zeros((places.size, count))
+        for chosen, points in ((np.flatnonzero(~beyond), 4), (np.flatnonzero(beyond), 2)):
+            columns = first[chosen, None] + np.arange(points)
+            own = lagrange_weights(known[columns], at[chosen])
+            weights[chosen[:, None], columns] = own
         return weights
 
 
