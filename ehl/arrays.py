@@ -12,10 +12,10 @@ def lagrange_weights(places: Array, place: Array | float) -> Array:
     """Lagrange's weights of values at k places [same unit] at another place [-]; of many at once
     where places have the shape (..., k) and those others the shape (...).
     """
-    own = np.eye(places.shape[-1], dtype=np.bool_)
-    apart = places[..., :, None] - places[..., None, :] + own
-    away = np.where(own, 1.0, np.asarray(place)[..., None, None] - places[..., None, :])
-    return np.asarray(np.prod(away / apart, axis=-1))
+    apart = places[..., :, None] - places[..., None, :]
+    away = np.asarray(place)[..., None, None] - places[..., None, :]
+    same = apart == 0.0
+    return np.asarray(np.prod(np.where(same, 1.0, away) / np.where(same, 1.0, apart), axis=-1))
 
 
 def alike(rows: Array) -> tuple[NDArray[np.int64], NDArray[np.int64]]:

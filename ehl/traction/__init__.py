@@ -1,6 +1,7 @@
 """Traction of a lubricated contact: sliding inside the ellipse, shear on both surfaces, forces,
 moments, tables.
 
+_block_kernels      - sums over the nodes of a film for many motions, compiled
 _kapitza_kernels    - integral of the pressure of rigid bodies, compiled
 _kernels            - sums over the nodes of a film, and lookups in a table, compiled
 atlas               - films and rolling moment of a contact from a table of solved ones

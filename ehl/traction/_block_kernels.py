@@ -193,8 +193,7 @@ def load_block(motions, first, room):
 
 @compiled
 def sliding_sums_many(nodes, law, motions, surface, out):
-    """F_x, F_y, M_n, M_y on body 1 by sliding for each of n motions, four arrays, added to out, shape
-    (n, 4).
+    """F_x, F_y, M_n, M_y on body 1 by sliding for each of n motions, added to out, shape (n, 4).
 
     nodes, law and surface as in `block_sums`; motions: slide_x, slide_y, spin, rolling.
     """

@@ -13,17 +13,19 @@ from .kept import keep, kept
 Place = tuple[float, float]
 
 
-def kept_films(folder: Path) -> Callable[[TableContact, TableRange, Place, int], FilmSample]:
+def kept_films(folder: Path) -> Callable[[TableContact, TableRange, Place, int, bool], FilmSample]:
     """`film_sample` that looks into `folder` first and leaves there what it solves [N], [m/s].
 
     A damaged file is solved anew; OSError where the disk takes no more, and hence no table either.
     """
 
-    def sample(contact: TableContact, limits: TableRange, place: Place, points: int) -> FilmSample:
-        path = folder / f"{content_key(contact, limits, place, points)}.film"
+    def sample(
+        contact: TableContact, limits: TableRange, place: Place, points: int, response: bool = True
+    ) -> FilmSample:
+        path = folder / f"{content_key(contact, limits, place, points, response)}.film"
         found = kept(path)
         if not isinstance(found, FilmSample):
-            found = film_sample(contact, limits, place, points)
+            found = film_sample(contact, limits, place, points, response)
             folder.mkdir(parents=True, exist_ok=True)
             keep(path, found)
         return found

@@ -38,17 +38,7 @@ import numpy as np
 
 from ...compiled import compiled
 from ...oil._rheology_kernels import limiting_stress, shear_stress
-from .._block_kernels import (
-    BLOCK,
-    F_X,
-    F_Y,
-    M_N,
-    M_Y,
-    ROOM,
-    SQUARES,
-    block_sums,
-    load_block,
-)
+from .._block_kernels import BLOCK, F_X, F_Y, M_N, M_Y, ROOM, SQUARES, block_sums, load_block
 from .._kernels import AREA as COLD_AREA
 from .._kernels import TINY
 from .nahme import LARGEST_ROOT, PROFILE, ROOTS

@@ -26,14 +26,18 @@ def atlas_sampler(solve: FilmSampler) -> FilmSampler:
     """
 
     def sample(
-        contact: TableContact, limits: TableRange, place: tuple[float, float], points: int
+        contact: TableContact,
+        limits: TableRange,
+        place: tuple[float, float],
+        points: int,
+        response: bool = True,
     ) -> FilmSample:
         try:
             for load, speed in product(limits.load, limits.speed):
                 require_fields(contact.conditions(load, speed))
             return atlas_sample(contact, limits, place)
         except NotInAtlasError as error:
-            solved = solve(contact, limits, place, points)
+            solved = solve(contact, limits, place, points, response)
             return replace(solved, solved_because=error.reason)
 
     return sample

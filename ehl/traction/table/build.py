@@ -39,8 +39,9 @@ GROWTH = 1.4  # of the nodes of a motion
 
 ERRORS = ("largest", "quantile", "rms", "largest_spin", "largest_rolling")
 Progress = Callable[[int, int, str], None]  # done, in all, what
-# film of a contact at a place (ln load, ln speed) of a range, of so many points along x
-FilmSampler = Callable[[TableContact, TableRange, tuple[float, float], int], FilmSample]
+# film of a contact at a place (ln load, ln speed) of a range, of so many points along x, with
+# stiffness and damping or without
+FilmSampler = Callable[[TableContact, TableRange, tuple[float, float], int, bool], FilmSample]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -114,17 +115,20 @@ def _study(
     )
     ends = np.array([[log(end) for end in ends] for ends in (limits.load, limits.speed)])
     places = latin_hypercube(ends, options.check_films, np.random.default_rng(options.seed)).T
-    study.checks = _solve(study, [(float(load), float(speed)) for load, speed in places])
+    study.checks = _solve(study, [(float(q), float(u)) for q, u in places], response=False)
     return study
 
 
-def _solve(study: _Study, wanted: list[tuple[float, float]]) -> list[FilmSample]:
+def _solve(
+    study: _Study, wanted: list[tuple[float, float]], response: bool = True
+) -> list[FilmSample]:
     """Films at places, several at a time: the kernels release the interpreter's lock."""
     films: list[FilmSample] = []
     before = len(study.films) + len(study.checks)
 
     def solve(place: tuple[float, float]) -> FilmSample:
-        return study.options.sample(study.contact, study.range, place, study.options.points)
+        points = study.options.points
+        return study.options.sample(study.contact, study.range, place, points, response)
 
     with film_threads(study.options.workers) as pool:
         for film in pool.map(solve, wanted):
@@ -212,7 +216,7 @@ def _with_message(study: _Study, table: TractionTable) -> TractionTable:
     """Whether it converged, and what did not."""
     films = [*study.films.values(), *study.checks]
     bad = sum(not film.film.converged for film in films)
-    filled = sum(not film.response.converged for film in study.films.values())
+    filled = sum(not film.known_response.converged for film in study.films.values())
     error = table.error
     faults = []
     if not error.reached:
@@ -240,10 +244,11 @@ def _of_atlas(films: Sequence[FilmSample]) -> str:
 def _scalars(films: list[list[FilmSample]]) -> Array:
     """Logarithms of scales, film, hydrodynamic moment, stiffness, damping, shape (nQ, nU, 7)."""
     known = [[(*film.scales, film.film.central, film.moment) for film in row] for row in films]
+    known_responses = [[film.known_response for film in row] for row in films]
     responses = np.array(
-        [[(f.response.stiffness.value, f.response.damping.value) for f in row] for row in films]
+        [[(r.stiffness.value, r.damping.value) for r in row] for row in known_responses]
     )
-    responses[np.array([[not f.response.converged for f in row] for row in films])] = np.nan
+    responses[np.array([[not r.converged for r in row] for row in known_responses])] = np.nan
     if np.min(known) <= 0.0:
         first = films[0][0]
         place = f"{first.load:.4g} N and {first.speed:.4g} m/s"

@@ -101,10 +101,16 @@ class FilmSample:
     film: TableFilm
     scales: tuple[float, float, float]  # of slide_x/u, slide_y/u, spin R_x/u [-]
     moment: float  # hydrodynamic, of the oil up to its meniscus, positive [N m]
-    response: NormalResponse  # stiffness and damping
+    response: NormalResponse | None  # stiffness and damping; None: not asked for
     # of a film that was to be the atlas's: why it was solved, nothing where it was not; None:
     # the atlas was not asked
     solved_because: str | None = None
+
+    @property
+    def known_response(self) -> NormalResponse:
+        """Stiffness and damping of a film that was asked for them."""
+        assert self.response is not None
+        return self.response
 
     @property
     def load(self) -> float:
@@ -118,9 +124,15 @@ class FilmSample:
 
 
 def film_sample(
-    contact: TableContact, limits: TableRange, place: tuple[float, float], points: int
+    contact: TableContact,
+    limits: TableRange,
+    place: tuple[float, float],
+    points: int,
+    response: bool = True,
 ) -> FilmSample:
-    """Solve the film at a place (ln load, ln speed), of so many points along x."""
+    """Solve the film at a place (ln load, ln speed), of so many points along x; stiffness and
+    damping on request.
+    """
     load = exp(place[0])
     speed = exp(place[1])
     film = table_film(contact, load, speed, limits.slide_x * speed, SolverOptions(points=points))
@@ -130,7 +142,7 @@ def film_sample(
         film=film,
         scales=motion_scales(contact, limits, film, speed),
         moment=rolling_moment(solution).value,
-        response=_response(contact, (load, speed), points),
+        response=_response(contact, (load, speed), points) if response else None,
     )
 
 
