@@ -3,7 +3,6 @@
 from collections.abc import Iterator
 from copy import deepcopy
 from dataclasses import dataclass, field
-from functools import reduce
 from time import perf_counter
 
 import numpy as np
@@ -35,7 +34,7 @@ from .record import Record, SimulationState, StepControl, empty_record, join
 from .reduction import SYMMETRIC, SolvedMotion, solved_motion, symmetric_part
 
 PIECE = 256  # samples of a record
-STRETCH = 128  # samples by LSODA before explicit steps are tried again
+STRETCH = 32  # samples by LSODA that end a piece, before explicit steps are tried again
 REFERENCE_LOAD = 10.0  # least load that sets the scale of errors [N]
 HEAVIEST = 5.0  # load of the heaviest ball over the mean one, Stribeck (1901) [-]
 FIRST_STEP = 1.0e-9  # [s]
@@ -144,21 +143,23 @@ class Simulation:
         return times[times > self.state.time * (1.0 + 1e-12)]
 
     def pieces(self) -> Iterator[Record]:
-        """Move on to the end; a record after each piece. Stops early, `converged` False, where a
-        step fails; Ctrl-C during a piece leaves the state at its beginning.
+        """Move on to the end; a record after each piece, the shorter the harder the samples are.
+        Stops early, `converged` False, where a step fails; Ctrl-C during a piece leaves the state
+        at its beginning.
         """
         times = self.sample_times()
         scale = self.scale
         method = self._control(scale), scale
-        for first in range(0, times.size, PIECE):
+        while times.size:
             began = perf_counter()
             before = deepcopy(self.state)
             try:
-                record = self._advance(times[first : first + PIECE], method)
+                record = self._advance(times[:PIECE], method)
             except KeyboardInterrupt:
                 self._restore(before)
                 raise
             self.wall += perf_counter() - began
+            times = times[record.time.size :]
             if record.time.size:
                 yield record
             if not self.converged:
@@ -188,28 +189,18 @@ class Simulation:
         return bool(np.all(change <= scale[speeds]))
 
     def _advance(self, times: Array, method: tuple[StepControl, Array]) -> Record:
-        """A piece with the equations that hold, and general ones where their symmetry ends."""
+        """A piece with the equations that hold, up to where their symmetry ends; the general ones
+        from there.
+        """
         if self.state.kind not in SYMMETRIC:
             return self._steps(times, method)
         until = symmetric_until(self.state.kind, self.operation, self.model)
         if not self._symmetric(*method):
             until = self.state.time
         held = times[times <= until]
-        parts = [held] if held.size == times.size else [held, times[held.size :]]
-        records = []
-        for part in parts:
-            if part.size and part[0] > until:
-                self._break_symmetry()
-            if part.size and self.converged:
-                records.append(self._steps(part, method))
-        return reduce(join, records)
-
-    def _steps(self, times: Array, method: tuple[StepControl, Array]) -> Record:
-        """Explicit steps, and LSODA for a stretch where they are given up."""
-        record = self._stretch(times, method)
-        while self.converged and record.time.size < times.size:
-            record = join(record, self._stretch(times[record.time.size :], method))
-        return record
+        if not held.size:
+            self._break_symmetry()
+        return self._steps(held if held.size else times, method)
 
     def _break_symmetry(self) -> None:
         """Go on with the general equations, and say so."""
@@ -217,7 +208,7 @@ class Simulation:
         self.set_equations(LoadType.GENERAL)
         self._note(f"{lost} at t = {self.state.time:.6g} s; the general ones went on from there")
 
-    def _stretch(self, times: Array, method: tuple[StepControl, Array]) -> Record:
+    def _steps(self, times: Array, method: tuple[StepControl, Array]) -> Record:
         """Explicit steps; where they are given up, at most `STRETCH` samples by LSODA."""
         began, stiff = self.state.time, self.state.stiff
         before = deepcopy(self.state) if stiff else None

@@ -301,7 +301,9 @@ def table(  # noqa: PLR0913
     over = None if temperatures is None else runs.temperature_axis(case, temperatures)
     wish = runs.TableWish(tolerance, runs.span("--loads", loads), runs.span("--speeds", speeds))
     count = 1 if over is None else len(over.temperatures)
-    tell_cost(table_cost(points, count, workers or cores()), quiet=quiet)
+    atlas = case.file.friction.table_films == "atlas"
+    cost = table_cost(points, count, workers or cores(), atlas=atlas)
+    tell_cost(cost, quiet=quiet)
     from postprocess.traction.summary import traction_summary
     from postprocess.traction.table import traction_table
     from postprocess.traction.write import save_tables, write_traction

@@ -33,6 +33,7 @@ VIBRATION_SECONDS = 3.0
 VIBRATION_FILMS = 5.0
 TORQUE_SECONDS = 1.0  # of equilibrium, torque by every model and self-heating without films
 TABLE_FILMS = 120  # of the tables of both races, without refinement
+ATLAS_FILM_SECONDS = 0.25  # of a film of a table by the atlas, its shear [s]
 
 
 def tell_cost(cost: tuple[str, float], *, quiet: bool) -> None:
@@ -62,10 +63,17 @@ def run_films(case: Case) -> int:
     return 0 if maps == "none" else 2 * balls
 
 
-def table_cost(points: int, temperatures: int, workers: int) -> tuple[str, float]:
-    """What tables of both races take [s], without refinement."""
+def table_cost(
+    points: int, temperatures: int, workers: int, *, atlas: bool = False
+) -> tuple[str, float]:
+    """What tables of both races take [s], without refinement; with films of the atlas, where it
+    has them.
+    """
     films = TABLE_FILMS * temperatures
     seconds = films * FILM_SECONDS * (points / FILM_POINTS) ** 2 / workers
+    if atlas:
+        text = f"{films} films by the film atlas, {workers} at a time (solved: {seconds:.0f} s)"
+        return text, films * ATLAS_FILM_SECONDS / workers
     return f"{films} films on {points} nodes or more, {workers} at a time", seconds
 
 

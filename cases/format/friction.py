@@ -59,7 +59,8 @@ class LawTable(Table):
     )
     table_films: Literal["solved", "atlas"] = described(
         "films of traction tables that are computed: solved, or of the film atlas where it has "
-        "all of a table, loaded contacts (A from 15 on)",
+        "all of a table: loaded contacts (A from 15 on, beyond L 20 from 27 on) sheared after "
+        "Eyring up to a limiting stress",
         "solved",
     )
     traction_constants: Constants | None = described("of the law of a plug-in, by their names")

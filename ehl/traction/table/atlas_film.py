@@ -7,7 +7,7 @@ from math import exp, nan
 import numpy as np
 
 from ...conditions import ContactConditions
-from ...oil.rheology import contact_rheology
+from ...oil.rheology import ShearLaw, contact_rheology
 from ...scaling import scale_contact
 from ...solution import MEAN_PRESSURE_RATIO
 from ..atlas.fields import ContactFields, contact_fields, require_fields
@@ -19,11 +19,19 @@ from .build import FilmSampler
 from .film import FilmSample, TableFilm, motion_scales
 from .table import TableContact, TableRange
 
+LAYER = "flooded_layer: a thicker layer is what the atlas has moments of"
+
 
 def atlas_sampler(solve: FilmSampler) -> FilmSampler:
     """A sampler of films by the atlas; by `solve` those of tables that it does not cover whole, so
     that no film of a table steps beside its neighbour.
     """
+    asked: list[tuple[TableContact, TableRange, str]] = []  # the last, and why it is solved
+
+    def reason(contact: TableContact, limits: TableRange) -> str:
+        if not asked or asked[-1][0] is not contact or asked[-1][1] is not limits:
+            asked.append((contact, limits, _not_covered(contact, limits)))
+        return asked[-1][2]
 
     def sample(
         contact: TableContact,
@@ -32,13 +40,13 @@ def atlas_sampler(solve: FilmSampler) -> FilmSampler:
         points: int,
         response: bool = True,
     ) -> FilmSample:
+        why = reason(contact, limits)
         try:
-            for load, speed in product(limits.load, limits.speed):
-                require_fields(contact.conditions(load, speed))
-            return atlas_sample(contact, limits, place)
+            if not why:
+                return atlas_sample(contact, limits, place)
         except NotInAtlasError as error:
-            solved = solve(contact, limits, place, points, response)
-            return replace(solved, solved_because=error.reason)
+            why = error.reason
+        return replace(solve(contact, limits, place, points, response), solved_because=why)
 
     return sample
 
@@ -48,13 +56,12 @@ def atlas_sample(
 ) -> FilmSample:
     """The film at a place (ln load, ln speed); `NotInAtlasError` where the atlas has none."""
     load, speed = (exp(value) for value in place)
-    if contact.solids is not None:
-        raise NotInAtlasError("film_model: isothermal films are what the atlas has")
+    _require_law(contact)
     conditions = contact.conditions(load, speed)
     fields = contact_fields(conditions)
     films = atlas_films(conditions)
     if films.rolling_moment is None:
-        raise NotInAtlasError("flooded_layer: a thicker layer is what the atlas has moments of")
+        raise NotInAtlasError(LAYER)
     film = TableFilm(
         quadrature=_quadrature(contact, conditions, fields, limits.slide_x * speed),
         central=films.central.value,
@@ -76,6 +83,31 @@ def atlas_sample(
         response=response,
         solved_because="",
     )
+
+
+def _require_law(contact: TableContact) -> None:
+    """NotInAtlasError unless films are isothermal and sheared as those judged."""
+    if contact.solids is not None:
+        raise NotInAtlasError("film_model: isothermal films are what the atlas has")
+    law = contact.rheology
+    if law.law is not ShearLaw.REE_EYRING or law.limiting_coefficient is None:
+        raise NotInAtlasError(
+            "rheology: films sheared after Eyring up to a limiting stress are what the atlas has"
+        )
+
+
+def _not_covered(contact: TableContact, limits: TableRange) -> str:
+    """Why the atlas does not have all films of a table; nothing where it has."""
+    try:
+        _require_law(contact)
+        for load, speed in product(limits.load, limits.speed):
+            conditions = contact.conditions(load, speed)
+            require_fields(conditions)
+            if atlas_films(conditions).rolling_moment is None:
+                raise NotInAtlasError(LAYER)
+    except NotInAtlasError as error:
+        return error.reason
+    return ""
 
 
 def _quadrature(

@@ -202,7 +202,8 @@ def test_a_stiff_problem_goes_to_lsoda(setup):
 
 def test_explicit_steps_return_when_a_stiff_start_is_over(setup, monkeypatch):
     """From rest the four-constant law turns within no sliding speed at all; at speed it does not: as with LSODA on."""
-    monkeypatch.setattr("bearing.dynamics.simulation.PIECE", 128)  # and LSODA to its end
+    monkeypatch.setattr("bearing.dynamics.simulation.PIECE", 128)
+    monkeypatch.setattr("bearing.dynamics.simulation.STRETCH", 128)
     bearing, axial = setup.bearing_7008(3), 60.0
     friction = race_friction(
         CoefficientTraction(FourConstants(*CONSTANTS)), bearing, (radians(15.0),) * 2, at_centre=True

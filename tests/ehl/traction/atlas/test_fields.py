@@ -29,7 +29,7 @@ CONTACT = TableContact(
     curvature_radius=5e-3,
     curvature_difference=-10.0,
 )
-LIMITS = TableRange(load=(150.0, 900.0), speed=(4.0, 20.0))
+LIMITS = TableRange(load=(150.0, 900.0), speed=(4.0, 15.0))
 RATIOS = np.array([1e-3, 1e-2, 0.1, 1.0, 2.0])
 # ln load [N], ln speed [m/s]: two of which none was fitted
 PLACES = [(float(np.log(load)), float(np.log(speed))) for load, speed in ((220.0, 14.0), (800.0, 6.0))]
@@ -71,6 +71,7 @@ def test_pressure_carries_the_load():
         ({"lubricant": replace(OIL, roelands_pressure=1.5e8)}, "196 MPa"),
         ({"lubricant": replace(OIL, roelands_z=0.9)}, "roelands_z"),
         ({"radius_y": 2e-3, "load": 20.0}, "Rx/Ry"),
+        ({"load": 250.0, "entrainment_speed": 30.0}, "where L lies above"),
     ],
 )
 def test_what_has_no_fields_is_refused(changed, reason):
@@ -90,3 +91,19 @@ def test_what_has_no_fields_is_solved_and_says_why():
     # also at a place that has fields, where the table reaches to lighter ones
     light = sample(CONTACT, replace(LIMITS, load=(3.0, 900.0)), PLACES[0], 65)
     assert asked and "A = " in light.solved_because
+
+
+@pytest.mark.parametrize(
+    ("contact", "reason"),
+    [
+        (replace(CONTACT, rheology=Rheology()), "Eyring"),
+        (replace(CONTACT, rheology=replace(SHEAR, limiting_coefficient=None)), "Eyring"),
+        (replace(CONTACT, lubricant=replace(OIL, flooded_layer=2e-6)), "flooded_layer"),
+    ],
+)
+def test_tables_of_other_laws_and_thin_layers_are_solved(contact, reason):
+    def solve(*arguments):
+        return atlas_sample(CONTACT, *arguments[1:3])
+
+    for place in PLACES:
+        assert reason in atlas_sampler(solve)(contact, LIMITS, place, 65).solved_because
