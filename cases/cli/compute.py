@@ -301,7 +301,7 @@ def table(  # noqa: PLR0913
     over = None if temperatures is None else runs.temperature_axis(case, temperatures)
     wish = runs.TableWish(tolerance, runs.span("--loads", loads), runs.span("--speeds", speeds))
     count = 1 if over is None else len(over.temperatures)
-    atlas = case.file.friction.table_films == "atlas"
+    atlas = loaded.file.friction.table_films == "atlas"
     cost = table_cost(points, count, workers or cores(), atlas=atlas)
     tell_cost(cost, quiet=quiet)
     from postprocess.traction.summary import traction_summary
