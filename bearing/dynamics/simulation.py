@@ -69,7 +69,9 @@ class Simulation:
     converged: bool = True
     messages: list[str] = field(default_factory=list)
     wall: float = 0.0  # time spent stepping [s]
-    _in_use: tuple[EquationData, SolvedMotion, EquationData] | None = None
+    _in_use: tuple[EquationData, SolvedMotion, EquationData] | None = field(
+        default=None, init=False, repr=False
+    )
 
     @property
     def layout(self) -> Layout:

@@ -76,7 +76,7 @@ def _compiled_logarithm(x):
 
 
 @compiled
-def _slide_block(room, node, surface):
+def slide_block(room, node, surface):
     """Sliding of a block's motions at a node, and its mean square times the area added up.
 
     node: x, y, area and spread_x, spread_y, a twelfth of its squared size; surface: 1/(2R) over
@@ -142,7 +142,7 @@ def _other_pulls(room, area, gap, viscosity, limit, law):
 
 
 @compiled
-def _add_pulls(room, x, y, height):
+def add_pulls(room, x, y, height):
     """Add a node's shares of F_x, F_y, M_n, M_y on body 1."""
     for n in range(BLOCK):
         k = np.uint64(n)
@@ -168,13 +168,13 @@ def block_sums(nodes, law, surface, room):
     for k in range(nodes.shape[1]):
         x, y, area = nodes[X, k], nodes[Y, k], nodes[AREA, k]
         oil = (area, nodes[FILM, k], nodes[VISCOSITY, k], nodes[LIMIT, k])
-        _slide_block(room, (x, y, area, nodes[SPREAD_X, k], nodes[SPREAD_Y, k]), surface)
+        slide_block(room, (x, y, area, nodes[SPREAD_X, k], nodes[SPREAD_Y, k]), surface)
         if law[0] == REE_EYRING:
             _eyring_pulls(room, oil[1], oil[2], law[1])
             _limit_pulls(room, area, oil[3])
         else:
             _other_pulls(room, *oil, law)
-        _add_pulls(room, x, y, curvature * min(y * y, width * width))
+        add_pulls(room, x, y, curvature * min(y * y, width * width))
 
 
 @compiled
@@ -192,6 +192,16 @@ def load_block(motions, first, room):
 
 
 @compiled
+def add_block(room, first, count, out):
+    """Add a block's sums to the rows of its motions of out, shape (n, 4)."""
+    for n in range(count):
+        out[first + n, 0] += room[F_X + n]
+        out[first + n, 1] += room[F_Y + n]
+        out[first + n, 2] += room[M_N + n]
+        out[first + n, 3] += room[M_Y + n]
+
+
+@compiled
 def sliding_sums_many(nodes, law, motions, surface, out):
     """F_x, F_y, M_n, M_y on body 1 by sliding for each of n motions, added to out, shape (n, 4).
 
@@ -201,8 +211,4 @@ def sliding_sums_many(nodes, law, motions, surface, out):
     for first in range(0, motions[0].size, BLOCK):
         count = load_block(motions, first, room)
         block_sums(nodes, law, surface, room)
-        for n in range(count):
-            out[first + n, 0] += room[F_X + n]
-            out[first + n, 1] += room[F_Y + n]
-            out[first + n, 2] += room[M_N + n]
-            out[first + n, 3] += room[M_Y + n]
+        add_block(room, first, count, out)

@@ -20,12 +20,11 @@ from typing import NamedTuple
 import numpy as np
 
 from ...arrays import Array
-from ...closed_form.hertz import hertz_coefficients
 from ...conditions import ContactConditions
 from ...oil.lubricant import DensityLaw, Lubricant, ViscosityLaw
 from ...scaling import scale_contact
 from ..film_quadrature import HIGH_PRESSURE, LINES, node_shares
-from .films import NotInAtlasError, require_covered, require_range, skewed
+from .films import NotInAtlasError, atlas_load, require_covered, require_range, skewed
 from .table import BASE_ALPHA, BASE_Z, radial, trend_terms
 
 FILE = Path(__file__).parent / "fields.npz"
@@ -160,7 +159,7 @@ def contact_fields(conditions: ContactConditions) -> ContactFields:
     """Fields of a contact; `NotInAtlasError` where tables were not judged by such."""
     require_fields(conditions)
     contact = scale_contact(conditions)
-    load = hertz_coefficients(contact.radius_ratio)[0] ** 2 * contact.moes_load ** (2.0 / 3.0)
+    load = atlas_load(contact)
     oil = conditions.lubricant
     place = np.array([[log(load), sqrt(contact.moes_lubricant), log(contact.radius_ratio)]])
     vector = field_vectors(place, np.array([oil.pressure_viscosity]), np.array([oil.exponent]))[0]
@@ -170,7 +169,7 @@ def contact_fields(conditions: ContactConditions) -> ContactFields:
 def require_fields(conditions: ContactConditions) -> None:
     """NotInAtlasError unless tables were judged by such contacts."""
     contact = scale_contact(conditions)
-    load = hertz_coefficients(contact.radius_ratio)[0] ** 2 * contact.moes_load ** (2.0 / 3.0)
+    load = atlas_load(contact)
     require_covered(conditions, contact, load)
     oil = conditions.lubricant
     if not _judged_oil(oil):
@@ -204,7 +203,7 @@ def fields_of_vector(vector: Array, conditions: ContactConditions) -> ContactFie
     """Fields of a contact by its vector, on both sides of the middle."""
     contact = scale_contact(conditions)
     assert contact.semi_axis_x is not None and contact.film_scale is not None
-    load = hertz_coefficients(contact.radius_ratio)[0] ** 2 * contact.moes_load ** (2.0 / 3.0)
+    load = atlas_load(contact)
     parts = layout()
     shares, weights = node_shares()
     a = contact.semi_axis_x

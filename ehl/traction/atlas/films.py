@@ -122,7 +122,7 @@ def atlas_films(
     given = conditions.lubricant
     conditions = with_inlet_oil(conditions)
     contact = scale_contact(conditions)
-    own = hertz_coefficients(contact.radius_ratio)[0] ** 2 * contact.moes_load ** (2.0 / 3.0)
+    own = atlas_load(contact)
     require_covered(conditions, contact, own)
     angle = conditions.entrainment_angle if skewed(conditions.entrainment_angle) else 0.0
     along = along_entrainment(own, contact.moes_lubricant, contact.radius_ratio, angle)
@@ -172,7 +172,7 @@ def _rolling_moment(
     """
     if skewed(conditions.entrainment_angle):
         return None
-    load = hertz_coefficients(contact.radius_ratio)[0] ** 2 * contact.moes_load ** (2.0 / 3.0)
+    load = atlas_load(contact)
     central = exp(found[0]) / load
     unit = contact.film_scale or 1.0
     moment_unit = 1.0
@@ -199,8 +199,7 @@ def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | 
     contact = scale_contact(standing)
     if skewed(conditions.entrainment_angle):
         return None, 0.0
-    axis = hertz_coefficients(contact.radius_ratio)[0]
-    own = axis**2 * contact.moes_load ** (2.0 / 3.0)
+    own = atlas_load(contact)
     wanted = _nearest("A = a^2/(Rx^2 sqrt(2U))", own)
     slim = _slim(wanted, contact.radius_ratio)
     if slim is not None and contact.turning > slim.largest:
@@ -334,6 +333,12 @@ def _of_circles(
     axes = (contact.semi_axis_x, contact.semi_axis_x * contact.semi_axis_ratio)
     lost = moment_lost_by_circles(conditions, axes, *films)
     return AtlasValue(moment.value - lost, moment.uncertainty + CIRCLES * abs(lost))
+
+
+def atlas_load(contact: ScaledContact) -> float:
+    """A = a^2/(R_x^2 sqrt(2 U)) [-]."""
+    axis = hertz_coefficients(contact.radius_ratio)[0]
+    return float(axis**2 * contact.moes_load ** (2.0 / 3.0))
 
 
 def skewed(angle: float) -> bool:
