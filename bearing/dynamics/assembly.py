@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from ehl.closed_form.hertz import contact_stiffness
+from ehl.traction.coefficient_kernels import RampedCoulomb
 
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..material import reduced_modulus
@@ -16,9 +17,11 @@ from .arrays import (
     FILM,
     FRICTION_COLUMNS,
     GIVEN_COLUMNS,
+    INNER_SPEED,
     LINEAR,
     LOAD_COLUMNS,
     OUTER,
+    OUTER_SPEED,
     POCKET_COLUMNS,
     RACE_COLUMNS,
     STIFFNESS,
@@ -39,6 +42,13 @@ from .reduction import solved_places
 
 HERTZ_EXPONENT = 1.5
 RAMP_SHARE = 0.01  # of the ramp of the friction that an error of speed may make up [-]
+# of the entrainment that it may make up, over the tolerance: a bearing at 1 r/min closed its
+# energies to 0.1 of the work without it, to 3e-4 with it [-]
+ROLLING_SHARE = 3.0
+# friction that follows the entrainment reverses, in a bearing that comes to rest, over at least
+# this part of its fastest entrainment, up to the speed of Coulomb's ramp: at rest it would jump
+REST_SHARE = 1.0e-2  # [-]
+REST_BAND = RampedCoulomb.slide_full  # [m/s]
 NO_CAGE = CageBody(
     mass=1.0, polar_inertia=1.0, transverse_inertia=1.0, pocket_clearance=1.0, pocket_stiffness=1.0
 )
@@ -56,7 +66,9 @@ def assemble(
     azimuth = bearing.first_ball_azimuth + 2.0 * pi / n * np.arange(n)
     numbers = constants(bearing, model)
     laws = normal_laws(bearing, model, point.angles)
-    races = [model.friction.data(race) for race in Race]
+    schedule = schedule_array(operation, model)
+    rest = rest_band(schedule, 0.5 * bearing.pitch_diameter)
+    races = [model.friction.data(race, rest) for race in Race]
     if cage is not None and cage.guidance is Guidance.BALLS:  # else nothing would centre it
         numbers = numbers._replace(pocket_circle=0.5 * bearing.pitch_diameter)
     return EquationData(
@@ -71,7 +83,7 @@ def assemble(
         pocket_place=np.stack((np.cos(azimuth), np.sin(azimuth)), axis=1),
         pocket_play=0.5 * np.array((cage or NO_CAGE).clearances(n)),
         times=np.array(model.times, dtype=np.float64),
-        schedule=schedule_array(operation, model),
+        schedule=schedule,
         memory=np.full(3 * n + 2, model.normal.impact_floor),
         given=np.zeros(GIVEN_COLUMNS),
         friction=np.zeros(FRICTION_COLUMNS),
@@ -98,6 +110,26 @@ def schedule_array(operation: Operation, model: DynamicsModel) -> Array:
         rates = np.array(model.schedule.rates)
     viscosities = np.array(model.viscosities)[:, None]
     return np.hstack([model.rows(operation), places, rates, viscosities])
+
+
+def entrainment_speeds(schedule: Array, pitch_radius: float) -> Array:
+    """Speeds at which rolling balls draw oil in at the times of a schedule, signed, from the pitch
+    radius [m]: half of what the rings have there against each other [m/s].
+    """
+    speeds: Array = 0.5 * pitch_radius * (schedule[:, INNER_SPEED] - schedule[:, OUTER_SPEED])
+    return speeds
+
+
+def rest_band(schedule: Array, pitch_radius: float) -> float:
+    """Least sliding speed over which friction reverses [m/s], of a bearing whose rings at some
+    time turn as one or not at all; zero for others. Pitch radius in [m].
+    """
+    speeds = entrainment_speeds(schedule, pitch_radius)
+    fastest = float(np.abs(speeds).max())
+    if fastest == 0.0:
+        return REST_BAND
+    at_rest = speeds.min() <= REST_SHARE * fastest and speeds.max() >= -REST_SHARE * fastest
+    return min(REST_BAND, REST_SHARE * fastest) if at_rest else 0.0
 
 
 def _clock_arrays(balls: int) -> dict[str, Array]:
@@ -237,7 +269,8 @@ def scales(data: EquationData, load: float, model: DynamicsModel) -> Array:
     m/s, rad/s].
 
     Lengths: a part of the approach of a ball on a race under a load; speeds: the same part of that
-    of the vibration with this amplitude, but no more than a part of the ramp of the friction;
+    of the vibration with this amplitude, but no more than a part of the ramp of the friction or,
+    where friction follows the entrainment, of the fastest one;
     angles of bodies: over the pitch radius, of balls: over their radius.
 
     `load` [N]; `model`: with tolerance, the part of approach and speed, and ramp of the friction.
@@ -253,4 +286,7 @@ def scales(data: EquationData, load: float, model: DynamicsModel) -> Array:
     place = np.array([*ring, *cage, *[1.0] * n])
     turn = np.full(n, 1.0 / data.constants.ball_radius)
     speed = min(tolerance * speed, RAMP_SHARE * model.friction.ramp)
+    fastest = float(np.abs(entrainment_speeds(data.schedule, pitch)).max())
+    if model.friction.follows_entrainment and fastest > 0.0:
+        speed = min(speed, ROLLING_SHARE * tolerance * fastest)
     return np.concatenate([tolerance * length * place, speed * place, speed * turn])

@@ -18,6 +18,7 @@ CENTRE = np.array([[0.0], [0.0], [1.0]])  # one point with all of the load [-]
 # loads and speeds at which the films of a table are checked before a simulation
 LOADS = 120
 SPEEDS = 13
+TABLE_SLIDE = 0.03  # slide over the entrainment speed near which a table's traction is full [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,16 +51,23 @@ class RaceFriction:
         laws = [law for law in (self.inner, self.outer) if isinstance(law, EllipseLaw)]
         return min((law.coefficient.reversal_speed for law in laws), default=inf)
 
-    def data(self, race: Race) -> FrictionData:
-        """Arrays of one race for the kernel [SI]."""
+    @property
+    def follows_entrainment(self) -> bool:
+        """Whether what counts is the sliding over the entrainment."""
+        return self.inner is not None and self.ramp == inf
+
+    def data(self, race: Race, rest: float = 0.0) -> FrictionData:
+        """Arrays of one race for the kernel [SI]; where friction follows the entrainment it
+        reverses over a sliding speed `rest` at least [m/s].
+        """
         law = self.inner if race is Race.INNER else self.outer
         disc = CENTRE if self.at_centre else ellipse_nodes(EllipseRule.TIME_STEPS)
-        coefficient = (np.zeros(1), np.zeros(5))
+        coefficient = (np.array([rest / TABLE_SLIDE]), np.zeros(5))
         if isinstance(law, TractionTable):
             axes, constants, scalars, values = law.kernel_arguments()
             return FrictionData(disc, *coefficient, axes, constants, scalars, values)
         if isinstance(law, EllipseLaw):
-            coefficient = (law.coefficient.kernel_law, law.shape.constants)
+            coefficient = (law.coefficient.at_rest(rest).kernel_law, law.shape.constants)
         no_values = np.zeros((1,) * 6, dtype=np.int16)
         no_table = (np.zeros((5, 3)), np.zeros(1), np.zeros((1, 1, 1)))
         return FrictionData(disc, *coefficient, *no_table, no_values)

@@ -19,6 +19,7 @@ SMALLEST_ORBIT = 1.0e-12  # of a centre, below which it has no whirl [m]
 # over all turning [-]
 WHIRL_SHARE = 0.5
 ONE_WAY = 0.8
+FEWEST_PLACES = 3  # of a centre, below which its turning is not told
 # of the energy at the start, stored in contacts at standstill, below which work is that of nothing
 # moving, and no measure of an error [-]
 STILL = 1.0e-3
@@ -115,6 +116,7 @@ class SimulationStatistics:
     cage_orbit: float | None  # root mean square radius about its mean [m]
     cage_play: float | None  # in its pockets or lands, which the radius may reach [m]
     one_way: float | None  # net turning of the cage's centre over all of it [-]
+    averaged: int  # samples that means and whirl are of [-]
     work: dict[str, float]  # put in, lost and taken up by films, by mechanism [J]
     stored: float  # change of kinetic, elastic and potential energy [J]
     # largest residual over the total input or, where that is less, over what was lost, or over
@@ -136,8 +138,10 @@ class SimulationStatistics:
 
     @property
     def cage_whirls(self) -> bool | None:
-        """Whether the cage's centre goes round in a good part of its play; None without a cage."""
-        if self.cage_play is None:
+        """Whether the cage's centre goes round in a good part of its play; None without a cage or
+        of too few samples.
+        """
+        if self.cage_play is None or self.averaged < FEWEST_PLACES:
             return None
         if self.cage_orbit is None or self.one_way is None:
             return False
@@ -208,6 +212,7 @@ def simulation_statistics(
         ring_whirl=whirl_speed(time[late], centres[:, :2]),
         cage_whirl=whirl_speed(time[late], centres[:, 2:]),
         **_cage_orbit(simulation, centres[:, 2:]),
+        averaged=int(late.sum()),
         work=dict(zip(MECHANISMS, work.tolist(), strict=True)),
         stored=put_in - lost - float(work[-1]),
         energy_error=running.residual / max(abs(put_in), abs(lost), still, 1e-300),
@@ -271,7 +276,7 @@ def whirl_speed(time: Array, place: Array) -> float | None:
     `time`, shape (m,) [s]; `place`, shape (m, 2): y and z of the centre [m].
     """
     off = place - place.mean(axis=0)
-    if time.size < 3 or np.abs(off).max() < SMALLEST_ORBIT:
+    if time.size < FEWEST_PLACES or np.abs(off).max() < SMALLEST_ORBIT:
         return None
     angle = np.unwrap(np.arctan2(off[:, 1], off[:, 0]))
     return float(angle[-1] - angle[0]) / float(time[-1] - time[0])

@@ -194,7 +194,7 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
     values, shape (nX + 2, nY + 2, nS + 2, nQ + 2, nU + 2, 4), whole numbers. Both are
     B-spline coefficients. out, 8 numbers: F_x, F_y on body 1 [N], M_n, M_y on body 1 [N m], power
     lost [W], central film [m], stiffness [N/m], damping [N s/m]. Outside, the nearest place in the
-    table counts, forces per load.
+    table counts, forces per load, below the speeds the hydrodynamic moment in proportion to them.
     """
     # 1. place on the axes of load and speed, and the film there
     q, side = _clamped(-(max(load, 1e-300) ** LOAD_POWER), axes[0])
@@ -220,6 +220,8 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
     per_load = load / table_load
     unit = constants[VALUE_UNIT]
     hydrodynamic = -_film_value(film, HYDRODYNAMIC) * per_load
+    if side < 0:  # no oil is drawn in at rest
+        hydrodynamic *= abs(speed) * np.exp(-axes[1, 0])
     force = _film_value(film, LARGEST_FORCE) * per_load
     out[0] = unit * t[0] * force + 0.5 * constants[DIFFERENCE] * hydrodynamic
     out[1] = unit * mirror * t[1] * force

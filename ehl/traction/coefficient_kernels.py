@@ -8,7 +8,7 @@ checked by the constants, so nothing is compiled here.
 
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import e, exp, inf, isfinite
 from typing import ClassVar, Self
 
@@ -19,7 +19,7 @@ from ..arrays import Array
 
 COULOMB, FOUR_CONSTANTS = range(2)  # kinds, the first number of a law
 MU, NONE, FULL = range(1, 4)  # behind it, of Coulomb's law
-A, B, C, D, BAND = range(1, 6)  # and of that of four constants
+A, B, C, D, BAND, REST = range(1, 7)  # and of that of four constants
 # slide over entrainment speed up to which a four-constant law rises from zero [-]: a
 # regularisation, far below the slide of the largest coefficient (about 0.03)
 DEAD_BAND = 1e-4
@@ -30,7 +30,8 @@ def coefficient(law: Array, slide: float, speed: float) -> float:
     entrainment speed [m/s]; `_kernels` compiles it.
 
     Coulomb: zero up to v_0 [m/s], mu [-] from v_1 on, a ramp between. Four constants:
-    (A + B s) exp(-C s) + D at a slide over the entrainment speed s, ramped up to s_0 [-].
+    (A + B s) exp(-C s) + D at a slide over the entrainment speed s, ramped up to s_0 [-], and
+    to no less than a sliding speed [m/s].
     """
     if law[0] == COULOMB:
         if slide <= law[NONE]:
@@ -39,7 +40,8 @@ def coefficient(law: Array, slide: float, speed: float) -> float:
             return law[MU]
         return law[MU] * (slide - law[NONE]) / (law[FULL] - law[NONE])
     ratio = slide / max(abs(speed), 1e-300)
-    ramp = 1.0 if ratio >= law[BAND] else ratio / law[BAND]
+    band = max(law[BAND] * abs(speed), law[REST])
+    ramp = 1.0 if slide >= band else slide / band
     return ramp * ((law[A] + law[B] * ratio) * np.exp(-law[C] * ratio) + law[D])
 
 
@@ -81,6 +83,13 @@ class Coefficient(ABC):
         [m/s].
         """
         return inf
+
+    def at_rest(self, band: float) -> "Coefficient":
+        """The law for a bearing that comes to rest: where it follows the entrainment it reverses
+        over a sliding speed [m/s] at least.
+        """
+        del band
+        return self
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -138,12 +147,17 @@ class FourConstants(Coefficient):
     c: float = 1.0  # C [-]
     d: float = 0.0  # D [-]
     dead_band: float = DEAD_BAND  # s up to which the coefficient is ramped [-]
+    rest_band: float = 0.0  # least sliding speed up to which it is [m/s]
 
     def __post_init__(self) -> None:
         if not all(isfinite(value) for value in (self.a, self.b, self.c, self.d)):
             raise ValueError(f"a, b, c, d must be finite, got {(self.a, self.b, self.c, self.d)}")
         if not self.dead_band > 0.0:
             raise ValueError(f"dead_band must be positive, got {self.dead_band!r}")
+
+    def at_rest(self, band: float) -> "FourConstants":
+        """The law with a least sliding speed up to which it is ramped [m/s]."""
+        return replace(self, rest_band=band)
 
     @classmethod
     def of_case(cls, values: Mapping[str, float]) -> Self:
@@ -183,8 +197,10 @@ class FourConstants(Coefficient):
 
     @property
     def kernel_law(self) -> Array:
-        """Kind, A to D, dead band [-]."""
-        return np.array([FOUR_CONSTANTS, self.a, self.b, self.c, self.d, self.dead_band])
+        """Kind, A to D, dead band [-], that at rest [m/s]."""
+        return np.array(
+            [FOUR_CONSTANTS, self.a, self.b, self.c, self.d, self.dead_band, self.rest_band]
+        )
 
 
 # those that [friction] traction and [dynamics] friction name

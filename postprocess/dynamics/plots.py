@@ -220,7 +220,8 @@ def draw_states(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
     axes = _over_time(figure, document, 4.2)
     data = last_turns(data)
     time = TIME.in_unit(data["time"].to_numpy())
-    extent = (float(time[0]), float(time[-1]), data.sizes["ball"] + 0.5, 0.5)
+    interval = time[1] - time[0] if time.size > 1 else time[0]  # before each sample
+    extent = (float(time[0] - interval), float(time[-1]), data.sizes["ball"] + 0.5, 0.5)
     style: dict[str, Any] = {"aspect": "auto", "extent": extent, "interpolation": "nearest"}
     for ax in axes:
         ax.grid(visible=False)

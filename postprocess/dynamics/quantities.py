@@ -32,7 +32,12 @@ SPEEDS = (  # means over the last third, half widths of their 95 % intervals, ra
         ("ring_whirl_speed_rpm", "", "ring_whirl"),
         ("cage_whirl_speed_rpm", "", "cage_whirl"),
     ),
-    *quantities("", "there is no cage", ("cage_whirl", "", "cage_whirls"), words=True),
+    *quantities(
+        "",
+        "there is no cage, or samples are too few",
+        ("cage_whirl", "", "cage_whirls"),
+        words=True,
+    ),
     *quantities("", NO_WHIRL, ("cage_orbit_radius_um", "", "cage_orbit")),
     *quantities("", "", ("energy_balance_error", "", "energy_error")),
 )

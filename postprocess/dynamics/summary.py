@@ -10,6 +10,7 @@ from bearing.dynamics.integration._kernels import EVALUATIONS, REJECTED, STEPS
 from bearing.dynamics.simulation import Simulation
 from bearing.dynamics.starts import states
 from bearing.dynamics.statistics import (
+    FEWEST_PLACES,
     INPUTS,
     LOSSES,
     MECHANISMS,
@@ -85,6 +86,9 @@ def _messages(numbers: SimulationStatistics | None) -> Iterator[str]:
         yield "dynamics: fewer than 60 samples: no confidence interval of the speeds"
     if numbers.cage_whirls:
         yield _whirl(numbers)
+    if numbers.averaged < FEWEST_PLACES:
+        yield "dynamics: too few samples to tell whether ring and cage whirl"
+        return
     still = [name for name in ("ring", "cage") if getattr(numbers, f"{name}_whirl") is None]
     if still:
         bodies = " and ".join(still)
