@@ -13,6 +13,7 @@ from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.traction.atlas.fields import contact_fields
 from ehl.traction.atlas.films import NotInAtlasError
 from ehl.traction.table.atlas_film import atlas_sample, atlas_sampler
+from ehl.traction.table.build import TableOptions, build_table
 from ehl.traction.table.film import film_sample, relative_forces
 from ehl.traction.table.table import TableContact, TableRange
 
@@ -107,3 +108,13 @@ def test_tables_of_other_laws_and_thin_layers_are_solved(contact, reason):
 
     for place in PLACES:
         assert reason in atlas_sampler(solve)(contact, LIMITS, place, 65).solved_because
+
+
+@pytest.mark.parametrize(("highest", "loads"), [(330.0, 6), (1000.0, 8)])
+def test_narrow_ranges_begin_with_fewer_loads(highest, loads):
+    """By the check no worse: 6 loads in place of 12 leave the error of a 7012AC's tables as it is."""
+    sample = atlas_sampler(lambda *_: pytest.fail("the atlas has all of this table"))
+    options = TableOptions(sample=sample, nodes=(8, 4, 5, 4, 5), rounds=1, check_films=1, narrow=True)
+    table = build_table(CONTACT, TableRange(load=(150.0, highest), speed=(8.0, 15.0)), options)
+    assert int(table.axes[0, 2]) == loads
+    assert table.films == 4 * loads + 1
