@@ -218,10 +218,7 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
     )
     sample = asked_films(cases[0])
     options = TableOptions(
-        points=sweep.table_points,
-        workers=cores(),
-        sample=sample,
-        narrow=films_of_atlas(cases[0]),
+        points=sweep.table_points, workers=cores(), sample=sample, narrow=films_of_atlas(cases[0])
     )
     contacts = table_contacts(heaviest, oil, rheology, solids=cases[0].films.solids)
 

@@ -18,7 +18,18 @@ from ...closed_form.film import MAX_FILM_OVER_RADIUS
 from ...closed_form.hertz import hertz_coefficients
 from . import _lookup_kernels
 from .films import LIGHT, RANGE, STIFFNESS_ERROR
-from .table import BASE_ALPHA, BASE_Z, SEAM, Patch, bars_of, heavy_share, patch_base, table
+from .table import (
+    BASE_ALPHA,
+    BASE_Z,
+    SEAM,
+    Patch,
+    bars_of,
+    heavy_share,
+    oil_features,
+    patch_base,
+    patch_oils,
+    table,
+)
 
 # nodes of ln A, sqrt L, ln D, of light and heavy contacts; with half as many of ln A, films of
 # light ones are within 0.7 % only, with half of all heavy ones within 0.4 %
@@ -66,8 +77,8 @@ class _Lattice(NamedTuple):
 
     low: Array  # (3,) of x
     step: Array  # (3,)
-    values: Array  # (..., 3) over a lattice of `NODES`
-    oils: Array  # (20, 6)
+    values: Array  # (..., 3) over a lattice of `NODES`, of the oil of the solves
+    oils: Array  # (..., 5, 3) there, what each of the `oil_features` is multiplied by
 
 
 def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
@@ -86,7 +97,7 @@ def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
     x = place.x
     found = _found(place)
     # 3. scales
-    base = (place.exponent == 0.0) & (place.coefficient == 0.0)
+    base = (place.alpha == BASE_ALPHA) & (place.z == BASE_Z)
     bars = bars_of(np.exp(x[:, 0]), np.exp(x[:, 2]), base)
     height = place.height
     heavy = x[:, 0] >= log(LIGHT)
@@ -115,13 +126,13 @@ def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
 def _found(place: "_Places") -> Array:
     """The functions and the derivatives by ln A of those in `RISING`, shape (n, 5) [-]."""
     share, rise = heavy_share(place.x[:, 0])
+    features = oil_features(place.x, place.alpha, place.z)
     found = np.zeros((len(share), FUNCTIONS + len(RISING)))
     signs = ((1.0 - share, -rise), (share, rise))
     for lattice, (weight, slope) in zip(_lattices(), signs, strict=True):
         own = np.flatnonzero(weight > 0.0)
         values = np.empty((len(own), FUNCTIONS + len(RISING)))
-        oils = place.exponent[own], place.coefficient[own]
-        _lookup_kernels.look_up(place.x[own], *oils, *lattice, values)
+        _lookup_kernels.look_up(place.x[own], features[own], *lattice, values)
         found[own] += weight[own, None] * values
         found[own, FUNCTIONS:] += slope[own, None] * values[:, RISING]
     return found
@@ -136,11 +147,11 @@ def _columns(c: ContactArrays) -> tuple[tuple[int, ...], list[Array]]:
 
 
 class _Places(NamedTuple):
-    """Where contacts lie in the table, shape (n,) but for x of (n, 3); all [-] but the height."""
+    """Where contacts lie in the table, shape (n,) but for x of (n, 3) [-]."""
 
     x: Array
-    exponent: Array  # z - z_0
-    coefficient: Array  # ln(alpha/alpha_0)
+    alpha: Array  # [1/Pa]
+    z: Array
     height: Array  # a^2/Rx [m]
     inside: NDArray[np.bool_]
 
@@ -162,8 +173,8 @@ def _places(columns: list[Array]) -> _Places:
         inside = _inside((heavy, thick, ratio, z, alpha))
     return _Places(
         x=x,
-        exponent=np.where(inside, z - BASE_Z, 0.0),
-        coefficient=np.log(np.where(inside, alpha / BASE_ALPHA, 1.0)),
+        alpha=np.where(inside, alpha, BASE_ALPHA),
+        z=np.where(inside, z, BASE_Z),
         height=np.where(inside, unit * along, 1.0),
         inside=inside,
     )
@@ -190,11 +201,12 @@ def _lattice(
     x = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
     parts = np.array_split(x, nodes[0])  # a plane at a time: radial functions of all are large
     values = np.concatenate([patch_base(patch, part)[:, :FUNCTIONS] for part in parts])
+    oils = np.concatenate([patch_oils(patch, part)[:, :, :FUNCTIONS] for part in parts])
     return _Lattice(
         low=low,
         step=(high - low) / (np.array(nodes) - 1.0),
         values=np.ascontiguousarray(values.reshape(*nodes, FUNCTIONS)),
-        oils=patch.oils,
+        oils=np.ascontiguousarray(oils.reshape(*nodes, *oils.shape[1:])),
     )
 
 

@@ -13,7 +13,6 @@ from numba import types
 from numba.extending import intrinsic
 
 from ...compiled import compiled
-from ...oil._rheology_kernels import shear_stress
 from .. import _block_kernels as _blocks
 from .._kernels import AREA, FILM, LIMIT, SPREAD_X, SPREAD_Y, VISCOSITY, X, Y
 
