@@ -53,7 +53,9 @@ def _add_oil(at, step, oils, features, out):
         first[k] = min(max(int(at[k]), 0), oils.shape[k] - 2)
         share[k] = at[k] - first[k]
     for corner in range(8):
-        i, j, k = corner & 1, corner >> 1 & 1, corner >> 2
+        i = corner & 1
+        j = corner >> 1 & 1
+        k = corner >> 2
         across = (share[1] if j else 1.0 - share[1]) * (share[2] if k else 1.0 - share[2])
         weight = across * (share[0] if i else 1.0 - share[0])
         steep = (across if i else -across) / step

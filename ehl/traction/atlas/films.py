@@ -32,8 +32,7 @@ RANGE = {
     "roelands_z": (0.3, 1.1),
     "pressure_viscosity": (8e-9, 32e-9),
 }
-# key of a case with its unit, as messages name these
-CASE_KEYS = {"pressure_viscosity": ("pressure_viscosity_1_GPa", 1e-9)}
+CASE_KEYS = {"pressure_viscosity": ("pressure_viscosity_1_GPa", 1e-9)}  # and the key's unit
 ALIGNED = 1e-9  # sine of the angle between entrainment and x that counts as none
 # speed at the end of the ellipse by a rotation of the entrainment, over u_m, up to which the table
 # counts
@@ -85,10 +84,10 @@ class NotInAtlasError(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class AtlasValue:
-    """A value of the atlas with its error bar, SI or in the units of `AtlasFilms` [-]."""
+    """A value of the atlas and its error bar, both SI or in the units of `AtlasFilms` [-]."""
 
     value: float
-    uncertainty: float  # in the unit of the value
+    uncertainty: float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -396,7 +395,5 @@ def require_range(
     for (name, (low, high)), value in zip(ranges.items(), values, strict=True):
         if not low <= value <= high:
             key, unit = CASE_KEYS.get(name, (name, 1.0))
-            raise NotInAtlasError(
-                f"{key} must lie in {low / unit:g} to {high / unit:g} for the film atlas, got "
-                f"{value / unit:.4g}"
-            )
+            within = f"must lie in {low / unit:g} to {high / unit:g} for the film atlas"
+            raise NotInAtlasError(f"{key} {within}, got {value / unit:.4g}")

@@ -36,8 +36,8 @@ from .table import (
 # nodes of load, speed, slide_x, slide_y (its half above zero) and spin
 START = (12, 4, 41, 15, 27)
 GROWTH = 1.4  # of the nodes of a motion
-# of a narrow range of loads: fewest nodes, and ln(load) between them
-NARROW_LOADS, NARROW_STEP = 6, 0.2
+NARROW_LOADS = 6  # fewest nodes of a narrow range of loads
+NARROW_STEP = 0.2  # ln(load) between them
 
 ERRORS = ("largest", "quantile", "rms", "largest_spin", "largest_rolling")
 Progress = Callable[[int, int, str], None]  # done, in all, what
