@@ -129,7 +129,12 @@ def asked_films(case: Case, solve: FilmSampler = film_sample) -> FilmSampler:
     """Sampler of a case's tables: of solved films, or of the atlas's where the case asks for
     them.
     """
-    return atlas_sampler(solve) if case.file.friction.table_films == "atlas" else solve
+    return atlas_sampler(solve) if films_of_atlas(case) else solve
+
+
+def films_of_atlas(case: Case) -> bool:
+    """Whether a case asks for tables of the atlas's films."""
+    return case.file.friction.table_films == "atlas"
 
 
 def run_table(
@@ -158,6 +163,7 @@ def run_table(
         raise CaseError(f"no table without an equilibrium of the bearing: {state.message}")
     wish = wish or TableWish()
     options = wish.options(points, workers, asked_films(case, sample))
+    options = replace(options, narrow=films_of_atlas(case))
     solids = case.films.solids
     try:
         if over is None:

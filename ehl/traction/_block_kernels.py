@@ -76,7 +76,7 @@ def _compiled_logarithm(x):
 
 
 @compiled
-def slide_block(room, node, surface):
+def _slide_block(room, node, surface):
     """Sliding of a block's motions at a node, and its mean square times the area added up.
 
     node: x, y, area and spread_x, spread_y, a twelfth of its squared size; surface: 1/(2R) over
@@ -142,7 +142,18 @@ def _other_pulls(room, area, gap, viscosity, limit, law):
 
 
 @compiled
-def add_pulls(room, x, y, height):
+def pull_block(room, oil, law):
+    """Pull of a node, of area, film, viscosity and limiting stress, at the sliding of a block."""
+    area, gap, viscosity, limit = oil
+    if law[0] == REE_EYRING:
+        _eyring_pulls(room, gap, viscosity, law[1])
+        _limit_pulls(room, area, limit)
+    else:
+        _other_pulls(room, area, gap, viscosity, limit, law)
+
+
+@compiled
+def _add_pulls(room, x, y, height):
     """Add a node's shares of F_x, F_y, M_n, M_y on body 1."""
     for n in range(BLOCK):
         k = np.uint64(n)
@@ -168,13 +179,9 @@ def block_sums(nodes, law, surface, room):
     for k in range(nodes.shape[1]):
         x, y, area = nodes[X, k], nodes[Y, k], nodes[AREA, k]
         oil = (area, nodes[FILM, k], nodes[VISCOSITY, k], nodes[LIMIT, k])
-        slide_block(room, (x, y, area, nodes[SPREAD_X, k], nodes[SPREAD_Y, k]), surface)
-        if law[0] == REE_EYRING:
-            _eyring_pulls(room, oil[1], oil[2], law[1])
-            _limit_pulls(room, area, oil[3])
-        else:
-            _other_pulls(room, *oil, law)
-        add_pulls(room, x, y, curvature * min(y * y, width * width))
+        _slide_block(room, (x, y, area, nodes[SPREAD_X, k], nodes[SPREAD_Y, k]), surface)
+        pull_block(room, oil, law)
+        _add_pulls(room, x, y, curvature * min(y * y, width * width))
 
 
 @compiled
@@ -192,7 +199,7 @@ def load_block(motions, first, room):
 
 
 @compiled
-def add_block(room, first, count, out):
+def _add_block(room, first, count, out):
     """Add a block's sums to the rows of its motions of out, shape (n, 4)."""
     for n in range(count):
         out[first + n, 0] += room[F_X + n]
@@ -211,4 +218,4 @@ def sliding_sums_many(nodes, law, motions, surface, out):
     for first in range(0, motions[0].size, BLOCK):
         count = load_block(motions, first, room)
         block_sums(nodes, law, surface, room)
-        add_block(room, first, count, out)
+        _add_block(room, first, count, out)

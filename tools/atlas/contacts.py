@@ -32,6 +32,7 @@ class Part(NamedTuple):
     # entrainment at any angle up to where the ratio of curvatures across and along it is this one
     skewed: float | None = None
     angles: tuple[float, float] = (0.0, 1.0)  # over that angle
+    step: bool = False  # whether the load is A exp(x_1 - ln A) of `STEP`
 
 
 HELD_OUT = 20261123  # seed of the contacts that judge: the date on which they were drawn
@@ -41,6 +42,7 @@ SLIM, LUBRICANT = (0.0092, 1.1), (0.0, 31.4)
 RIGID, ANY_RATIO = (0.32, 2.6), (0.0092, 5.2)
 SKEW, SKEW_RATIO, ACROSS = (9.0, 90.0), (0.045, 1.0), 5.0
 FIELDS = (7.0, 175.0)
+STEP = (0.21, 0.042, 0.14, -0.004)  # of ln D, its square, sqrt L and L: light contacts, where their film rises
 HELD_SKEW, HELD_SKEW_RATIO = (10.0, 80.0), (0.05, 1.0)
 PARTS = {
     "heavy": Part(HEAVY, LUBRICANT, SLIM, any_oil=False, random=False, seed=1),
@@ -49,6 +51,9 @@ PARTS = {
     "held": Part((7.0, 160.0), (0.0, 30.0), (0.01, 1.0), any_oil=False, random=True, seed=HELD_OUT),
     "held oil": Part((7.0, 160.0), (0.0, 30.0), (0.01, 1.0), any_oil=True, random=True, seed=HELD_OUT + 1),
     "light": Part(LIGHT, LUBRICANT, SLIM, any_oil=False, random=False, seed=4),
+    # where the central film of thick oils rises at once
+    "step": Part((2.9, 5.2), (12.0, 31.4), (0.35, 1.4), any_oil=False, random=False, seed=16),
+    "step along": Part((4.5, 8.2), (3.0, 31.4), (0.08, 5.2), any_oil=False, random=False, seed=17, step=True),
     "held light": Part((2.4, 7.0), (0.0, 30.0), (0.01, 1.0), any_oil=False, random=True, seed=HELD_OUT + 2),
     "light oil": Part(LIGHT, LUBRICANT, SLIM, any_oil=True, random=False, seed=6),
     "held light oil": Part((2.4, 7.0), (0.0, 30.0), (0.01, 1.0), any_oil=True, random=True, seed=HELD_OUT + 4),
@@ -114,9 +119,12 @@ def places(kind, count, seed=None):
         A = exp(log(part.load[0]) + u[0] * log(part.load[1] / part.load[0]))
         low, high = (sqrt(value) for value in part.lubricant)
         D = exp(log(part.ratio[0]) + u[2] * log(part.ratio[1] / part.ratio[0]))
+        L = (low + u[1] * (high - low)) ** 2
+        if part.step:
+            A *= exp(-float(np.dot(STEP, (log(D), log(D) ** 2, sqrt(L), L))))
         oil = _any_oil(part, u[3], u[4]) if part.any_oil else OIL
         angle = None if part.skewed is None else _angle(part, D, float(u[5]))
-        found.append(Place(kind, number, A, (low + u[1] * (high - low)) ** 2, D, oil, angle))
+        found.append(Place(kind, number, A, L, D, oil, angle))
     return found
 
 

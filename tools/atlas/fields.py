@@ -38,10 +38,9 @@ from ehl.traction.atlas.fields import (
     fields_of_vector,
     kernel,
     layout,
-    oil_features,
     sheared,
 )
-from ehl.traction.atlas.table import trend_terms
+from ehl.traction.atlas.table import oil_features, trend_terms
 from ehl.traction.film_quadrature import (
     LINES,
     hertz_zone,

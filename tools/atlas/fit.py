@@ -12,24 +12,42 @@ import numpy as np
 from solves import LABELS, SOLVES
 
 from ehl.closed_form.hertz import hertz_coefficients
-from ehl.traction.atlas.table import FILE, Patch, Table, functions, oil_terms, patch_base, radial, slanted, trend_terms
+from ehl.traction.atlas.table import (
+    FILE,
+    Patch,
+    Table,
+    functions,
+    near,
+    oil_features,
+    patch_base,
+    radial,
+    slanted,
+    trend_terms,
+    with_line,
+)
 
 COLUMNS = "kind number A L D alpha z central minimum approach t8 t25 t400 scale8 scale25 scale400".split()
-FITTED = ("heavy", "start", "along", "light", "light along", "rigid")
+FITTED = ("heavy", "start", "along", "light", "step", "step along", "light along", "rigid")
 OILS = ("oil", "light oil", "rigid oil", "wide oil", "light wide oil", "rigid wide oil")
 LOADS = {"light": (0.3, 12.0), "heavy": (6.2, 175.0)}  # A that each patch is fitted to
-# of ln A + c ln D, sqrt L, ln D, and c: by the errors of contacts left out of the fit
-SCALES = {"light": (0.8, 4.0, 3.0), "heavy": (2.5, 4.0, 6.0)}
-SLANT = {"light": 0.15, "heavy": 0.0}
+# of the slanted x, of radial functions and, of light contacts, of those around the step: by the marginal likelihood
+# of the labels, the step's width by what held-out contacts and second differences along A say as well
+SCALES = {"light": (1.42, 7.4, 7.3), "heavy": (2.5, 4.0, 6.0)}
+SLANT = {"light": (0.216, 0.046, 0.128, -0.0034), "heavy": (0.0, 0.0, 0.0, 0.0)}
+STEP = {"light": (1.756, 0.15, 0.1, 0.2, 4.0, 3.4), "heavy": (0.0, 1.0, 0.0, 1.0, 1.0, 1.0)}
+OIL_SCALES = {"light": (1.2, 3.0, 4.0), "heavy": (2.5, 4.0, 6.0)}  # likewise
+OIL_DEVIATION, OIL_NOISE = 0.025, {"light": 3e-3, "heavy": 2e-3}
 # that judge, by patch: the base oil with Rx/Ry up to 1 and above, other oils
 JUDGES = (
     (("held light", "held rigid"), ("held light along", "held rigid"), ("held light oil", "held rigid oil")),
     (("held",), ("held along",), ("held oil",)),
 )
-DEVIATION, TREND, NOISE = 0.3, 5.0, 1e-3  # prior deviations of the functions and of the labels
+DEVIATION, TREND = 0.3, 5.0  # prior deviations of the functions
+NOISE = {"light": 2e-4, "heavy": 1e-3}  # and of the labels
+MEDIAN = 0.67  # of the size of a normal deviate
 MOMENT_ORDER = 1.45  # as in ehl.traction.rolling_moment
 STEEP = 0.1  # step from mesh to mesh beyond which none is extrapolated
-RIDGE = 1e-3
+OIL_RIDGE = 1e-4
 
 
 def limit(coarse, fine, order):
@@ -90,21 +108,22 @@ def places(rows):
 
 
 def robust_weights(y, prior, noise):
-    """Weights of the columns of a prior covariance, outliers weighed down by what the other contacts say of them."""
+    """Weights of the columns of a prior covariance, outliers weighed down by what the other contacts say of them:
+    those that are off by more than three deviations of what these leave open."""
     doubt = np.ones(len(y))
     for _ in range(3):
         inverse = np.linalg.inv(prior + np.diag(noise**2 * doubt))
         weights = inverse @ y
-        left = weights / np.diag(inverse)
-        doubt = (4.0 + (left / (1.5 * np.median(np.abs(left)))) ** 2) / 5.0
+        left = np.abs(weights) / np.sqrt(np.diag(inverse))
+        doubt = np.maximum(1.0, (left / (3.0 * max(1.0, np.median(left) / MEDIAN))) ** 2)
     return weights
 
 
-def fitted(x, y, scales):
-    """Weights of trend and radial functions."""
+def fitted(x, y, shape, noise):
+    """Weights of trend and radial functions at slanted places x; `shape`: the latter's covariance over their
+    variance, noise: deviation of the labels."""
     basis = trend_terms(x)
-    prior = DEVIATION**2 * radial(x, x, scales) + TREND**2 * basis @ basis.T
-    weights = robust_weights(y, prior, NOISE)
+    weights = robust_weights(y, DEVIATION**2 * shape + TREND**2 * basis @ basis.T, noise)
     return TREND**2 * basis.T @ weights, DEVIATION**2 * weights
 
 
@@ -128,15 +147,32 @@ def patch(name, kinds, rows):
     there = (rows[:, 0] > low) & (rows[:, 0] < high)
     x, y, scales = places(rows), targets(rows), np.array(SCALES[name])
     own = np.isin(kinds, FITTED) & there
-    solved = slanted(x[own], SLANT[name]).astype(np.float32).astype(float)
+    slant, step = np.array(SLANT[name]), np.array(STEP[name])
+    solved = slanted(x[own], slant).astype(np.float32).astype(float)
+    shape = near(solved, solved, scales, step)
     mean = y[own].mean(0)
-    pairs = [fitted(solved, y[own, k] - mean[k], scales) for k in range(y.shape[1])]
+    pairs = [fitted(solved, y[own, k] - mean[k], shape, NOISE[name]) for k in range(y.shape[1])]
     trend, weights = np.array([p[0] for p in pairs]).T, np.array([p[1] for p in pairs]).T
-    base = Patch(SLANT[name], solved, scales, mean, trend, weights, np.zeros(0))
     oil = np.isin(kinds, OILS) & there
-    terms = oil_terms(x[oil], rows[oil, 3] * 1e-9, rows[oil, 4])
-    normal = terms.T @ terms + RIDGE * np.eye(terms.shape[1])
-    return base._replace(oils=np.linalg.solve(normal, terms.T @ (y[oil] - patch_base(base, x[oil]))))
+    none = np.zeros((0, 3)), np.zeros((0, 5)), np.ones(3), np.zeros((20, y.shape[1])), np.zeros((0, y.shape[1]))
+    base = Patch(slant, solved, scales, step, mean, trend, weights, *none)
+    return with_oils(base, name, x[oil], (rows[oil, 3] * 1e-9, rows[oil, 4]), y[oil])
+
+
+def with_oils(base, name, x, oils, y):
+    """A patch with what other oils add, of their alpha [1/Pa] and z."""
+    features = oil_features(x, *oils)
+    left = y - patch_base(base, x)
+    terms = with_line(features, x)
+    normal = terms.T @ terms + OIL_RIDGE * np.eye(terms.shape[1])
+    trend = np.linalg.solve(normal, terms.T @ left)
+    scales = np.array(OIL_SCALES[name])
+    prior = OIL_DEVIATION**2 * (features @ features.T) * radial(x, x, scales)
+    left = left - terms @ trend
+    weights = [OIL_DEVIATION**2 * robust_weights(part, prior, OIL_NOISE[name]) for part in left.T]
+    return base._replace(
+        oil_places=x, oil_features=features, oil_scales=scales, oil_trend=trend, oil_weights=np.array(weights).T
+    )
 
 
 def _bar(parts):

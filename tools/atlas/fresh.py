@@ -1,9 +1,9 @@
-"""Fresh contacts beside the film atlas, as a release has them: `python tools/atlas/fresh.py SEED [NUMBER]`.
+"""Fresh contacts beside the film atlas, as a release has them: `python tools/atlas/fresh.py SEED [NUMBER [WORD ...]]`.
 
 NUMBER contacts, 20 unless told, of the boxes of the held-out ones in turn, of a seed that none had before, such as the
 date, are solved as the labels are; those of `build/atlas_fresh_SEED.jsonl` are not solved again. Prints how far each
 film is off over its error bar, and the errors of each box; ends with 1 if more of them are outside than one in a
-hundred draws of a true bar of 95 % has.
+hundred draws of a true bar of 95 % has. With WORDs it takes the boxes whose names have one of them, such as light.
 """
 
 from __future__ import annotations
@@ -26,11 +26,12 @@ UNLIKELY = 0.01
 BUILD = Path(__file__).parents[2] / "build"
 
 
-def drawn(seed, number):
+def drawn(seed, number, words=()):
     """Places, one of each box, then the next of each."""
     kinds = [kind for kind in PARTS if kind.startswith("held")]
-    share = -(-number // len(kinds))
-    rows = [places(kind, share, seed + i) for i, kind in enumerate(kinds)]
+    wanted = [k for k, kind in enumerate(kinds) if not words or set(words) & set(kind.split())]
+    share = -(-number // len(wanted))
+    rows = [places(kinds[k], share, seed + k) for k in wanted]
     return list(islice((row[k] for k in range(share) for row in rows), number))
 
 
@@ -80,10 +81,11 @@ def _unit(scaled):
     return dimensional * np.pi * scaled.speed / ((3.0 + 2.0 * ratio) * np.sqrt(ratio))
 
 
-def main(seed, number):
+def main(seed, number, words):
     """Draw, solve, print."""
     found, outside = {}, [0, 0]
-    for place, entry in entries(drawn(seed, number), BUILD / f"atlas_fresh_{seed}.jsonl"):
+    path = BUILD / f"atlas_fresh_{'_'.join([str(seed), *words])}.jsonl"
+    for place, entry in entries(drawn(seed, number, words), path):
         own, bars = errors(place, entry)
         found.setdefault(place.kind, []).append(own)
         shares = [e / bar for e, bar in zip(own, bars, strict=False)]
@@ -100,4 +102,4 @@ def main(seed, number):
 
 
 if __name__ == "__main__":
-    sys.exit(main(int(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 20))
+    sys.exit(main(int(sys.argv[1]), int(sys.argv[2]) if len(sys.argv) > 2 else 20, sys.argv[3:]))

@@ -31,7 +31,7 @@ from ...format.traction import fitting_tables, tables_of_file
 from ...runs.equilibrium import case_equilibrium, without_traction_equilibrium
 from ...runs.films import Progress
 from ...runs.interrupt import say
-from ...runs.traction_table import asked_films
+from ...runs.traction_table import asked_films, films_of_atlas
 from ..keys import BESIDE_TRACTION_TABLES, content_key, digest, document_text
 from ..points import Point, Sweep
 from ..program import program_digest
@@ -217,7 +217,9 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
         states, key=lambda state: float(max(state.outer_load.max(), state.inner_load.max()))
     )
     sample = asked_films(cases[0])
-    options = TableOptions(points=sweep.table_points, workers=cores(), sample=sample)
+    options = TableOptions(
+        points=sweep.table_points, workers=cores(), sample=sample, narrow=films_of_atlas(cases[0])
+    )
     contacts = table_contacts(heaviest, oil, rheology, solids=cases[0].films.solids)
 
     def notify(done: int, total: int, state: str) -> None:

@@ -43,29 +43,46 @@ def axis_ratios(log_ratio, low, step, sizes):
 
 
 @compiled
-def _oil_powers(dz, a, own):
-    """z', a, z' a, a^2 and z'^2 of an oil, `own`."""
-    own[0] = dz
-    own[1] = a
-    own[2] = dz * a
-    own[3] = a * a
-    own[4] = dz * dz
+def _add_oil(at, step, oils, features, out):
+    """Add what an oil's features are multiplied by, and its derivatives by the first axis, between
+    the eight nodes around a place on the lattice.
+    """
+    first = np.empty(3, dtype=np.int64)
+    share = np.empty(3)
+    for k in range(3):
+        first[k] = min(max(int(at[k]), 0), oils.shape[k] - 2)
+        share[k] = at[k] - first[k]
+    for corner in range(8):
+        i = corner & 1
+        j = corner >> 1 & 1
+        k = corner >> 2
+        across = (share[1] if j else 1.0 - share[1]) * (share[2] if k else 1.0 - share[2])
+        weight = across * (share[0] if i else 1.0 - share[0])
+        steep = (across if i else -across) / step
+        node = oils[first[0] + i, first[1] + j, first[2] + k]
+        for m in range(5):
+            strength = features[m] * weight
+            out[0] += strength * node[m, 0]
+            out[1] += strength * node[m, 1]
+            out[2] += strength * node[m, 2]
+            out[3] += features[m] * steep * node[m, 0]
+            out[4] += features[m] * steep * node[m, 2]
 
 
 @compiled
-def look_up(x, dz, a, low, step, lattice, oils, out):
+def look_up(x, features, low, step, lattice, oils, out):
     """ln(Hc A), ln(Hmin A), Hc - H0 and the derivatives by ln A of first and last, `out` of shape
-    (n, 5), at x of shape (n, 3): a cubic through the lattice, and the terms of another oil, dz of
-    Roelands' z and a = ln(alpha/alpha_0), shape (n,).
+    (n, 5), at x of shape (n, 3) with oils of `oil_features`, shape (n, 5): a cubic through the
+    lattice of the oil of the solves, and between the nodes of that of others, shape (..., 5, 3).
     """
     weights = np.empty((3, 4))
     slopes = np.empty((3, 4))
     first = np.empty(3, dtype=np.int64)
-    own = np.empty(5)
+    at = np.empty(3)
     for n in range(x.shape[0]):
         for k in range(3):
-            at = (x[n, k] - low[k]) / step[k]
-            first[k] = _cubic(at, lattice.shape[k], weights[k], slopes[k])
+            at[k] = (x[n, k] - low[k]) / step[k]
+            first[k] = _cubic(at[k], lattice.shape[k], weights[k], slopes[k])
         out[n] = 0.0
         for i in range(4):
             for j in range(4):
@@ -80,15 +97,5 @@ def look_up(x, dz, a, low, step, lattice, oils, out):
                     out[n, 3] += steep * weights[2, k] * node[0]
                     out[n, 4] += steep * weights[2, k] * node[2]
         out[n, 3:] /= step[0]
-        _oil_powers(dz[n], a[n], own)
-        for m in range(5):
-            if own[m] != 0.0:
-                strength = own[m] * x[n, 1]
-                row = 4 * m
-                for k in range(4):
-                    share = strength if k == 0 else strength * x[n, k - 1]
-                    out[n, 0] += share * oils[row + k, 0]
-                    out[n, 1] += share * oils[row + k, 1]
-                    out[n, 2] += share * oils[row + k, 2]
-                out[n, 3] += strength * oils[row + 1, 0]
-                out[n, 4] += strength * oils[row + 1, 2]
+        if features[n, 0] != 0.0 or features[n, 1] != 0.0:
+            _add_oil(at, step[0], oils, features[n], out[n])

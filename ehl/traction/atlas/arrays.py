@@ -1,8 +1,8 @@
 """Films of many flooded contacts at once from the atlas.
 
-The functions of `table` in ln A, sqrt L and ln D are evaluated once on a lattice for each of its
-patches, and contacts take a cubic through the nodes: films are within 0.04 % of the table, a tenth
-of its error bars, and take less than a microsecond (`python benchmarks/film_atlas.py`).
+The functions of `table` are evaluated once on a lattice of its slanted x for each of its patches,
+and contacts take a cubic through the nodes, which is within their error bars and takes some
+microsecond (`python benchmarks/film_atlas.py`).
 """
 
 from dataclasses import dataclass
@@ -18,11 +18,24 @@ from ...closed_form.film import MAX_FILM_OVER_RADIUS
 from ...closed_form.hertz import hertz_coefficients
 from . import _lookup_kernels
 from .films import LIGHT, RANGE, STIFFNESS_ERROR
-from .table import BASE_ALPHA, BASE_Z, SEAM, Patch, bars_of, heavy_share, patch_base, table
+from .table import (
+    BASE_ALPHA,
+    BASE_Z,
+    SEAM,
+    Patch,
+    bars_of,
+    heavy_share,
+    oil_features,
+    patch_base,
+    patch_oils,
+    slanted,
+    table,
+)
 
-# nodes of ln A, sqrt L, ln D, of light and heavy contacts; with half as many of ln A, films of
-# light ones are within 0.7 % only, with half of all heavy ones within 0.4 %
-NODES = ((49, 21, 41), (25, 21, 41))
+# nodes of the slanted x of `table`, of light and heavy contacts: the first axis lies across the
+# step of the central film; with 161 of light ones films are within 0.2 % only, with half of all
+# heavy ones within 0.4 %
+NODES = ((225, 13, 17), (25, 21, 41))
 RATIOS = 129  # of ln D for f, within 2e-9; half as many within 3e-8
 FUNCTIONS = 3  # ln(Hc A), ln(Hmin A), Hc - H0
 RISING = (0, 2)  # of these, whose derivatives by ln A are looked up as well
@@ -64,10 +77,11 @@ class FilmArrays:
 class _Lattice(NamedTuple):
     """What contacts of a patch are looked up in [-]."""
 
-    low: Array  # (3,) of x
+    slant: Array  # of the patch
+    low: Array  # (3,) of slanted x
     step: Array  # (3,)
-    values: Array  # (..., 3) over a lattice of `NODES`
-    oils: Array  # (20, 6)
+    values: Array  # (..., 3) over a lattice of `NODES`, of the oil of the solves
+    oils: Array  # (..., 5, 3) there, what each of the `oil_features` is multiplied by
 
 
 def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
@@ -86,7 +100,7 @@ def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
     x = place.x
     found = _found(place)
     # 3. scales
-    base = (place.exponent == 0.0) & (place.coefficient == 0.0)
+    base = (place.alpha == BASE_ALPHA) & (place.z == BASE_Z)
     bars = bars_of(np.exp(x[:, 0]), np.exp(x[:, 2]), base)
     height = place.height
     heavy = x[:, 0] >= log(LIGHT)
@@ -115,13 +129,14 @@ def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
 def _found(place: "_Places") -> Array:
     """The functions and the derivatives by ln A of those in `RISING`, shape (n, 5) [-]."""
     share, rise = heavy_share(place.x[:, 0])
+    features = oil_features(place.x, place.alpha, place.z)
     found = np.zeros((len(share), FUNCTIONS + len(RISING)))
     signs = ((1.0 - share, -rise), (share, rise))
     for lattice, (weight, slope) in zip(_lattices(), signs, strict=True):
         own = np.flatnonzero(weight > 0.0)
         values = np.empty((len(own), FUNCTIONS + len(RISING)))
-        oils = place.exponent[own], place.coefficient[own]
-        _lookup_kernels.look_up(place.x[own], *oils, *lattice, values)
+        x = slanted(place.x[own], lattice.slant)
+        _lookup_kernels.look_up(x, features[own], *lattice[1:], values)
         found[own] += weight[own, None] * values
         found[own, FUNCTIONS:] += slope[own, None] * values[:, RISING]
     return found
@@ -136,11 +151,11 @@ def _columns(c: ContactArrays) -> tuple[tuple[int, ...], list[Array]]:
 
 
 class _Places(NamedTuple):
-    """Where contacts lie in the table, shape (n,) but for x of (n, 3); all [-] but the height."""
+    """Where contacts lie in the table, shape (n,) but for x of (n, 3) [-]."""
 
     x: Array
-    exponent: Array  # z - z_0
-    coefficient: Array  # ln(alpha/alpha_0)
+    alpha: Array  # [1/Pa]
+    z: Array
     height: Array  # a^2/Rx [m]
     inside: NDArray[np.bool_]
 
@@ -162,8 +177,8 @@ def _places(columns: list[Array]) -> _Places:
         inside = _inside((heavy, thick, ratio, z, alpha))
     return _Places(
         x=x,
-        exponent=np.where(inside, z - BASE_Z, 0.0),
-        coefficient=np.log(np.where(inside, alpha / BASE_ALPHA, 1.0)),
+        alpha=np.where(inside, alpha, BASE_ALPHA),
+        z=np.where(inside, z, BASE_Z),
         height=np.where(inside, unit * along, 1.0),
         inside=inside,
     )
@@ -188,13 +203,19 @@ def _lattice(
     high = np.array([log(heaviest), sqrt(thick[1]), log(ratio[1])])
     axes = [np.linspace(low[k], high[k], nodes[k]) for k in range(3)]
     x = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).reshape(-1, 3)
+    slants = (slanted(x, patch.slant) - x)[:, 0]
+    low[0] += slants.min()
+    high[0] += slants.max()
+    x[:, 0] = np.repeat(np.linspace(low[0], high[0], nodes[0]), nodes[1] * nodes[2]) - slants
     parts = np.array_split(x, nodes[0])  # a plane at a time: radial functions of all are large
     values = np.concatenate([patch_base(patch, part)[:, :FUNCTIONS] for part in parts])
+    oils = np.concatenate([patch_oils(patch, part)[:, :, :FUNCTIONS] for part in parts])
     return _Lattice(
+        slant=patch.slant,
         low=low,
         step=(high - low) / (np.array(nodes) - 1.0),
         values=np.ascontiguousarray(values.reshape(*nodes, FUNCTIONS)),
-        oils=patch.oils,
+        oils=np.ascontiguousarray(oils.reshape(*nodes, *oils.shape[1:])),
     )
 
 

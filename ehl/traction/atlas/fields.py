@@ -25,7 +25,7 @@ from ...oil.lubricant import DensityLaw, Lubricant, ViscosityLaw
 from ...scaling import scale_contact
 from ..film_quadrature import HIGH_PRESSURE, LINES, node_shares
 from .films import NotInAtlasError, atlas_load, require_covered, require_range, skewed
-from .table import BASE_ALPHA, BASE_Z, radial, trend_terms
+from .table import oil_features, radial, trend_terms
 
 FILE = Path(__file__).parent / "fields.npz"
 # of A, L, D, Roelands' z [-] and alpha [1/Pa] between which tables were judged; draws aimed at
@@ -104,16 +104,6 @@ def field_table() -> FieldTable:
         return FieldTable(**{name: file[name].astype(float) for name in FieldTable._fields})
 
 
-def oil_features(places: Array, alpha: Array, z: Array) -> Array:
-    """sqrt L times {z', a, z' a/2, a^2/2, z'^2/2}, zero for the oil of `table`, at places of shape
-    (m, 3), shape (m, 5) [-]; alpha [1/Pa].
-    """
-    a = np.log(np.asarray(alpha) / BASE_ALPHA) / 0.45
-    d = (np.asarray(z) - BASE_Z) / 0.2
-    own = np.stack([d, a, 0.5 * d * a, 0.5 * a * a, 0.5 * d * d], axis=1)
-    return np.asarray(0.25 * places[:, 1:2] * own)
-
-
 def kernel(x: Array, oils: Array, y: Array, others: Array, scales: Array) -> Array:
     """Covariance of amplitudes at places (m, 3) and (n, 3) with features of oils, without the
     trend, shape (m, n) [-].
@@ -174,12 +164,13 @@ def require_fields(conditions: ContactConditions) -> None:
     oil = conditions.lubricant
     if not _judged_oil(oil):
         raise NotInAtlasError(
-            "an oil after Roelands with p_r 196 MPa and the density of Dowson and Higginson is "
-            "what the atlas has fields of"
+            "viscosity_law, roelands_pressure_MPa, density_law: an oil after Roelands with p_r "
+            "196 MPa and the density of Dowson and Higginson is what the atlas has fields of"
         )
     if skewed(conditions.entrainment_angle) or contact.turning > 0.0:
         raise NotInAtlasError(
-            "mean_spin: entrainment along x that does not turn is what the atlas has fields of"
+            "mean_spin_rad_s: entrainment along x that does not turn is what the atlas has fields "
+            "of"
         )
     values = (load, contact.moes_lubricant, contact.radius_ratio)
     require_range((*values, oil.exponent, oil.pressure_viscosity), RANGE)

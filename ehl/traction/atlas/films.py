@@ -32,6 +32,7 @@ RANGE = {
     "roelands_z": (0.3, 1.1),
     "pressure_viscosity": (8e-9, 32e-9),
 }
+CASE_KEYS = {"pressure_viscosity": ("pressure_viscosity_1_GPa", 1e-9)}  # and the key's unit
 ALIGNED = 1e-9  # sine of the angle between entrainment and x that counts as none
 # speed at the end of the ellipse by a rotation of the entrainment, over u_m, up to which the table
 # counts
@@ -83,10 +84,10 @@ class NotInAtlasError(ValueError):
 
 @dataclass(frozen=True, slots=True)
 class AtlasValue:
-    """A value of the atlas with its error bar, SI or in the units of `AtlasFilms` [-]."""
+    """A value of the atlas and its error bar, both SI or in the units of `AtlasFilms` [-]."""
 
     value: float
-    uncertainty: float  # in the unit of the value
+    uncertainty: float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -354,11 +355,11 @@ def require_covered(
     turning = ROTATION if slim is None else slim.largest
     turns = skewed(conditions.entrainment_angle) and contact.turning > 0.0
     faults = {
-        "mean_spin: entrainment at an angle that does not turn": turns,
-        f"mean_spin: entrainment that turns at the end of the ellipse by less than "
+        "mean_spin_rad_s: entrainment at an angle that does not turn": turns,
+        f"mean_spin_rad_s: entrainment that turns at the end of the ellipse by less than "
         f"{turning:g} of it, not {contact.turning:.2g},": contact.turning > turning,
-        "coating: bodies without one": contact.coating is not None,
-        "inlet_layer: flooded contacts": contact.inlet_layer is not None,
+        "coating_thickness_um: bodies without a coating": contact.coating is not None,
+        "inlet_film_um: flooded contacts": contact.inlet_layer is not None,
     }
     for fault, found in faults.items():
         if found:
@@ -393,6 +394,6 @@ def require_range(
     """NotInAtlasError unless values, A, L, D, z and alpha of `RANGE`, lie in the ranges."""
     for (name, (low, high)), value in zip(ranges.items(), values, strict=True):
         if not low <= value <= high:
-            raise NotInAtlasError(
-                f"{name} must lie in {low:g} to {high:g} for the film atlas, got {value:.4g}"
-            )
+            key, unit = CASE_KEYS.get(name, (name, 1.0))
+            within = f"must lie in {low / unit:g} to {high / unit:g} for the film atlas"
+            raise NotInAtlasError(f"{key} {within}, got {value / unit:.4g}")

@@ -27,8 +27,8 @@ FILE = Path(__file__).parent / "skewed.npz"
 # of the contact along its principal direction of smaller radius, where entrainment at an angle was
 # judged
 SKEW_RANGE = {
-    "entrainment_angle: A along the smaller radius": (10.0, 80.0),
-    "entrainment_angle: ratio of the smaller radius to the larger": (0.05, 1.0),
+    "entrainment_angle_deg: A along the smaller radius": (10.0, 80.0),
+    "entrainment_angle_deg: ratio of the smaller radius to the larger": (0.05, 1.0),
 }
 ACROSS_CLASSES = (1.0, 2.0)  # T/S, below, between and above which errors were judged
 STRAIGHT = 1e-12  # m below which the entrainment counts as along a principal direction

@@ -7,11 +7,13 @@ mean, a trend of second degree and a sum of radial functions around the solved p
 
 (a Gaussian process with Matern's kernel of 5/2), fitted to solutions by `tools/atlas/fit.py`. The
 six are ln(Hc A), ln(Hmin A), Hc - H0, and T/C - ln s of the rolling moment at three layers s, see
-`films`. Another oil adds fitted terms in Roelands' z and ln(alpha/alpha_0).
+`films`. Another oil adds `oil_features`, polynomials of Roelands' z and ln(alpha/alpha_0) times
+sqrt L, each times a function of x of the same kind with a linear trend.
 
 There are two patches: in light contacts, where rigid bodies become elastic ones, the central film
-rises with load over a small step of ln A. It lies at smaller A the larger D is: there x_1 is
-ln A + c ln D, and scales are shorter. Over `SEAM` one patch gives way to the other.
+rises with load over a small step of ln A. It lies at smaller A the larger D is: there x_1 is ln A
+and `slanted` terms of D and L, and around the step a second sum of radial functions of shorter
+scales is added. Over `SEAM` one patch gives way to the other.
 """
 
 from functools import cache
@@ -26,6 +28,7 @@ from ...arrays import Array
 FILE = Path(__file__).parent / "film_atlas.npz"
 BASE_Z = 0.68  # Roelands' z of the oil of the solves [-]
 BASE_ALPHA = 22e-9  # its alpha [1/Pa]
+OIL_UNITS = (0.2, 0.45)  # of z and ln alpha in the features of oils [-]
 PAIRS = np.triu_indices(3)
 
 
@@ -36,13 +39,20 @@ SEAM = (7.0, 9.0)
 class Patch(NamedTuple):
     """The functions over a part of the range [-]."""
 
-    slant: float  # c
+    slant: Array  # (4,) of `slanted`
     places: Array  # (n, 3) x_i
     scales: Array  # (3,) l
+    # (6,) of the radial functions around the step: its x_1, its width, their variance over that of
+    # the others, their scales
+    step: Array
     mean: Array  # (6,)
     trend: Array  # (10, 6)
     weights: Array  # (n, 6)
-    oils: Array  # (20, 6)
+    oil_places: Array  # (k, 3) of contacts with other oils
+    oil_features: Array  # (k, 5) theirs
+    oil_scales: Array  # (3,)
+    oil_trend: Array  # (20, 6)
+    oil_weights: Array  # (k, 6)
 
 
 class Table(NamedTuple):
@@ -84,9 +94,13 @@ def heavy_share(log_load: Array, seam: tuple[float, float] = SEAM) -> tuple[Arra
     return t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / (high - low)
 
 
-def slanted(x: Array, slant: float) -> Array:
-    """Places (ln A + c ln D, sqrt L, ln D) of (ln A, sqrt L, ln D), shape (m, 3) [-]."""
-    return x + slant * np.stack([x[:, 2], 0.0 * x[:, 1], 0.0 * x[:, 2]], axis=1)
+def slanted(x: Array, slant: Array) -> Array:
+    """Places (ln A + c_0 ln D + c_1 (ln D)^2 + c_2 sqrt L + c_3 L, sqrt L, ln D) of (ln A, sqrt L,
+    ln D), shape (m, 3) [-].
+    """
+    _, root, ratio = x.T
+    first = x[:, 0] + np.stack([ratio, ratio**2, root, root**2], axis=1) @ slant
+    return np.column_stack([first, x[:, 1:]])
 
 
 def trend_terms(x: Array) -> Array:
@@ -102,16 +116,33 @@ def radial(x: Array, places: Array, scales: Array) -> Array:
     return np.asarray((1.0 + t + t**2 / 3.0) * np.exp(-t))
 
 
-def oil_terms(x: Array, alpha: Array, z: Array) -> Array:
-    """{z', a, z' a, a^2, z'^2} times sqrt(L) {1, x_j} at x of shape (m, 3), shape (m, 20) [-]; a =
-    ln(alpha/alpha_0), z' = z - z_0: zero for the oil of the solves, and at L = 0; alpha [1/Pa].
+def near(x: Array, places: Array, scales: Array, step: Array) -> Array:
+    """Radial functions of slanted places (n, 3) at x of shape (m, 3) with those around a step of
+    `Patch`, shape (m, n) [-].
     """
-    a = np.log(np.asarray(alpha) / BASE_ALPHA)
-    d = np.asarray(z) - BASE_Z
-    own = np.stack([d, a, d * a, a**2, d**2], axis=1)
-    with_one = np.concatenate([np.ones((len(x), 1)), x], axis=1)
-    own = own * x[:, 1:2]
-    return np.asarray((own[:, :, None] * with_one[:, None, :]).reshape(len(x), -1))
+    found = radial(x, places, scales)
+    centre, width, variance = step[:3]
+    if variance > 0.0:
+        here, there = (np.exp(-0.5 * ((y[:, 0] - centre) / width) ** 2) for y in (x, places))
+        found += variance * np.outer(here, there) * radial(x, places, step[3:])
+    return found
+
+
+def oil_features(x: Array, alpha: Array, z: Array) -> Array:
+    """sqrt L/4 times {z', a, z' a/2, a^2/2, z'^2/2} at x of shape (m, 3), shape (m, 5) [-]; a =
+    ln(alpha/alpha_0)/0.45, z' = (z - z_0)/0.2: zero for the oil of the solves, and at L = 0; alpha
+    [1/Pa].
+    """
+    a = np.log(np.asarray(alpha) / BASE_ALPHA) / OIL_UNITS[1]
+    d = (np.asarray(z) - BASE_Z) / OIL_UNITS[0]
+    own = np.stack([d, a, 0.5 * d * a, 0.5 * a * a, 0.5 * d * d], axis=1)
+    return np.asarray(0.25 * x[:, 1:2] * own)
+
+
+def with_line(features: Array, x: Array) -> Array:
+    """Features (m, 5) times {1, x_j}, shape (m, 20) [-]."""
+    line = np.concatenate([np.ones((len(x), 1)), x], axis=1)
+    return np.asarray((features[:, :, None] * line[:, None, :]).reshape(len(x), -1))
 
 
 def patch_base(patch: Patch, x: Array) -> Array:
@@ -120,7 +151,17 @@ def patch_base(patch: Patch, x: Array) -> Array:
     """
     own = slanted(x, patch.slant)
     base = patch.mean + trend_terms(own) @ patch.trend
-    return np.asarray(base + radial(own, patch.places, patch.scales) @ patch.weights)
+    return np.asarray(base + near(own, patch.places, patch.scales, patch.step) @ patch.weights)
+
+
+def patch_oils(patch: Patch, x: Array) -> Array:
+    """What each feature of an oil is multiplied by at x of shape (m, 3), shape (m, 5, 6) [-]."""
+    line = np.concatenate([np.ones((len(x), 1)), x], axis=1)
+    features, weights = patch.oil_features, patch.oil_weights
+    products = (features[:, :, None] * weights[:, None, :]).reshape(len(weights), -1)
+    around = radial(x, patch.oil_places, patch.oil_scales) @ products
+    trend = np.einsum("mc,fck->mfk", line, patch.oil_trend.reshape(-1, 4, weights.shape[1]))
+    return np.asarray(trend + around.reshape(trend.shape))
 
 
 def functions(x: Array, alpha: Array, z: Array, known: Table | None = None) -> Array:
@@ -129,11 +170,13 @@ def functions(x: Array, alpha: Array, z: Array, known: Table | None = None) -> A
     """
     known = known or table()
     share = heavy_share(x[:, 0])[0]
-    terms = oil_terms(x, alpha, z)
+    features = oil_features(x, alpha, z)
     found = np.zeros((len(x), known.bars.shape[-1]))
     for patch, weight in ((known.light, 1.0 - share), (known.heavy, share)):
         own = weight > 0.0
         if own.any():
-            values = patch_base(patch, x[own]) + terms[own] @ patch.oils
+            values = patch_base(patch, x[own])
+            if features[own].any():
+                values += np.einsum("mf,mfk->mk", features[own], patch_oils(patch, x[own]))
             found[own] += weight[own, None] * values
     return found

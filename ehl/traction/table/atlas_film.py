@@ -19,7 +19,7 @@ from .build import FilmSampler
 from .film import FilmSample, TableFilm, motion_scales
 from .table import TableContact, TableRange
 
-LAYER = "flooded_layer: a thicker layer is what the atlas has moments of"
+LAYER = "flooded_layer_um: a thicker layer is what the atlas has moments of"
 
 
 def atlas_sampler(solve: FilmSampler) -> FilmSampler:

@@ -9,7 +9,7 @@ nodes along load or speed are doubled.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from math import log
+from math import ceil, log
 
 import numpy as np
 
@@ -36,6 +36,8 @@ from .table import (
 # nodes of load, speed, slide_x, slide_y (its half above zero) and spin
 START = (12, 4, 41, 15, 27)
 GROWTH = 1.4  # of the nodes of a motion
+NARROW_LOADS = 6  # fewest nodes of a narrow range of loads
+NARROW_STEP = 0.2  # ln(load) between them
 
 ERRORS = ("largest", "quantile", "rms", "largest_spin", "largest_rolling")
 Progress = Callable[[int, int, str], None]  # done, in all, what
@@ -59,6 +61,7 @@ class TableOptions:
     sample: FilmSampler = film_sample
     # of load, speed, slide_x, slide_y (its half above zero) and spin to begin with, 4 at least
     nodes: tuple[int, int, int, int, int] = START
+    narrow: bool = False  # fewer of load to begin with where its range is narrow
 
 
 @dataclass(slots=True, kw_only=True)
@@ -111,12 +114,20 @@ def _study(
         range=limits,
         options=options,
         progress=progress or (lambda done, total, state: None),
-        counts=list(options.nodes),
+        counts=[_first_loads(options, limits), *options.nodes[1:]],
     )
     ends = np.array([[log(end) for end in ends] for ends in (limits.load, limits.speed)])
     places = latin_hypercube(ends, options.check_films, np.random.default_rng(options.seed)).T
     study.checks = _solve(study, [(float(q), float(u)) for q, u in places], response=False)
     return study
+
+
+def _first_loads(options: TableOptions, limits: TableRange) -> int:
+    """Nodes of load to begin with."""
+    if not options.narrow:
+        return options.nodes[0]
+    steps = ceil(log(limits.load[1] / limits.load[0]) / NARROW_STEP)
+    return min(options.nodes[0], max(NARROW_LOADS, 1 + steps))
 
 
 def _solve(

@@ -87,8 +87,8 @@ def test_without_an_equilibrium_there_are_no_films(monkeypatch):
 @pytest.mark.parametrize(
     ("case", "fault", "solver"),
     [
-        ("coated_steel", "coating", "oilfilm contact coated_steel"),
-        ("ball_on_disc_starved", "inlet_layer", "oilfilm contact ball_on_disc_starved"),
+        ("coated_steel", "coating_thickness_um", "oilfilm contact coated_steel"),
+        ("ball_on_disc_starved", "inlet_film_um", "oilfilm contact ball_on_disc_starved"),
         ("6208_with_heat", "film_model", "oilfilm run 6208_with_heat"),
     ],
 )

@@ -84,11 +84,17 @@ def test_films_stiffness_and_moment_of_a_solve():
     [
         (moes(1e6, 10.0, oil=OIL), "A = "),
         (moes(200.0, 40.0, oil=OIL), "L must"),
-        (moes(1.0, 10.0, 0.5, angle=0.3, oil=OIL), "entrainment_angle: A along"),
-        (moes(800.0, 10.0, 0.04, angle=0.3, oil=OIL), "entrainment_angle: ratio"),
+        (moes(1.0, 10.0, 0.5, angle=0.3, oil=OIL), "entrainment_angle_deg: A along"),
+        (moes(800.0, 10.0, 0.04, angle=0.3, oil=OIL), "entrainment_angle_deg: ratio"),
         (moes(400.0, 10.0, 0.1, angle=1.5, oil=OIL), "Rx/Ry must"),
-        (from_groups(moes(200.0, 10.0, 0.5, angle=0.3, oil=OIL), rotation=0.05), "mean_spin: entrainment at an angle"),
-        (moes(200.0, 10.0, oil=replace(OIL, pressure_viscosity=40e-9)), "pressure_viscosity"),
+        (
+            from_groups(moes(200.0, 10.0, 0.5, angle=0.3, oil=OIL), rotation=0.05),
+            "mean_spin_rad_s: entrainment at an angle",
+        ),
+        (
+            moes(200.0, 10.0, oil=replace(OIL, pressure_viscosity=40e-9)),
+            "pressure_viscosity_1_GPa must lie in 8 to 32 .* got 40",
+        ),
         (moes(200.0, 10.0, oil=replace(OIL, roelands_z=1.2)), "roelands_z"),
     ],
 )
