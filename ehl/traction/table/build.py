@@ -16,6 +16,7 @@ import numpy as np
 from ...arrays import Array
 from ...multigrid.threads import film_threads
 from .._kernels import LOAD_POWER
+from .coordinates import PLACE_PARTS, from_vertex, motion_of, spinning_scales, vertex_slide
 from .film import FilmSample, film_sample, relative_forces
 from .packing import rounded_values
 from .splines import left_out_error, spline_coefficients
@@ -28,13 +29,11 @@ from .table import (
     latin_hypercube,
     load_place,
     mirrored_seam,
-    motion_of,
-    spinning_scale,
-    vertex_slide,
 )
 
 # nodes of load, speed, slide_x, slide_y (its half above zero) and spin
-START = (12, 4, 41, 15, 27)
+START = (13, 4, 47, 15, 27)
+SCALE_DEGREES = (3, 2)  # of the scales over load and speed, chosen by trial [-]
 GROWTH = 1.4  # of the nodes of a motion
 
 ERRORS = ("largest", "quantile", "rms", "largest_spin", "largest_rolling")
@@ -167,11 +166,31 @@ def _grid_films(study: _Study, axes: Array) -> list[list[FilmSample]]:
     return [[study.films[keys[place]] for place in row] for row in rows]
 
 
+def _with_smooth_scales(films: list[list[FilmSample]], axes: Array) -> list[list[FilmSample]]:
+    """Films with scales of the motions that change slowly over load and speed: polynomials of
+    `SCALE_DEGREES` in both coordinates through their logarithms, by least squares.
+
+    Where a film turns from rolling in oil to a flat contact its own scale falls a hundredfold, and
+    so would move all else along its axis.
+    """
+    loads, speeds = (np.linspace(-1.0, 1.0, int(axis[2])) for axis in axes[:2])
+    terms = np.polynomial.legendre.legvander2d(
+        np.repeat(loads, speeds.size), np.tile(speeds, loads.size), SCALE_DEGREES
+    )
+    known = np.log([film.scales for row in films for film in row])
+    fitted = np.exp(terms @ np.linalg.lstsq(terms, known, rcond=None)[0])
+    scales = fitted.reshape(loads.size, speeds.size, 3)
+    return [
+        [replace(film, scales=tuple(own)) for film, own in zip(row, rows, strict=True)]
+        for row, rows in zip(films, scales.tolist(), strict=True)
+    ]
+
+
 def _table(study: _Study) -> tuple[TractionTable, Array]:
     """The table of the present nodes with its error, and its values at the nodes."""
     # 1. forces and moments of all films at all motions
     axes = _axes(study)
-    films = _grid_films(study, axes)
+    films = _with_smooth_scales(_grid_films(study, axes), axes)
     study.progress(len(study.films), len(study.films), "shear")
     every = [film for row in films for film in row]
     with film_threads(study.options.workers) as pool:
@@ -279,11 +298,13 @@ def _values(study: _Study, film: FilmSample, axes: Array) -> Array:
 def _motions(study: _Study, film: FilmSample, places: Sequence[Array] | Array) -> list[Array]:
     """Motions over u, u and u/R_x at places on a table's axes, flat [-]."""
     x, y, n = (part.ravel() for part in places)
-    bound_x, bound_y, bound_n = study.range.motions
-    spin = motion_of(n, film.scales[2], bound_n)
-    scale_x = spinning_scale(film.scales[0], spin, study.contact, film.load)
-    slide_x = motion_of(x, scale_x, bound_x) - vertex_slide(spin, study.contact, film.load)
-    return [slide_x, motion_of(y, film.scales[1], bound_y), spin]
+    bounds = study.range.motions
+    contact, load = study.contact, film.load
+    spin = motion_of(n, film.scales[2], bounds[2], PLACE_PARTS[2])
+    scale_x, scale_y = spinning_scales(film.scales[:2], spin, contact, load)
+    top = motion_of(x, scale_x, bounds[0], PLACE_PARTS[0])
+    slide_x = from_vertex(top, vertex_slide(spin, contact, load), bounds[0])
+    return [slide_x, motion_of(y, scale_y, bounds[1], PLACE_PARTS[1]), spin]
 
 
 def _mirrored(raw: Array) -> Array:

@@ -28,11 +28,12 @@ from .table import FullSolve, TableContact, TableError, TableRange, TractionTabl
 FORMAT = "oilfilm traction table"
 # 1 had other coordinates of the motions, 2 neither heat nor full solves beside the films, 3 the
 # rolling moment of the solver's box, 4 an Eyring stress without the contact's pressure and a limit
-# that no stress came near, 5 values as they stand in memory
-FORMAT_VERSION = 6
+# that no stress came near, 5 values as they stand in memory, 6 few motions near their limits
+FORMAT_VERSION = 7
+EVEN_VERSION = 6  # which differs by its coordinates alone, and is read
 ARRAYS = ("axes", "scalars", "values")
 PARTS = ("contact", "range", "error", "full_solves")
-PLAIN = ("points", "kappa_max", "films", "converged", "message")
+PLAIN = ("points", "kappa_max", "films", "converged", "message", "spacing")
 # names of the types in a file of this format; they stay where a class moves or is renamed
 TYPES: dict[str, Any] = {
     "ehl.free_volume:DoolittleFreeVolume": DoolittleFreeVolume,
@@ -108,13 +109,17 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
     if not isinstance(document, dict) or document.get("format") != FORMAT:
         raise ValueError(f"{path}: no traction table")
     version = document.get("format_version")
-    if version != FORMAT_VERSION:
+    if version == EVEN_VERSION:
+        document["spacing"] = (0.0, 0.0)
+    elif version != FORMAT_VERSION:
         needed = f"this program reads {FORMAT_VERSION}; make the table again"
         raise ValueError(f"{path}: format version {version}, {needed}")
     try:
         parts = {name: _restored(document[name]) for name in PARTS}
         arrays["values"] = unpacked(arrays["values"], tuple(document["shape"]))
-        table = TractionTable(**parts, **arrays, **{name: document[name] for name in PLAIN})
+        plain = {name: document[name] for name in PLAIN}
+        plain["spacing"] = tuple(map(float, plain["spacing"]))
+        table = TractionTable(**parts, **arrays, **plain)
     except (KeyError, TypeError, AttributeError, ValueError, zlib.error) as problem:
         fault = "damaged, or written by another version of this program"
         raise ValueError(f"{path}: {fault}") from problem
