@@ -4,6 +4,7 @@ moments, tables.
 _block_kernels      - sums over the nodes of a film for many motions, compiled
 _kapitza_kernels    - integral of the pressure of rigid bodies, compiled
 _kernels            - sums over the nodes of a film, and lookups in a table, compiled
+_many_kernels       - sliding forces at thousands of motions, compiled
 atlas               - films and rolling moment of a contact from a table of solved ones
 coefficient_kernels - coefficients by the local sliding, each law whole: Coulomb, four constants
 film_quadrature     - quadrature over a solved film, and its sliding forces for many motions
@@ -11,6 +12,7 @@ heated              - shear of films that sliding heats
 instruments         - capacitance, breakdown voltage and sound of a solved film
 kapitza             - moment of rigid bodies' pressure, up to the meniscus of the oil
 laws                - friction of a rolling contact as a law: coefficients over the ellipse
+many_motions        - sliding forces of a film at thousands of motions
 oil_around          - gap of the oil beyond the box of a solve, up to its meniscus
 oil_extent          - gap of two circles, in which the oil of a contact ends
 quadrature          - rings and lines of nodes over the ellipse of Hertz

@@ -29,6 +29,7 @@ from ..film_quadrature import (
     strongest_nodes,
     transverse_axis,
 )
+from ..many_motions import many_sliding_forces, node_drags
 from ..shear import (
     bounded_viscosity,
     dimensional_conditions,
@@ -232,20 +233,29 @@ def line_history(places: Array) -> Array:
 
 
 def heated_forces(
-    film: HeatedFilm, slide: tuple[Array, Array, Array], rolling: Array, curvature: float
+    film: HeatedFilm,
+    slide: tuple[Array, Array, Array],
+    rolling: Array,
+    curvature: float,
+    *,
+    many: bool = False,
 ) -> Array:
     """F_x, F_y [N] and M_n, M_y [N m] on body 1 by sliding, for each of n motions, shape (n, 4).
 
-    slide, rolling and curvature as in `film_quadrature.sliding_forces` [m/s], [rad/s], [1/m].
+    slide, rolling and curvature as in `film_quadrature.sliding_forces` [m/s], [rad/s], [1/m];
+    many: as `many_sliding_forces`.
     """
-    forces = sliding_forces(film.low_pressure, slide, rolling, curvature)
+    outside = many_sliding_forces if many else sliding_forces
+    forces = outside(film.low_pressure, slide, rolling, curvature)
     lines = film.lines
+    drags = _line_drags(lines, (*slide, rolling), curvature, many)
     first, last, count = SLIDES
     axis = (np.log(first * lines.speed), (count - 1.0) / np.log(last / first))
     surface = (curvature, film.low_pressure.half_width)
     _kernels.factored_sums(
         (lines.nodes, lines.factors),
         kernel_rheology(lines.rheology)[:4],
+        drags,
         axis,
         (*slide, rolling),
         lines.ratio_weights(slide[0]),
@@ -253,6 +263,18 @@ def heated_forces(
         forces,
     )
     return forces
+
+
+def _line_drags(
+    lines: HeatedLines, motions: tuple[Array, Array, Array, Array], curvature: float, many: bool
+) -> tuple[Array, Array]:
+    """`node_drags` of the nodes of each line, shape (L, N, S); empty without many motions."""
+    each = lines.nodes.shape[0], lines.nodes.shape[2]
+    if not many:
+        return np.zeros((*each, 0)), np.zeros(0)
+    nodes = np.concatenate(list(lines.nodes), axis=1)
+    drags, squares = node_drags(nodes, lines.rheology, motions, curvature)
+    return drags.reshape(*each, squares.size), squares
 
 
 def _alike(first: Array, second: Array) -> bool:

@@ -18,21 +18,12 @@ from ...multigrid.threads import film_threads
 from .._kernels import LOAD_POWER
 from .coordinates import PLACE_PARTS, from_vertex, motion_of, spinning_scales, vertex_slide
 from .film import FilmSample, film_sample, relative_forces
-from .packing import rounded_values
+from .packing import mirrored, stored_values
 from .splines import left_out_error, spline_coefficients
-from .table import (
-    MIRROR,
-    TableContact,
-    TableError,
-    TableRange,
-    TractionTable,
-    latin_hypercube,
-    load_place,
-    mirrored_seam,
-)
+from .table import TableContact, TableError, TableRange, TractionTable, latin_hypercube, load_place
 
 # nodes of load, speed, slide_x, slide_y (its half above zero) and spin
-START = (13, 4, 47, 15, 27)
+START = (19, 4, 47, 15, 27)
 SCALE_DEGREES = (3, 2)  # of the scales over load and speed, chosen by trial [-]
 GROWTH = 1.4  # of the nodes of a motion
 
@@ -89,8 +80,8 @@ def build_table(
         if table.error.reached:
             break
         # more nodes on the axis whose values are worst predicted by their neighbours
-        mirrored = _mirrored(raw)[..., :2]
-        axis = int(np.argmax([left_out_error(mirrored, axis) for axis in range(5)]))
+        forces = mirrored(raw)[..., :2]
+        axis = int(np.argmax([left_out_error(forces, axis) for axis in range(5)]))
         n = study.counts[axis]
         study.counts[axis] = 2 * n - 1 if axis < 2 else int(np.ceil(GROWTH * n))
     return table
@@ -200,9 +191,6 @@ def _table(study: _Study) -> tuple[TractionTable, Array]:
     largest = _largest(raw)
     scalars = np.concatenate([_scalars(films), np.log(largest)], axis=-1)
     raw = raw / largest[..., None, None, None, [0, 0, 1, 2]]
-    # along slide_y of values with their mirror image, half of them stored, rounded as in a file
-    whole = spline_coefficients(_mirrored(raw), (0, 1, 2, 3, 4))
-    stored = rounded_values(mirrored_seam(whole[:, :, :, raw.shape[3] - 1 :]))
     unchecked = TableError(
         **dict.fromkeys(ERRORS, np.inf), films=0, motions=0, tolerance=study.options.tolerance
     )
@@ -212,7 +200,7 @@ def _table(study: _Study) -> tuple[TractionTable, Array]:
         points=study.options.points,
         axes=axes,
         scalars=spline_coefficients(scalars, (0, 1)),
-        values=stored,
+        values=stored_values(raw),  # rounded as in a file
         kappa_max=float((largest[..., 0] / _axis_loads(axes[0])[:, None]).max()),
         error=unchecked,
         films=len(study.films) + len(study.checks),
@@ -305,11 +293,6 @@ def _motions(study: _Study, film: FilmSample, places: Sequence[Array] | Array) -
     top = motion_of(x, scale_x, bounds[0], PLACE_PARTS[0])
     slide_x = from_vertex(top, vertex_slide(spin, contact, load), bounds[0])
     return [slide_x, motion_of(y, scale_y, bounds[1], PLACE_PARTS[1]), spin]
-
-
-def _mirrored(raw: Array) -> Array:
-    """Values mirrored at slide_y = 0: F_y and M_n change sign with slide_y and spin [-]."""
-    return np.concatenate([raw[:, :, :, :0:-1, ::-1] * np.array(MIRROR), raw], axis=3)
 
 
 def _checked(study: _Study, table: TractionTable) -> TableError:

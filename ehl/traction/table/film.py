@@ -14,9 +14,9 @@ from ...options import SolverOptions
 from ...solution import ContactSolution
 from ..film_quadrature import FilmQuadrature, film_quadrature, sliding_forces
 from ..heated.film import HeatedFilm, heated_film, heated_forces
+from ..many_motions import many_sliding_forces
 from ..response.normal import NormalResponse, normal_response
 from ..rolling_moment import rolling_moment
-from .many_motions import many_sliding_forces
 from .table import TableContact, TableRange
 
 # of the motion where the traction has risen by half, along, across and of spin: the scale there
@@ -43,10 +43,10 @@ class TableFilm:
         many: bool = False,
     ) -> Array:
         """F_x, F_y [N] and M_n, M_y [N m] on body 1 by sliding, as `sliding_forces`; many: as
-        `many_sliding_forces`, where the film has no heat.
+        `many_sliding_forces`.
         """
         if isinstance(self.quadrature, HeatedFilm):
-            return heated_forces(self.quadrature, slide, rolling, curvature)
+            return heated_forces(self.quadrature, slide, rolling, curvature, many=many)
         forces = many_sliding_forces if many else sliding_forces
         return forces(self.quadrature, slide, rolling, curvature)
 

@@ -30,7 +30,6 @@ from ..laws import TractionForces
 from .packing import Numbers, Values, whole_numbers
 from .splines import spline_weights
 
-MIRROR = (1.0, -1.0, -1.0, 1.0)  # signs of F_x, F_y, M_n, M_y where slide_y and spin change theirs
 # bits of the kernel
 FLAGS = ("load below", "load above", "speed below", "speed above", "slide_x", "slide_y", "spin")
 
@@ -153,7 +152,7 @@ class TractionTable:
     # slide_y the half above zero; shape (5, 3)
     axes: Array
     scalars: Array  # shape (nQ + 2, nU + 2, 10)
-    values: Values  # of `rounded_values`, shape (nQ + 2, nU + 2, nX + 2, nY + 2, nS + 2, 4)
+    values: Values  # of `stored_values`, shape (nQ + 2, nU + 2, nX + 2, nY + 2, nS + 2, 4)
     kappa_max: float  # largest coefficient of sliding of all films, at the smallest loads [-]
     error: TableError
     films: int  # solved in all, with those of the check
@@ -216,20 +215,3 @@ class TractionTable:
 def load_place(load: float) -> float:
     """Coordinate of a load [N] on its axis [N^(-1/5)]."""
     return float(-(load**LOAD_POWER))
-
-
-def mirrored_seam(values: Array) -> Array:
-    """Coefficients whose half at slide_y above zero and its mirror image, which is not stored,
-    meet smoothly [-].
-
-    A film is symmetric in y but for the error of its solution, and what would vanish by symmetry
-    without slide_y and spin, F_y and M_n, jumped there from a value to its opposite. The
-    coefficients at slide_y = 0 become the mean with their mirror image, those before it the mirror
-    image of those behind it: the spline has two continuous derivatives. values: shaped as those
-    of `TractionTable`.
-    """
-    before, at = (np.array(MIRROR) * values[:, :, :, k, ::-1] for k in (2, 1))
-    joined = values.copy()
-    joined[:, :, :, 0] = before
-    joined[:, :, :, 1] = 0.5 * (at + values[:, :, :, 1])
-    return joined

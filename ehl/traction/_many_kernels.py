@@ -8,9 +8,9 @@ off the bits of a number, and between them the drag is a straight line: exact wh
 
 import numpy as np
 
-from ...compiled import compiled
-from ...oil._rheology_kernels import shear_stress
-from .._block_kernels import (
+from ..compiled import compiled
+from ..oil._rheology_kernels import shear_stress
+from ._block_kernels import (
     BLOCK,
     F_X,
     PULL,
@@ -21,7 +21,7 @@ from .._block_kernels import (
     load_block,
     slide_block,
 )
-from .._kernels import AREA, FILM, LIMIT, SPREAD_X, SPREAD_Y, VISCOSITY, X, Y
+from ._kernels import AREA, FILM, LIMIT, SPREAD_X, SPREAD_Y, VISCOSITY, X, Y
 
 SHIFT = 49  # bits of a mantissa of 52 that are not the first three
 STEP = 1 << SHIFT
@@ -60,19 +60,25 @@ def _tabulated_pulls(room, drag, first, ends):
 
 
 @compiled
-def tabulated_sums(nodes, drags, squares, motions, surface, out):
-    """`sliding_sums_many` by drags of `node_drags`."""
+def tabulated_block(nodes, drags, squares, surface, room):
+    """`block_sums` by drags of `node_drags` at these squares."""
+    room[F_X:ROOM] = 0.0
     curvature, width = surface
     first = np.float64(squares[0]).view(np.int64) >> SHIFT
     ends = (np.sqrt(squares[0] / INSIDE), np.sqrt(squares[squares.size - 1] * INSIDE))
+    for n in range(nodes.shape[1]):
+        x, y = nodes[X, n], nodes[Y, n]
+        spreads = (nodes[SPREAD_X, n], nodes[SPREAD_Y, n])
+        slide_block(room, (x, y, nodes[AREA, n], *spreads), surface)
+        _tabulated_pulls(room, drags[n], first, ends)
+        add_pulls(room, x, y, curvature * min(y * y, width * width))
+
+
+@compiled
+def tabulated_sums(nodes, drags, squares, motions, surface, out):
+    """`sliding_sums_many` by drags of `node_drags`."""
     room = np.empty(ROOM)
     for start in range(0, motions[0].size, BLOCK):
         count = load_block(motions, start, room)
-        room[F_X:ROOM] = 0.0
-        for n in range(nodes.shape[1]):
-            x, y = nodes[X, n], nodes[Y, n]
-            spreads = (nodes[SPREAD_X, n], nodes[SPREAD_Y, n])
-            slide_block(room, (x, y, nodes[AREA, n], *spreads), surface)
-            _tabulated_pulls(room, drags[n], first, ends)
-            add_pulls(room, x, y, curvature * min(y * y, width * width))
+        tabulated_block(nodes, drags, squares, surface, room)
         add_block(room, start, count, out)

@@ -6,7 +6,7 @@ import pytest
 from ehl.oil._rheology_kernels import shear_stress
 from ehl.oil.rheology import Rheology, ShearLaw, kernel_rheology
 from ehl.traction.film_quadrature import FilmQuadrature, sliding_forces
-from ehl.traction.table.many_motions import many_sliding_forces
+from ehl.traction.many_motions import many_sliding_forces
 
 LAWS = {
     "newtonian": Rheology(),
