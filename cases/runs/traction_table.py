@@ -12,7 +12,7 @@ from ehl import Lubricant, SolverOptions
 from ehl.multigrid.threads import cores
 from ehl.oil.rheology import Rheology
 from ehl.traction.table.atlas_film import atlas_sampler
-from ehl.traction.table.build import START, FilmSampler, TableOptions
+from ehl.traction.table.build import FilmSampler, TableOptions
 from ehl.traction.table.film import film_sample
 from ehl.traction.table.full_solves import full_solves
 from ehl.traction.table.table import TableRange
@@ -98,7 +98,7 @@ class TableWish:
         """How to build it; a coarse one begins with fewer nodes."""
         if not 0.0 < self.tolerance < 1.0:
             raise CaseError(f"--tolerance: {self.tolerance} must lie between 0 and 1")
-        nodes = COARSE_NODES if self.tolerance >= COARSE else START
+        nodes = COARSE_NODES if self.tolerance >= COARSE else None
         return TableOptions(
             points=points,
             workers=workers or cores(),

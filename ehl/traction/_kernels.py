@@ -22,12 +22,20 @@ COLUMNS = 4
 SCALE_X, SCALE_Y, SCALE_SPIN, CENTRAL_FILM, HYDRODYNAMIC = range(5)
 STIFFNESS, DAMPING, LARGEST_FORCE, LARGEST_SPIN, LARGEST_ROLLING = range(5, 10)
 # of a table's constants: bodies, range of the motions, transverse semi-axis at 1 N, 1/(2R), unit
-# of its whole numbers
+# of its whole numbers, semi-axis along the rolling direction at 1 N, `TractionTable.spacing`
 RADIUS_X, DIFFERENCE, RANGE_X, RANGE_Y, RANGE_SPIN, UNIT_AXIS, CURVATURE, VALUE_UNIT = range(8)
+UNIT_AXIS_X, SPACING_LIMIT, SPACING_SPIN = range(8, 11)
 # of the shape of an ellipse: semi-axes at 1 N, R_x, 1/(2R), curvature difference of the bodies
 SHAPE_AXIS_X, SHAPE_AXIS_Y, SHAPE_RADIUS_X, SHAPE_CURVATURE, SHAPE_DIFFERENCE = range(5)
 LOAD_POWER = -0.2  # of the load in its coordinate
-SPIN_SHARE = 0.3  # of the sliding by spin at the end of the ellipse in the scale of slide_x
+# chosen by trial on tables with heat of both races of a 6208 [-]: the sliding by spin at the end
+# of the ellipse in the scale of slide_x, and of slide_y; the further part of a place
+SPIN_SHARE = 0.3
+SPIN_SHARE_Y = 0.15
+LIMIT_SHARE = 0.15
+STANDING = 2.0  # slide over the entrainment speed at which one body stands still [-]
+# twice the shift of slide_x over its reach stays below the inverse: chosen, any above 1 will do
+SHIFT_MARGIN = 1.1 * 2.0
 TINY = np.finfo(np.float64).tiny
 # flags of what lies outside a table's range
 BELOW_LOAD, ABOVE_LOAD, BELOW_SPEED, ABOVE_SPEED = (1 << bit for bit in range(4))
@@ -72,9 +80,12 @@ def vertex_slide(spin, b_axis, radius_x, curvature):
 
 
 @compiled
-def _scaled(motion, scale, limit, axis):
-    """Place of a motion on its axis, at most the end, and whether it lies beyond it."""
+def _scaled(motion, scale, limit, axis, part, weight):
+    """Place of a motion on its axis, at most the end, and whether it lies beyond it; part: the
+    further one by its weight, see `table.coordinates`.
+    """
     share = inverse_sine(abs(motion) / scale) / inverse_sine(limit / scale)
+    share = (1.0 - weight) * share + weight * part
     place, side = _clamped(np.copysign(share, motion), axis)
     return place, side != 0
 
@@ -103,20 +114,45 @@ def _film_value(film, column):
 
 
 @compiled
+def _standing_part(size):
+    """See `table.coordinates.standing_part`."""
+    return 1.0 - np.sqrt(1.0 - min(size / STANDING, 1.0))
+
+
+@compiled
+def _fading_shift(shift, slide, limit):
+    """What `table.coordinates.at_vertex` adds to a slide."""
+    reach = min(limit, STANDING)
+    share = min(abs(slide) / reach, 1.0)
+    over = (SHIFT_MARGIN * shift / reach) ** 2
+    over = over * over * over * over
+    return shift / np.sqrt(np.sqrt(np.sqrt(1.0 + over))) * (1.0 - share * share)
+
+
+@compiled
 def _motion_places(film, axes, constants, motions, load):
     """Places of slide_x and slide_y over u and spin over u/R_x on their axes, by the scales of the
     film, and the flags of those beyond.
     """
     slide_x, slide_y, turn = motions
-    b_axis = constants[UNIT_AXIS] * np.cbrt(load)
-    top = slide_x + vertex_slide(turn, b_axis, constants[RADIUS_X], constants[CURVATURE])
+    root = np.cbrt(load)
+    b_axis = constants[UNIT_AXIS] * root
+    weight = constants[SPACING_LIMIT]
+    limit_x = constants[RANGE_X]
+    limit_y = constants[RANGE_Y]
+    shift = vertex_slide(turn, b_axis, constants[RADIUS_X], constants[CURVATURE])
+    top = slide_x + (_fading_shift(shift, slide_x, limit_x) if weight > 0.0 else shift)
     scale = _motion_scale(_film_value(film, SCALE_X), turn, b_axis, constants)
-    x, beyond = _scaled(top, scale, constants[RANGE_X], axes[2])
-    flag = SLIDE_X if beyond else 0
-    y, beyond = _scaled(slide_y, _film_value(film, SCALE_Y), constants[RANGE_Y], axes[3])
-    flag += SLIDE_Y if beyond else 0
-    n, beyond = _scaled(turn, _film_value(film, SCALE_SPIN), constants[RANGE_SPIN], axes[4])
-    return x, y, n, flag + (SPIN if beyond else 0)
+    part = _standing_part(min(abs(top), limit_x)) / _standing_part(limit_x)
+    x, beyond_x = _scaled(top, scale, limit_x, axes[2], part, weight)
+    spread = constants[SPACING_SPIN] * turn * constants[UNIT_AXIS_X] * root / constants[RADIUS_X]
+    scale = np.hypot(_film_value(film, SCALE_Y), spread)
+    part = min(abs(slide_y) / limit_y, 1.0)
+    y, beyond_y = _scaled(slide_y, scale, limit_y, axes[3], part, weight)
+    scale = _film_value(film, SCALE_SPIN)
+    n, beyond_n = _scaled(turn, scale, constants[RANGE_SPIN], axes[4], 0.0, 0.0)
+    flag = (SLIDE_X if beyond_x else 0) + (SLIDE_Y if beyond_y else 0)
+    return x, y, n, flag + (SPIN if beyond_n else 0)
 
 
 def _row_sums():
@@ -190,8 +226,8 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
     table's range.
 
     axes, shape (5, 3): start, nodes per unit, nodes of -load^LOAD_POWER, ln(speed), and the three
-    scaled motions. constants, shape (8,), and scalars, shape (nQ + 2, nU + 2, 10): as named above.
-    values, shape (nX + 2, nY + 2, nS + 2, nQ + 2, nU + 2, 4), whole numbers. Both are
+    scaled motions. constants, shape (11,), and scalars, shape (nQ + 2, nU + 2, 10): as named
+    above. values, shape (nX + 2, nY + 2, nS + 2, nQ + 2, nU + 2, 4), whole numbers. Both are
     B-spline coefficients. out, 8 numbers: F_x, F_y on body 1 [N], M_n, M_y on body 1 [N m], power
     lost [W], central film [m], stiffness [N/m], damping [N s/m]. Outside, the nearest place in the
     table counts, forces per load, below the speeds the hydrodynamic moment in proportion to them.

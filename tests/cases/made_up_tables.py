@@ -6,7 +6,7 @@ import numpy as np
 
 from bearing import solve_quasistatic
 from bearing.friction.race_tables import table_contacts, table_range
-from ehl.traction.table.packing import rounded_values
+from ehl.traction.table.packing import stored_values
 from ehl.traction.table.table import TableError, TractionTable
 
 NODES = (4, 4, 9, 5, 9)
@@ -30,7 +30,7 @@ def made_up_tables(case, seed=70441):
             points=65,
             axes=axes,
             scalars=rng.normal(size=(6, 6, 10)),
-            values=rounded_values(rng.normal(size=(*(n + 2 for n in NODES), 4))),
+            values=stored_values(rng.normal(size=(*NODES, 4))),
             kappa_max=0.05,
             error=NO_ERROR,
             films=16,

@@ -49,6 +49,7 @@ TEMPERATURE, SOFTENING, FALL, SPREAD_X, SPREAD_Y, CAPACITY, CONDUCTIVITY = range
 STRESS_TOLERANCE = 2e-4  # of the stress of a node, relative
 HEAT_STEPS = 20  # of Newton's method for the heat of a node at most
 SMALL_LOADING = 1e-3  # X up to which ln(g) is 2 X/3, to 2e-4 of it
+NEAREST = 4  # neighbouring slide-roll ratios whose factors count at a motion
 
 
 @compiled
@@ -196,11 +197,20 @@ def line_factors(film, law, responses, slides, out):
 
 
 @compiled
-def factor_at(factors, weights, place):
+def first_weighted(weights):
+    """First of `NEAREST` neighbours that hold all weights which are not zero."""
+    first = 0
+    while first < weights.size - NEAREST and weights[first] == 0.0:
+        first += 1
+    return first
+
+
+@compiled
+def factor_at(factors, weights, near, place):
     """A line's factor at a place of the sliding speed counted in nodes: cubics through the four
     nearest nodes, of the weighted sum over the responses.
 
-    factors, shape (R, S); weights, shape (R,).
+    factors, shape (R, S); weights, shape (R,), near: `first_weighted` of them.
     """
     count = factors.shape[1]
     place = min(max(place, 0.0), count - 1.0)
@@ -211,11 +221,10 @@ def factor_at(factors, weights, place):
     w_2 = -t * (t - 1.0) * (t - 3.0) / 2.0
     w_3 = t * (t - 1.0) * (t - 2.0) / 6.0
     total = 0.0
-    for r in range(weights.size):
-        if weights[r] != 0.0:
-            row = factors[r]
-            here = w_0 * row[i] + w_1 * row[i + 1] + w_2 * row[i + 2] + w_3 * row[i + 3]
-            total += weights[r] * here
+    for r in range(near, near + NEAREST):
+        row = factors[r]
+        here = w_0 * row[i] + w_1 * row[i + 1] + w_2 * row[i + 2] + w_3 * row[i + 3]
+        total += weights[r] * here
     return total
 
 
@@ -231,8 +240,11 @@ def factored_sums(lines, law, axis, motions, weights, surface, out):
     """
     nodes, factors = lines
     room = np.empty(ROOM)
+    near = np.empty(BLOCK, dtype=np.int64)
     for first in range(0, motions[0].size, BLOCK):
         count = load_block(motions, first, room)
+        for n in range(count):
+            near[n] = first_weighted(weights[first + n])
         for k in range(nodes.shape[0]):
             block_sums(nodes[k], law, surface, room)
             area = max(nodes[k, COLD_AREA].sum(), TINY)
@@ -240,7 +252,7 @@ def factored_sums(lines, law, axis, motions, weights, surface, out):
                 # root mean square of the sliding over the area of the line's nodes
                 slide = np.sqrt(room[SQUARES + n] / area)
                 place = (np.log(max(slide, TINY)) - axis[0]) * axis[1]
-                factor = factor_at(factors[k], weights[first + n], place)
+                factor = factor_at(factors[k], weights[first + n], near[n], place)
                 out[first + n, 0] += factor * room[F_X + n]
                 out[first + n, 1] += factor * room[F_Y + n]
                 out[first + n, 2] += factor * room[M_N + n]

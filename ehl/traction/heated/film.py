@@ -45,6 +45,7 @@ SOFTENING_STEP = 0.5  # [K], half of that of the difference quotient
 SLIDE_RATIOS = (0.0, 0.5, 1.1, 1.5, 1.8, 1.95, 2.0, 2.2)
 # sliding speeds of the factors over that of entrainment, and their number, even in the logarithm
 SLIDES = (1e-4, 4.0, 28)
+ALIKE = 1e-9  # relative difference of numbers that count as equal
 FALL_SPAN = 100.0  # [K] above the film's own temperature, where the fall of the softening is taken
 
 
@@ -88,12 +89,19 @@ class HeatedLines:
         """
         slides = self.speed * np.geomspace(*SLIDES)
         responses = self.wall_response(_ratio_nodes() * self.speed)
-        out = np.empty((self.span.size, responses.shape[0], slides.size))
-        film = (self.lines, self.span, self.history)
+        # once where lines are mirror images of each other, and where both bodies are alike
+        mirrored = _alike(self.lines[..., 2:], self.lines[::-1, :, 2:])
+        lines = (self.span.size + 1) // 2 if mirrored else self.span.size
+        swapped = _alike(responses, responses[::-1, ::-1])
+        first = len(SLIDE_RATIOS) - 1 if swapped else 0
+        film = (self.lines[:lines], self.span[:lines], self.history)
         law, *constants = kernel_rheology(self.rheology)
         numbers = (law, *map(float, constants))
-        _kernels.line_factors(film, (numbers[:4], numbers[4:]), responses, slides, out)
-        return out
+        out = np.empty((lines, responses.shape[0] - first, slides.size))
+        _kernels.line_factors(film, (numbers[:4], numbers[4:]), responses[first:], slides, out)
+        if swapped:
+            out = np.concatenate([out[:, :0:-1], out], axis=1)
+        return np.concatenate([out, out[self.span.size - lines - 1 :: -1]]) if mirrored else out
 
     def ratio_weights(self, slide_x: Array) -> Array:
         """Weights of the factors' slide-roll ratios at n sliding speeds [m/s], shape (n, R) [-].
@@ -245,6 +253,10 @@ def heated_forces(
         forces,
     )
     return forces
+
+
+def _alike(first: Array, second: Array) -> bool:
+    return bool(np.allclose(first, second, rtol=ALIKE, atol=0.0))
 
 
 def _ratio_nodes() -> Array:

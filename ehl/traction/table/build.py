@@ -16,25 +16,17 @@ import numpy as np
 from ...arrays import Array
 from ...multigrid.threads import film_threads
 from .._kernels import LOAD_POWER
+from .coordinates import PLACE_PARTS, from_vertex, motion_of, spinning_scales, vertex_slide
 from .film import FilmSample, film_sample, relative_forces
-from .packing import rounded_values
+from .packing import mirrored, stored_values
 from .splines import left_out_error, spline_coefficients
-from .table import (
-    MIRROR,
-    TableContact,
-    TableError,
-    TableRange,
-    TractionTable,
-    latin_hypercube,
-    load_place,
-    mirrored_seam,
-    motion_of,
-    spinning_scale,
-    vertex_slide,
-)
+from .table import TableContact, TableError, TableRange, TractionTable, latin_hypercube, load_place
 
-# nodes of load, speed, slide_x, slide_y (its half above zero) and spin
+# nodes of load, speed, slide_x, slide_y (its half above zero) and spin, of films without and with
+# heat, whose tractions bend more over the load and near a slide-roll ratio of 2
 START = (12, 4, 41, 15, 27)
+HEATED_START = (19, 4, 47, 15, 27)
+SCALE_DEGREES = (3, 2)  # of the scales over load and speed, chosen by trial [-]
 GROWTH = 1.4  # of the nodes of a motion
 NARROW_LOADS = 6  # fewest nodes of a narrow range of loads
 NARROW_STEP = 0.2  # ln(load) between them
@@ -59,8 +51,9 @@ class TableOptions:
     seed: int = 52163  # of the random places of the check
     # solves the film of a place, as `film_sample`; a store of films takes its place
     sample: FilmSampler = film_sample
-    # of load, speed, slide_x, slide_y (its half above zero) and spin to begin with, 4 at least
-    nodes: tuple[int, int, int, int, int] = START
+    # of load, speed, slide_x, slide_y (its half above zero) and spin to begin with, 4 at least;
+    # None: `START` or, with heat, `HEATED_START`
+    nodes: tuple[int, int, int, int, int] | None = None
     narrow: bool = False  # fewer of load to begin with where its range is narrow
 
 
@@ -93,8 +86,8 @@ def build_table(
         if table.error.reached:
             break
         # more nodes on the axis whose values are worst predicted by their neighbours
-        mirrored = _mirrored(raw)[..., :2]
-        axis = int(np.argmax([left_out_error(mirrored, axis) for axis in range(5)]))
+        forces = mirrored(raw)[..., :2]
+        axis = int(np.argmax([left_out_error(forces, axis) for axis in range(5)]))
         n = study.counts[axis]
         study.counts[axis] = 2 * n - 1 if axis < 2 else int(np.ceil(GROWTH * n))
     return table
@@ -109,12 +102,13 @@ def _study(
     contact: TableContact, limits: TableRange, options: TableOptions, progress: Progress | None
 ) -> _Study:
     """With the films of the check, at random places between the nodes."""
+    nodes = options.nodes or (START if contact.solids is None else HEATED_START)
     study = _Study(
         contact=contact,
         range=limits,
         options=options,
         progress=progress or (lambda done, total, state: None),
-        counts=[_first_loads(options, limits), *options.nodes[1:]],
+        counts=[_first_loads(nodes[0], options.narrow, limits), *nodes[1:]],
     )
     ends = np.array([[log(end) for end in ends] for ends in (limits.load, limits.speed)])
     places = latin_hypercube(ends, options.check_films, np.random.default_rng(options.seed)).T
@@ -122,12 +116,12 @@ def _study(
     return study
 
 
-def _first_loads(options: TableOptions, limits: TableRange) -> int:
+def _first_loads(most: int, narrow: bool, limits: TableRange) -> int:
     """Nodes of load to begin with."""
-    if not options.narrow:
-        return options.nodes[0]
+    if not narrow:
+        return most
     steps = ceil(log(limits.load[1] / limits.load[0]) / NARROW_STEP)
-    return min(options.nodes[0], max(NARROW_LOADS, 1 + steps))
+    return min(most, max(NARROW_LOADS, 1 + steps))
 
 
 def _solve(
@@ -178,11 +172,31 @@ def _grid_films(study: _Study, axes: Array) -> list[list[FilmSample]]:
     return [[study.films[keys[place]] for place in row] for row in rows]
 
 
+def _with_smooth_scales(films: list[list[FilmSample]], axes: Array) -> list[list[FilmSample]]:
+    """Films with scales of the motions that change slowly over load and speed: polynomials of
+    `SCALE_DEGREES` in both coordinates through their logarithms, by least squares.
+
+    Where a film turns from rolling in oil to a flat contact its own scale falls a hundredfold, and
+    so would move all else along its axis.
+    """
+    loads, speeds = (np.linspace(-1.0, 1.0, int(axis[2])) for axis in axes[:2])
+    terms = np.polynomial.legendre.legvander2d(
+        np.repeat(loads, speeds.size), np.tile(speeds, loads.size), SCALE_DEGREES
+    )
+    known = np.log([film.scales for row in films for film in row])
+    fitted = np.exp(terms @ np.linalg.lstsq(terms, known, rcond=None)[0])
+    scales = fitted.reshape(loads.size, speeds.size, 3)
+    return [
+        [replace(film, scales=tuple(own)) for film, own in zip(row, rows, strict=True)]
+        for row, rows in zip(films, scales.tolist(), strict=True)
+    ]
+
+
 def _table(study: _Study) -> tuple[TractionTable, Array]:
     """The table of the present nodes with its error, and its values at the nodes."""
     # 1. forces and moments of all films at all motions
     axes = _axes(study)
-    films = _grid_films(study, axes)
+    films = _with_smooth_scales(_grid_films(study, axes), axes)
     study.progress(len(study.films), len(study.films), "shear")
     every = [film for row in films for film in row]
     with film_threads(study.options.workers) as pool:
@@ -192,9 +206,6 @@ def _table(study: _Study) -> tuple[TractionTable, Array]:
     largest = _largest(raw)
     scalars = np.concatenate([_scalars(films), np.log(largest)], axis=-1)
     raw = raw / largest[..., None, None, None, [0, 0, 1, 2]]
-    # along slide_y of values with their mirror image, half of them stored, rounded as in a file
-    whole = spline_coefficients(_mirrored(raw), (0, 1, 2, 3, 4))
-    stored = rounded_values(mirrored_seam(whole[:, :, :, raw.shape[3] - 1 :]))
     unchecked = TableError(
         **dict.fromkeys(ERRORS, np.inf), films=0, motions=0, tolerance=study.options.tolerance
     )
@@ -204,7 +215,7 @@ def _table(study: _Study) -> tuple[TractionTable, Array]:
         points=study.options.points,
         axes=axes,
         scalars=spline_coefficients(scalars, (0, 1)),
-        values=stored,
+        values=stored_values(raw),  # rounded as in a file
         kappa_max=float((largest[..., 0] / _axis_loads(axes[0])[:, None]).max()),
         error=unchecked,
         films=len(study.films) + len(study.checks),
@@ -290,16 +301,13 @@ def _values(study: _Study, film: FilmSample, axes: Array) -> Array:
 def _motions(study: _Study, film: FilmSample, places: Sequence[Array] | Array) -> list[Array]:
     """Motions over u, u and u/R_x at places on a table's axes, flat [-]."""
     x, y, n = (part.ravel() for part in places)
-    bound_x, bound_y, bound_n = study.range.motions
-    spin = motion_of(n, film.scales[2], bound_n)
-    scale_x = spinning_scale(film.scales[0], spin, study.contact, film.load)
-    slide_x = motion_of(x, scale_x, bound_x) - vertex_slide(spin, study.contact, film.load)
-    return [slide_x, motion_of(y, film.scales[1], bound_y), spin]
-
-
-def _mirrored(raw: Array) -> Array:
-    """Values mirrored at slide_y = 0: F_y and M_n change sign with slide_y and spin [-]."""
-    return np.concatenate([raw[:, :, :, :0:-1, ::-1] * np.array(MIRROR), raw], axis=3)
+    bounds = study.range.motions
+    contact, load = study.contact, film.load
+    spin = motion_of(n, film.scales[2], bounds[2], PLACE_PARTS[2])
+    scale_x, scale_y = spinning_scales(film.scales[:2], spin, contact, load)
+    top = motion_of(x, scale_x, bounds[0], PLACE_PARTS[0])
+    slide_x = from_vertex(top, vertex_slide(spin, contact, load), bounds[0])
+    return [slide_x, motion_of(y, scale_y, bounds[1], PLACE_PARTS[1]), spin]
 
 
 def _checked(study: _Study, table: TractionTable) -> TableError:

@@ -1,27 +1,66 @@
-"""Values of a table as whole numbers of a step, and those packed for a file.
+"""Values of a table: rounded at the nodes, as coefficients of splines, as the whole numbers that
+lookups take, and packed for a file.
 
-Splines over evenly spaced nodes are smooth: differences of whole numbers along the motions are
-small, and as bytes of the same significance side by side they take a sixth of the room.
+A file has what is independent only, the values at the nodes: splines over them have 1.7 to 2
+times as many coefficients, which follow. Over evenly spaced nodes values are smooth: differences
+of whole numbers along the motions are small, and as bytes of the same significance side by side,
+those of neighbouring films together, they take an eighth of the room of single precision.
 """
 
+import bz2
 import zlib
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
+from .splines import node_values, spline_coefficients, spline_matrix
 
-# of the largest force or moment of a film [-]: the rounding is 0.015 of the tolerance of tables
-VALUE_STEP = 3e-4
+# of the largest force or moment of a film [-]: the rounding is 0.0075 of the tolerance of tables
+VALUE_STEP = 1.5e-4
+EVEN_STEP = 3e-4  # of the coefficients in files of version 6 [-]
+ON_STEP = (
+    0.1  # of a step, from its whole numbers, what is rounded to single precision stays within
+)
+FILE_ORDER = (5, 2, 3, 4, 0, 1)  # of the axes: forces and moments apart, load and speed last
 DIFFERENCED = (4, 3, 2)  # axes, spin first; of further ones differences are no smaller
+MIRROR = (1.0, -1.0, -1.0, 1.0)  # signs of F_x, F_y, M_n, M_y where slide_y and spin change theirs
+ALL_AXES = (0, 1, 2, 3, 4)
+ACROSS = 3  # axis of slide_y
 Values = NDArray[np.float32]
 Numbers = NDArray[np.int16]
+Integers = NDArray[np.int32]
 LARGEST_NUMBER = np.iinfo(np.int16).max
 
 
-def rounded_values(values: Array) -> Values:
-    """The nearest whole numbers of `VALUE_STEP` [-]."""
-    return (np.rint(values / VALUE_STEP) * VALUE_STEP + 0.0).astype(np.float32)  # no negative zero
+def mirrored(values: Array) -> Array:
+    """Values at slide_y from zero on with their mirror image below: F_y and M_n change sign with
+    slide_y and spin [-].
+    """
+    return np.concatenate([values[:, :, :, :0:-1, ::-1] * np.array(MIRROR), values], axis=3)
+
+
+def stored_values(values: Array) -> Values:
+    """Spline coefficients of values at the nodes, shape (nQ, nU, nX, nY, nS, 4), each rounded to a
+    whole number of `VALUE_STEP` [-].
+
+    A film is symmetric in y but for the error of its solution: at slide_y = 0 the mean with the
+    mirror image counts, else what vanishes by symmetry, F_y and M_n, would jump there from a value
+    to its opposite.
+    """
+    seam = values[:, :, :, 0]
+    mean = 0.5 * (seam + seam[:, :, :, ::-1] * np.array(MIRROR))
+    joined = np.concatenate([mean[:, :, :, None], values[:, :, :, 1:]], axis=3)
+    return _coefficients(np.rint(joined / VALUE_STEP).astype(np.int32))
+
+
+def _coefficients(numbers: Integers) -> Values:
+    """Of the splines through whole numbers of `VALUE_STEP` and their mirror image [-]."""
+    count = numbers.shape[ACROSS]
+    halves = spline_coefficients(numbers.astype(np.float64) * VALUE_STEP, (0, 1, 2, 4))
+    above = spline_matrix(2 * count - 1)[count - 1 :]
+    half = np.moveaxis(np.tensordot(above, mirrored(halves), axes=(1, ACROSS)), 0, ACROSS)
+    return half.astype(np.float32) + np.float32(0.0)  # no negative zero
 
 
 def whole_numbers(values: Values) -> tuple[Numbers, float]:
@@ -34,20 +73,41 @@ def whole_numbers(values: Values) -> tuple[Numbers, float]:
 
 
 def packed(values: Values) -> NDArray[np.uint8]:
-    """Bytes of values of `rounded_values`; ValueError for others [-]."""
-    numbers = np.rint(values.astype(np.float64) / VALUE_STEP).astype(np.int32)
-    if not np.array_equal((numbers * VALUE_STEP).astype(np.float32), values):
-        raise ValueError("values must be whole numbers of VALUE_STEP")
+    """Bytes of values of `stored_values`; ValueError for others [-]."""
+    steps = node_values(values.astype(np.float64), ALL_AXES) / VALUE_STEP
+    numbers = np.rint(steps).astype(np.int32)
+    if not np.abs(steps - numbers).max() < ON_STEP:
+        raise ValueError("values at the nodes must be whole numbers of VALUE_STEP")
     for axis in DIFFERENCED:
         numbers = np.diff(numbers, axis=axis, prepend=np.int32(0))
-    planes = np.ascontiguousarray(numbers).view(np.uint8).reshape(-1, 4).T
-    return np.frombuffer(zlib.compress(np.ascontiguousarray(planes).tobytes(), 6), dtype=np.uint8)
+    turned = np.ascontiguousarray(np.transpose(numbers, FILE_ORDER))
+    planes = np.ascontiguousarray(turned.view(np.uint8).reshape(-1, 4).T)
+    return np.frombuffer(bz2.compress(planes.tobytes()), dtype=np.uint8)
 
 
 def unpacked(data: NDArray[np.uint8], shape: tuple[int, ...]) -> Values:
-    """The inverse of `packed`; ValueError or zlib.error where the bytes are not of that shape."""
-    planes = np.frombuffer(zlib.decompress(data.tobytes()), dtype=np.uint8).reshape(4, -1)
-    numbers = np.ascontiguousarray(planes.T).view(np.int32).reshape(shape)
+    """The inverse of `packed`, by the shape of the values; ValueError, OSError or zlib.error where
+    the bytes are not of that shape.
+    """
+    nodes = (*(count - 2 for count in shape[:5]), *shape[5:])
+    turned = _numbers(bz2.decompress(data.tobytes()), tuple(nodes[k] for k in FILE_ORDER))
+    return _coefficients(_summed(np.transpose(turned, np.argsort(FILE_ORDER))))
+
+
+def unpacked_coefficients(data: NDArray[np.uint8], shape: tuple[int, ...]) -> Values:
+    """As `unpacked`, of files of version 6, which have the coefficients themselves."""
+    numbers = _summed(_numbers(zlib.decompress(data.tobytes()), shape))
+    return (numbers * EVEN_STEP).astype(np.float32)
+
+
+def _numbers(data: bytes, shape: tuple[int, ...]) -> Integers:
+    """Whole numbers from bytes of the same significance side by side."""
+    planes = np.frombuffer(data, dtype=np.uint8).reshape(4, -1)
+    return np.ascontiguousarray(planes.T).view(np.int32).reshape(shape)
+
+
+def _summed(numbers: Integers) -> Integers:
+    """From differences along the motions."""
     for axis in reversed(DIFFERENCED):
         numbers = np.cumsum(numbers, axis=axis, dtype=np.int32)
-    return (numbers * VALUE_STEP).astype(np.float32)
+    return numbers

@@ -35,6 +35,14 @@ def spline_coefficients(values: Array, axes: tuple[int, ...]) -> Array:
     return np.ascontiguousarray(values)
 
 
+def node_values(coefficients: Array, axes: tuple[int, ...]) -> Array:
+    """Values at the nodes [same unit], inverse of `spline_coefficients`."""
+    for axis in axes:
+        c = np.moveaxis(coefficients, axis, 0)
+        coefficients = np.moveaxis((c[:-2] + 4.0 * c[1:-1] + c[2:]) / 6.0, 0, axis)
+    return np.ascontiguousarray(coefficients)
+
+
 def spline_weights(place: float, nodes: int) -> tuple[int, Array]:
     """First coefficient and weights [-], shape (4,), at a place counted in nodes [-]."""
     i = min(max(int(np.floor(place)), 0), nodes - 2)

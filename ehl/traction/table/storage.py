@@ -22,17 +22,19 @@ from ...oil.lubricant import DensityLaw, Lubricant, ThermalProperties, Viscosity
 from ...oil.pressure_laws import PressureModulus, ScaledVolume
 from ...oil.rheology import Rheology, ShearLaw
 from ...solid.heat import SolidThermal
-from .packing import packed, unpacked
+from .packing import packed, unpacked, unpacked_coefficients
 from .table import FullSolve, TableContact, TableError, TableRange, TractionTable
 
 FORMAT = "oilfilm traction table"
 # 1 had other coordinates of the motions, 2 neither heat nor full solves beside the films, 3 the
 # rolling moment of the solver's box, 4 an Eyring stress without the contact's pressure and a limit
-# that no stress came near, 5 values as they stand in memory
-FORMAT_VERSION = 6
+# that no stress came near, 5 values as they stand in memory, 6 few motions near their limits and
+# coefficients of splines in place of what they pass through
+FORMAT_VERSION = 7
+EVEN_VERSION = 6  # which is read
 ARRAYS = ("axes", "scalars", "values")
 PARTS = ("contact", "range", "error", "full_solves")
-PLAIN = ("points", "kappa_max", "films", "converged", "message")
+PLAIN = ("points", "kappa_max", "films", "converged", "message", "spacing")
 # names of the types in a file of this format; they stay where a class moves or is renamed
 TYPES: dict[str, Any] = {
     "ehl.free_volume:DoolittleFreeVolume": DoolittleFreeVolume,
@@ -74,17 +76,17 @@ def save_table(table: TractionTable, path: Path) -> None:
 
 def write_table(table: TractionTable, file: IO[bytes]) -> None:
     """Write a table to an open file."""
+    arrays: dict[str, Any] = {name: getattr(table, name) for name in ARRAYS}
+    arrays["values"] = packed(table.values)
     document = {
         "format": FORMAT,
         "format_version": FORMAT_VERSION,
         **{name: _plain(getattr(table, name)) for name in PARTS},
         "inputs": inputs_digest(table.contact, table.range, table.points),
-        "content": _content(table),
+        "content": _content(arrays),
         **{name: getattr(table, name) for name in PLAIN},
     }
     document["shape"] = table.values.shape
-    arrays: dict[str, Any] = {name: getattr(table, name) for name in ARRAYS}
-    arrays["values"] = packed(table.values)
     np.savez(file, document=np.array(json.dumps(document)), **arrays)
 
 
@@ -108,18 +110,26 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
     if not isinstance(document, dict) or document.get("format") != FORMAT:
         raise ValueError(f"{path}: no traction table")
     version = document.get("format_version")
-    if version != FORMAT_VERSION:
+    if version == EVEN_VERSION:
+        document["spacing"] = (0.0, 0.0)
+    elif version != FORMAT_VERSION:
         needed = f"this program reads {FORMAT_VERSION}; make the table again"
         raise ValueError(f"{path}: format version {version}, {needed}")
     try:
         parts = {name: _restored(document[name]) for name in PARTS}
-        arrays["values"] = unpacked(arrays["values"], tuple(document["shape"]))
-        table = TractionTable(**parts, **arrays, **{name: document[name] for name in PLAIN})
-    except (KeyError, TypeError, AttributeError, ValueError, zlib.error) as problem:
+        unpack = unpacked_coefficients if version == EVEN_VERSION else unpacked
+        values = unpack(arrays["values"], tuple(document["shape"]))
+        written = arrays
+        arrays = arrays | {"values": values}
+        plain = {name: document[name] for name in PLAIN}
+        plain["spacing"] = tuple(map(float, plain["spacing"]))
+        table = TractionTable(**parts, **arrays, **plain)
+    except (KeyError, TypeError, AttributeError, ValueError, OSError, zlib.error) as problem:
         fault = "damaged, or written by another version of this program"
         raise ValueError(f"{path}: {fault}") from problem
     digest = inputs_digest(table.contact, table.range, table.points)
-    if document.get("content") != _content(table) or document.get("inputs") != digest:
+    content = _content(arrays if version == EVEN_VERSION else written)
+    if document.get("content") != content or document.get("inputs") != digest:
         raise ValueError(f"{path}: damaged: its content is not what was written")
     if expected is not None and expected != digest:
         fault = "made for another contact, oil, temperature or range; make it again"
@@ -127,10 +137,11 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
     return table
 
 
-def _content(table: TractionTable) -> str:
+def _content(arrays: dict[str, Any]) -> str:
+    """Of the arrays of a file; in version 6 of the values that were packed."""
     digest = sha256()
     for name in ARRAYS:
-        digest.update(np.ascontiguousarray(getattr(table, name), dtype="<f8").tobytes())
+        digest.update(np.ascontiguousarray(arrays[name], dtype="<f8").tobytes())
     return digest.hexdigest()
 
 

@@ -4,15 +4,10 @@ The approximation: the film is that of the Newtonian oil without sliding, solved
 speed, isothermal or, with the thermal properties of both bodies, with its heat; the shear of the
 rheology is evaluated in it at each motion, then with the heat of sliding (`ehl.traction.heated`).
 Coordinates keep the nodes few: minus load^(-1/5), as light contacts change more with the load,
-ln(speed), and for a slide S over the speed u
-
-    X = asinh(S/(u s))/asinh(L/s) in [-1, 1],
-
-where S_x is taken at the vertex of the parabola of spin and curvature slip (`vertex_slide`), with
-a scale s of the film's own (a share of where the traction has risen by half, itself a spline over
-load and speed) and the largest slide L; spin counts as Omega R_x/u. Values are the forces and
+ln(speed), and those of the motion (`coordinates`), with scales of the film's own, which are
+splines over load and speed, too. Values are the forces and
 moments of sliding over the largest of their film, kappa_max Q for the forces, whose logarithms are
-splines, too. The mirror image in y halves the table: with slide_y and spin reversed F_y and M_n
+splines. The mirror image in y halves the table: with slide_y and spin reversed F_y and M_n
 are. All are cubic B-splines.
 """
 
@@ -30,12 +25,11 @@ from ...oil.rheology import Rheology
 from ...ranges import require_positive
 from ...solid.heat import SolidThermal
 from .. import _kernels
-from .._kernels import LOAD_POWER, SPIN_SHARE
+from .._kernels import LIMIT_SHARE, LOAD_POWER, SPIN_SHARE_Y
 from ..laws import TractionForces
 from .packing import Numbers, Values, whole_numbers
 from .splines import spline_weights
 
-MIRROR = (1.0, -1.0, -1.0, 1.0)  # signs of F_x, F_y, M_n, M_y where slide_y and spin change theirs
 # bits of the kernel
 FLAGS = ("load below", "load above", "speed below", "speed above", "slide_x", "slide_y", "spin")
 
@@ -64,9 +58,12 @@ class TableContact:
         return ContactConditions(load=load, entrainment_speed=speed, **bodies)
 
     @property
-    def unit_semi_axis(self) -> float:
-        """Transverse semi-axis at 1 N [m]; it grows with the cube root of the load."""
-        return hertz_contact(1.0, self.radius_x, self.radius_y, self.reduced_modulus).semi_axis_y
+    def unit_semi_axes(self) -> tuple[float, float]:
+        """Semi-axes along the rolling direction and across it at 1 N [m]; they grow with the cube
+        root of the load.
+        """
+        at_one = hertz_contact(1.0, self.radius_x, self.radius_y, self.reduced_modulus)
+        return at_one.semi_axis_x, at_one.semi_axis_y
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -155,21 +152,25 @@ class TractionTable:
     # slide_y the half above zero; shape (5, 3)
     axes: Array
     scalars: Array  # shape (nQ + 2, nU + 2, 10)
-    values: Values  # of `rounded_values`, shape (nQ + 2, nU + 2, nX + 2, nY + 2, nS + 2, 4)
+    values: Values  # of `stored_values`, shape (nQ + 2, nU + 2, nX + 2, nY + 2, nS + 2, 4)
     kappa_max: float  # largest coefficient of sliding of all films, at the smallest loads [-]
     error: TableError
     films: int  # solved in all, with those of the check
     converged: bool  # every film, stiffness and damping, and the tolerance is reached
     message: str
+    # LIMIT_SHARE and SPIN_SHARE_Y of the coordinates; zero in files of version 6 [-]
+    spacing: tuple[float, float] = (LIMIT_SHARE, SPIN_SHARE_Y)
     full_solves: tuple[FullSolve, ...] = ()  # beside films of the table, where requested
 
     @cached_property
     def constants(self) -> Array:
-        """As the kernel takes them, shape (8,): see `_kernels.table_lookup`."""
+        """As the kernel takes them, shape (11,): see `_kernels.table_lookup`."""
         contact = self.contact
         bodies = (contact.radius_x, contact.curvature_difference)
-        ellipse = (contact.unit_semi_axis, 0.5 / contact.curvature_radius)
-        return np.array([*bodies, *self.range.motions, *ellipse, self._numbers[1]])
+        along, across = contact.unit_semi_axes
+        ellipse = (across, 0.5 / contact.curvature_radius)
+        unit = self._numbers[1]
+        return np.array([*bodies, *self.range.motions, *ellipse, unit, along, *self.spacing])
 
     @cached_property
     def _numbers(self) -> tuple[Numbers, float]:
@@ -214,54 +215,3 @@ class TractionTable:
 def load_place(load: float) -> float:
     """Coordinate of a load [N] on its axis [N^(-1/5)]."""
     return float(-(load**LOAD_POWER))
-
-
-def mirrored_seam(values: Array) -> Array:
-    """Coefficients whose half at slide_y above zero and its mirror image, which is not stored,
-    meet smoothly [-].
-
-    A film is symmetric in y but for the error of its solution, and what would vanish by symmetry
-    without slide_y and spin, F_y and M_n, jumped there from a value to its opposite. The
-    coefficients at slide_y = 0 become the mean with their mirror image, those before it the mirror
-    image of those behind it: the spline has two continuous derivatives. values: shaped as those
-    of `TractionTable`.
-    """
-    before, at = (np.array(MIRROR) * values[:, :, :, k, ::-1] for k in (2, 1))
-    joined = values.copy()
-    joined[:, :, :, 0] = before
-    joined[:, :, :, 1] = 0.5 * (at + values[:, :, :, 1])
-    return joined
-
-
-def vertex_slide(spin: Array, contact: TableContact, load: float) -> Array:
-    """Sliding at the vertex of the parabola of spin and curvature slip over u [-]; added to
-    slide_x it is a coordinate.
-
-    -Omega y - omega y^2/(2R) is largest at y = -Omega R/omega. Where slide_x cancels it the
-    traction turns most sharply. Off the ellipse there is no vertex: y = -b r/(1 + r^4)^(1/4) with
-    r = Omega R/(omega b), which is the vertex for small r and the end of the ellipse for large
-    ones. spin: Omega R_x/u [-]; load [N].
-    """
-    curvature = 0.5 / contact.curvature_radius
-    b = contact.unit_semi_axis * np.cbrt(load)
-    if curvature <= 0.0:
-        return 0.0 * spin
-    far = 0.5 * spin / (curvature * b)
-    share = far / np.sqrt(np.sqrt(1.0 + far**4))
-    return np.asarray(b / contact.radius_x * (spin * share - curvature * b * share * share))
-
-
-def spinning_scale(scale: float, spin: Array, contact: TableContact, load: float) -> Array:
-    """Scale of slide_x at a spin Omega R_x/u [-]: without a vertex on the ellipse (r > 1 in
-    `vertex_slide`) spin spreads the traction's rise over slides of Omega b.
-    """
-    curvature = 0.5 / contact.curvature_radius
-    b = contact.unit_semi_axis * np.cbrt(load)
-    steep = (0.5 * spin) ** 4
-    away = steep / (steep + (curvature * b) ** 4 + np.finfo(np.float64).tiny)
-    return np.hypot(scale, SPIN_SHARE * away * spin * b / contact.radius_x)
-
-
-def motion_of(place: Array, scale: Array | float, limit: float) -> Array:
-    """S/u of X = asinh(S/(u s))/asinh(L/s), s the scale and L the limit [-]."""
-    return np.asarray(scale * np.sinh(place * np.arcsinh(limit / scale)))

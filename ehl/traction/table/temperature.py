@@ -1,8 +1,10 @@
 """Traction tables over the temperature of the oil at the inlet: tables of one contact at several,
 and between them.
 
-Scales, films and forces between the temperatures are those of the polynomial in T through the
-nearest tables, up to four. All tables have the same nodes, so that one at any temperature between
+Scales, films and forces between the temperatures are those of a polynomial through the nearest
+tables, up to four, in the logarithm of the oil's viscosity at the mean pressure of the largest
+load: traction follows that, and goes smoothly where the data of an oil have a bend over T. All
+tables have the same nodes, so that one at any temperature between
 is the weighted sum of their coefficients, computed once: a lookup in it costs what one in a
 table of a single temperature does.
 """
@@ -10,11 +12,13 @@ table of a single temperature does.
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from math import log
 
 import numpy as np
 
 from ...arrays import Array, lagrange_weights
-from ...oil.lubricant import Lubricant
+from ...closed_form.hertz import hertz_contact
+from ...oil.lubricant import Lubricant, log_viscosity_ratio
 from .build import Progress, TableOptions, build_table, check_table
 from .table import TableContact, TableError, TableRange, TractionTable
 
@@ -75,10 +79,10 @@ class TemperatureTable:
             _require_same(nearest.contact.lubricant, lubricant)
             return nearest
         chosen = order[:NEAREST]
-        weights = lagrange_weights(known[chosen], temperature)
         tables = [self.tables[int(k)] for k in chosen]
-        oil = _oil([table.contact.lubricant for table in tables], weights, temperature)
+        oil = _oil([table.contact for table in tables], temperature)
         _require_same(oil, lubricant)
+        weights = self._weights(tables, lubricant or oil)
         return replace(
             nearest,
             contact=replace(nearest.contact, temperature=temperature, lubricant=lubricant or oil),
@@ -90,6 +94,15 @@ class TemperatureTable:
             converged=self.converged,
             message=f"between tables at {', '.join(f'{one:.2f}' for one in known[chosen])} K",
         )
+
+    def _weights(self, tables: Sequence[TractionTable], oil: Lubricant) -> Array:
+        """Weights of tables for an oil between theirs [-]."""
+        contact = self.tables[0].contact
+        bodies = (contact.radius_x, contact.radius_y, contact.reduced_modulus)
+        pressure = 2.0 / 3.0 * hertz_contact(self.tables[0].range.load[1], *bodies).pressure
+        oils = [*(table.contact.lubricant for table in tables), oil]
+        logs = [log(one.viscosity) + log_viscosity_ratio(pressure, one) for one in oils]
+        return lagrange_weights(np.array(logs[:-1]), float(logs[-1]))
 
 
 def build_temperature_table(
@@ -133,11 +146,18 @@ def _sum(weights: Array, parts: Sequence[Array]) -> Array:
     return np.asarray(sum(weight * part for weight, part in zip(weights, parts, strict=True)))
 
 
-def _oil(oils: Sequence[Lubricant], weights: Array, temperature: float) -> Lubricant:
-    """An oil of interpolated viscosities and density; other constants of the first one."""
+def _oil(contacts: Sequence[TableContact], temperature: float) -> Lubricant:
+    """An oil of viscosity and density by polynomials in T, of a pressure coefficient by straight
+    lines, as libraries have it; other constants of the first one.
+    """
+    oils = [one.lubricant for one in contacts]
+    known = np.array([one.temperature for one in contacts])
+    weights = lagrange_weights(known, temperature)
+    rising = np.argsort(known)
     nearest = oils[0]
     viscosity = float(np.exp(weights @ np.log([oil.viscosity for oil in oils])))
-    slope = float(weights @ np.array([oil.pressure_viscosity for oil in oils]))
+    slopes = np.array([oil.pressure_viscosity for oil in oils])
+    slope = float(np.interp(temperature, known[rising], slopes[rising]))
     density = float(weights @ np.array([oil.density for oil in oils]))
     given = {"viscosity": viscosity, "density": density, "temperature": temperature}
     # else the coefficient is that of the law's constants

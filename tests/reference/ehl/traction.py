@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from math import asinh, exp, log
+from math import exp, log
 
 import numpy as np
 
 from ehl.oil.rheology import limited, shear_stress
 from ehl.traction.coefficient_kernels import RampedCoulomb
+from ehl.traction.table.coordinates import PLACE_PARTS, at_vertex, no_part, place_of, spinning_scales, vertex_slide
 from ehl.traction.table.packing import whole_numbers
 from ehl.traction.table.splines import spline_weights
-from ehl.traction.table.table import load_place, spinning_scale, vertex_slide
+from ehl.traction.table.table import load_place
 
 
 def sliding_forces(film, kinematics):
@@ -68,12 +69,15 @@ def table_forces(table, load, speed, slide_x, slide_y, spin):
     radius, difference, *limits = table.constants[:5]
     mirror = 1.0 if slide_y >= 0.0 else -1.0
     turn = mirror * spin * radius / speed
-    top = slide_x / speed + float(vertex_slide(np.asarray(turn), table.contact, load))
+    shift = vertex_slide(np.asarray(turn), table.contact, load)
+    even = table.spacing == (0.0, 0.0)  # of files of version 6
+    top = float(slide_x / speed + shift if even else at_vertex(np.asarray(slide_x / speed), shift, limits[0]))
     scales = np.exp(scalars[:3])
-    scales[0] = spinning_scale(scales[0], np.asarray(turn), table.contact, load)
+    along, across = spinning_scales(tuple(scales[:2]), np.asarray(turn), table.contact, load)
+    scales[0], scales[1] = along, scales[1] if even else across
     motion = (top, abs(slide_y) / speed, turn)
     for axis, (part, scale, limit) in enumerate(zip(motion, scales, limits, strict=True)):
-        place = asinh(part / scale) / asinh(limit / scale)
+        place = float(place_of(np.asarray(part), scale, limit, no_part if even else PLACE_PARTS[axis]))
         values = along_first(values, place, table.axes[2 + axis])
     hydrodynamic = -exp(scalars[4])
     force = np.array([values[0], mirror * values[1]]) * exp(scalars[7])

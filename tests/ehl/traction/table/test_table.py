@@ -7,7 +7,9 @@ curvature slip under constant friction as in test_shear.
 from __future__ import annotations
 
 import json
+import zlib
 from dataclasses import replace
+from hashlib import sha256
 
 import numpy as np
 import pytest
@@ -24,10 +26,10 @@ from ehl.traction.laws import ContactShape, EllipseLaw
 from ehl.traction.rolling_moment import rolling_moment
 from ehl.traction.shear import integrate_traction
 from ehl.traction.table.build import TableOptions, build_table
-from ehl.traction.table.packing import VALUE_STEP, packed, rounded_values, unpacked
-from ehl.traction.table.splines import spline_coefficients, spline_weights
+from ehl.traction.table.packing import EVEN_STEP, VALUE_STEP, packed, stored_values, unpacked
+from ehl.traction.table.splines import node_values, spline_coefficients, spline_weights
 from ehl.traction.table.storage import inputs_digest, load_table, save_table
-from ehl.traction.table.table import FullSolve, TableContact, TableRange, mirrored_seam
+from ehl.traction.table.table import FullSolve, TableContact, TableRange
 
 from ....reference.ehl import traction as reference
 
@@ -134,23 +136,53 @@ def test_halves_of_the_mirror_image_meet(table):
 
 
 def test_packed_values_are_the_same_whole_numbers(table):
-    values = np.random.default_rng(60331).standard_normal((5, 4, 6, 3, 7, 4))
-    rounded = rounded_values(values)
-    assert_allclose(rounded, values, atol=0.5001 * VALUE_STEP)
-    assert np.array_equal(unpacked(packed(rounded), rounded.shape), rounded)
-    assert packed(table.values).nbytes < 0.5 * table.values.nbytes
+    """Splines pass through the values at the nodes, rounded; a file has them, and gives the same splines."""
+    values = np.random.default_rng(60331).standard_normal((5, 4, 6, 4, 7, 4))
+    stored = stored_values(values)
+    assert_allclose(
+        node_values(stored.astype(float), (0, 1, 2, 3, 4))[:, :, :, 1:], values[:, :, :, 1:], atol=0.51 * VALUE_STEP
+    )
+    assert np.array_equal(unpacked(packed(stored), stored.shape), stored)
+    assert packed(table.values).nbytes < 0.3 * table.values.nbytes
     with pytest.raises(ValueError, match="whole numbers"):
-        packed(values.astype(np.float32))
+        packed(stored + np.float32(0.5 * VALUE_STEP))
 
 
 def test_values_meet_their_mirror_image():
-    """Where a film that is not quite symmetric has left a step at slide_y = 0; the rest stays."""
-    values = np.random.default_rng(41220).standard_normal((2, 3, 4, 6, 5, 4))
-    joined, signs = mirrored_seam(values), np.array([1.0, -1.0, -1.0, 1.0])
-    assert_allclose(joined[:, :, :, 1], signs * joined[:, :, :, 1, ::-1])
-    assert_allclose(joined[:, :, :, 0], signs * joined[:, :, :, 2, ::-1])
-    assert_allclose(joined[:, :, :, 2:], values[:, :, :, 2:])
-    assert_allclose(mirrored_seam(joined), joined)
+    """Where a film that is not quite symmetric has left a step at slide_y = 0: the mean of both counts."""
+    values = np.random.default_rng(41220).standard_normal((4, 4, 4, 6, 5, 4))
+    joined, signs = stored_values(values), np.array([1.0, -1.0, -1.0, 1.0])
+    assert_allclose(joined[:, :, :, 1], signs * joined[:, :, :, 1, ::-1], atol=1e-6)
+    assert_allclose(joined[:, :, :, 0], signs * joined[:, :, :, 2, ::-1], atol=1e-6)
+    seam = 0.5 * (values[:, :, :, 0] + signs * values[:, :, :, 0, ::-1])
+    assert_allclose(node_values(joined.astype(float), (0, 1, 2, 3, 4))[:, :, :, 0], seam, atol=0.51 * VALUE_STEP)
+
+
+def test_files_of_format_6_are_read_as_they_were(table, tmp_path):
+    """With the coordinates and the coefficients that they have."""
+    path = tmp_path / "table.npz"
+    save_table(table, path)
+    with np.load(path) as file:
+        parts = {name: file[name] for name in file.files}
+    numbers = np.rint(table.values / EVEN_STEP).astype(np.int32)
+    values = (numbers * EVEN_STEP).astype(np.float32)
+    for axis in (4, 3, 2):
+        numbers = np.diff(numbers, axis=axis, prepend=np.int32(0))
+    planes = np.ascontiguousarray(numbers.reshape(-1, 1).view(np.uint8).T)
+    arrays = (table.axes, table.scalars, values)
+    content = sha256(b"".join(np.ascontiguousarray(one, dtype="<f8").tobytes() for one in arrays)).hexdigest()
+    document = json.loads(str(parts["document"])) | {"format_version": 6, "content": content}
+    del document["spacing"]
+    parts["document"] = np.array(json.dumps(document))
+    parts["values"] = np.frombuffer(zlib.compress(planes.tobytes()), dtype=np.uint8)
+    np.savez(path, **parts)
+    read = load_table(path)
+    assert read.spacing == (0.0, 0.0)
+    assert np.array_equal(read.values, values)
+    motion = (60.0, 1.5, 0.0, 0.01, 0.0)
+    found = read.forces(*motion)
+    assert_allclose(found[:8], reference.table_forces(read, *motion), rtol=1e-9, atol=1e-12)
+    assert found.force_y != table.forces(*motion).force_y
 
 
 @pytest.mark.parametrize(
@@ -231,9 +263,9 @@ def test_files_of_an_older_format_are_refused(table, tmp_path):
     with np.load(path) as file:
         parts = {name: file[name] for name in file.files}
     document = json.loads(str(parts["document"]))
-    parts["document"] = np.array(json.dumps(document | {"format_version": document["format_version"] - 1}))
+    parts["document"] = np.array(json.dumps(document | {"format_version": 5}))
     np.savez(path, **parts)
-    with pytest.raises(ValueError, match="format version 5, this program reads 6; make the table again"):
+    with pytest.raises(ValueError, match="format version 5, this program reads 7; make the table again"):
         load_table(path)
 
 

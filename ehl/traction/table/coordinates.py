@@ -1,0 +1,125 @@
+"""Coordinates of a motion on the axes of a traction table, in [-1, 1].
+
+For a slide S over the speed u, a scale s of the film's own (a share of where the traction has
+risen by half) and the largest slide L
+
+    X = (1 - w) asinh(S/(u s))/asinh(L/s) + w e(S/u)/e(L),
+
+e(t) = t across the rolling direction, 1 - sqrt(1 - t/2) along it, one from t = 2 on: near a
+slide-roll ratio of 2 one body is slow, and the heat that it takes up, and with it the traction,
+turns as the root of its speed. S_x is taken at the vertex of the parabola of spin and curvature
+slip, near zero; spin counts as Omega R_x/u, without e.
+"""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from ...arrays import Array
+from .._kernels import LIMIT_SHARE, SHIFT_MARGIN, SPIN_SHARE, SPIN_SHARE_Y, STANDING
+from .table import TableContact
+
+Part = Callable[[Array | float], Array]
+HALVINGS = 52  # of the limit in an inversion: as many as a number has digits
+
+
+def vertex_slide(spin: Array, contact: TableContact, load: float) -> Array:
+    """Sliding at the vertex of the parabola of spin and curvature slip over u [-]; added to
+    slide_x it is a coordinate, see `at_vertex`.
+
+    -Omega y - omega y^2/(2R) is largest at y = -Omega R/omega. Where slide_x cancels it the
+    traction turns most sharply. Off the ellipse there is no vertex: y = -b r/(1 + r^4)^(1/4) with
+    r = Omega R/(omega b), which is the vertex for small r and the end of the ellipse for large
+    ones. spin: Omega R_x/u [-]; load [N].
+    """
+    curvature = 0.5 / contact.curvature_radius
+    b = contact.unit_semi_axes[1] * np.cbrt(load)
+    if curvature <= 0.0:
+        return 0.0 * spin
+    far = 0.5 * spin / (curvature * b)
+    share = far / np.sqrt(np.sqrt(1.0 + far**4))
+    return np.asarray(b / contact.radius_x * (spin * share - curvature * b * share * share))
+
+
+def at_vertex(slide_x: Array, shift: Array, limit: float) -> Array:
+    """Coordinate of slide_x over u: moved by the slide of the vertex near zero, and less and less
+    towards the limit or, before it, the slide at which a body stands still, so that these have
+    their place there with any spin [-].
+    """
+    reach = min(limit, STANDING)
+    share = np.minimum(np.abs(slide_x) / reach, 1.0)
+    return np.asarray(slide_x + _bounded(shift, reach) * (1.0 - share * share))
+
+
+def from_vertex(top: Array, shift: Array, limit: float) -> Array:
+    """The slide_x over u of a coordinate, inverse of `at_vertex` [-]."""
+    reach = min(limit, STANDING)
+    shift = _bounded(shift, reach)
+    inside = np.clip(top, -reach, reach)
+    apart = inside - shift
+    root = np.sqrt(1.0 - 4.0 * shift * apart / reach**2)
+    return np.asarray(2.0 * apart / (1.0 + root) + (top - inside))
+
+
+def _bounded(shift: Array, reach: float) -> Array:
+    """A shift below half the reach, so that the coordinate rises with slide_x everywhere [-]."""
+    over = (SHIFT_MARGIN * shift / reach) ** 8
+    return np.asarray(shift / np.sqrt(np.sqrt(np.sqrt(1.0 + over))))
+
+
+def spinning_scales(
+    scales: tuple[float, float], spin: Array, contact: TableContact, load: float
+) -> tuple[Array, Array]:
+    """Scales of slide_x and slide_y at a spin Omega R_x/u [-]: along, without a vertex on the
+    ellipse (r > 1 in `vertex_slide`) spin spreads the traction's rise over slides of Omega b;
+    across always over those of Omega a.
+    """
+    curvature = 0.5 / contact.curvature_radius
+    a, b = (axis * np.cbrt(load) for axis in contact.unit_semi_axes)
+    steep = (0.5 * spin) ** 4
+    away = steep / (steep + (curvature * b) ** 4 + np.finfo(np.float64).tiny)
+    along = np.hypot(scales[0], SPIN_SHARE * away * spin * b / contact.radius_x)
+    return along, np.hypot(scales[1], SPIN_SHARE_Y * spin * a / contact.radius_x)
+
+
+def no_part(size: Array | float) -> Array:
+    """Of the place of a spin: asinh alone [-]."""
+    return np.full_like(size, np.nan)
+
+
+def standing_part(size: Array | float) -> Array:
+    """Of the place of a slide_x over u [-]: where one body is slow it takes up heat as the root of
+    its speed, and the traction turns as that.
+    """
+    return np.asarray(1.0 - np.sqrt(1.0 - np.minimum(size / STANDING, 1.0)))
+
+
+def even_part(size: Array | float) -> Array:
+    """Of the place of a slide_y: even steps of the slide, where its heat counts [-]."""
+    return np.asarray(size)
+
+
+PLACE_PARTS = (standing_part, even_part, no_part)  # of slide_x, slide_y and spin
+
+
+def place_of(motion: Array, scale: Array | float, limit: float, part: Part) -> Array:
+    """Place X of a motion S/u on its axis [-], L the limit: mostly asinh(S/(u s))/asinh(L/s), s
+    the scale, and a further part over that of the limit.
+    """
+    size = np.abs(motion)
+    place = np.arcsinh(size / scale) / np.arcsinh(limit / scale)
+    further = part(np.minimum(size, limit)) / part(limit)
+    mixed = (1.0 - LIMIT_SHARE) * place + LIMIT_SHARE * further
+    return np.copysign(np.where(np.isnan(further), place, mixed), motion)
+
+
+def motion_of(place: Array, scale: Array | float, limit: float, part: Part) -> Array:
+    """S/u of a place in [-1, 1], inverse of `place_of`, by bisection [-]."""
+    low = np.zeros_like(place)
+    high = np.full_like(place, limit)
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        beyond = place_of(middle, scale, limit, part) > np.abs(place)
+        low = np.where(beyond, low, middle)
+        high = np.where(beyond, middle, high)
+    return np.copysign(0.5 * (low + high), place)

@@ -1,0 +1,39 @@
+"""Places of motions on the axes of a table: they rise with the motion, and go there and back, in any range."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from ehl.traction.table.coordinates import PLACE_PARTS, at_vertex, from_vertex, motion_of, place_of
+
+
+@pytest.mark.parametrize("limit", [0.05, 0.5, 2.0, 3.0])
+@pytest.mark.parametrize("shift", [0.0, 0.01, 0.3, 5.0])
+def test_slides_go_there_and_back(limit, shift):
+    """Also where spin moves the vertex by more than the whole range."""
+    slides = np.linspace(-limit, limit, 4001)
+    top = at_vertex(slides, np.full(slides.shape, shift), limit)
+    assert np.all(np.diff(top) > 0.0)
+    assert_allclose(top[[0, -1]], [-limit, limit], rtol=1e-12)
+    assert_allclose(from_vertex(top, np.full(slides.shape, shift), limit), slides, atol=1e-7 * limit)
+
+
+@pytest.mark.parametrize("limit", [0.05, 0.5, 2.0, 3.0])
+@pytest.mark.parametrize("part", PLACE_PARTS)
+def test_places_go_there_and_back(limit, part):
+    motions = np.linspace(-limit, limit, 1001)
+    places = place_of(motions, 1e-3 * limit, limit, part)
+    assert np.all(np.diff(places) > 0.0)
+    assert_allclose(places[[0, 500, -1]], [-1.0, 0.0, 1.0], atol=1e-12)
+    assert_allclose(motion_of(places, 1e-3 * limit, limit, part), motions, atol=1e-9 * limit)
+
+
+def test_places_are_dense_where_a_body_stands_still():
+    """Near a slide-roll ratio of 2 the place turns as the root of the slower body's speed, wherever the range ends."""
+    near = place_of(np.array([1.99, 2.0]), 1e-3, 2.0, PLACE_PARTS[0])
+    farther = place_of(np.array([1.89, 1.9]), 1e-3, 2.0, PLACE_PARTS[0])
+    assert near[1] - near[0] > 3.0 * (farther[1] - farther[0])
+    wider = place_of(np.array([1.99, 2.0, 2.01]), 1e-3, 3.0, PLACE_PARTS[0])
+    assert wider[1] - wider[0] > 3.0 * (wider[2] - wider[1])
