@@ -4,6 +4,7 @@ from math import pi
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ehl.closed_form.hertz import contact_stiffness
 from ehl.traction.coefficient_kernels import RampedCoulomb
@@ -62,13 +63,11 @@ def assemble(
     n = bearing.balls
     free = free_array(point.kind, operation, model)
     places = solved_places(free, n)
-    layout = Layout(n)
     azimuth = bearing.first_ball_azimuth + 2.0 * pi / n * np.arange(n)
     numbers = constants(bearing, model)
     laws = normal_laws(bearing, model, point.angles)
     schedule = schedule_array(operation, model)
-    rest = rest_band(schedule, 0.5 * bearing.pitch_diameter)
-    races = [model.friction.data(race, rest) for race in Race]
+    races = _race_frictions(bearing, model, schedule)
     if cage is not None and cage.guidance is Guidance.BALLS:  # else nothing would centre it
         numbers = numbers._replace(pocket_circle=0.5 * bearing.pitch_diameter)
     return EquationData(
@@ -95,11 +94,16 @@ def assemble(
         power=np.zeros(ACCUMULATORS),
         loads=np.zeros((3, LOAD_COLUMNS)),
         solved=places,
-        mechanical=places.size - (layout.size - layout.mechanical),
-        whole=np.zeros(layout.size),
-        rates=np.zeros(layout.size),
+        mechanical=_mechanical(places, n),
+        whole=np.zeros(Layout(n).size),
+        rates=np.zeros(Layout(n).size),
         turns=np.zeros((n, 3)),
     )
+
+
+def _race_frictions(bearing: Bearing, model: DynamicsModel, schedule: Array) -> list[FrictionData]:
+    rest = rest_band(schedule, 0.5 * bearing.pitch_diameter)
+    return [model.friction.data(race, rest) for race in Race]
 
 
 def schedule_array(operation: Operation, model: DynamicsModel) -> Array:
@@ -158,9 +162,14 @@ def with_equations(
     """The problem with the coordinates that another load type lets move."""
     free = free_array(kind, operation, model)
     places = solved_places(free, data.constants.balls)
-    layout = Layout(data.constants.balls)
-    rest = layout.size - layout.mechanical
-    return data._replace(free=free, solved=places, mechanical=places.size - rest)
+    mechanical = _mechanical(places, data.constants.balls)
+    return data._replace(free=free, solved=places, mechanical=mechanical)
+
+
+def _mechanical(places: NDArray[np.int64], balls: int) -> int:
+    """How many of the solved places are none of the accumulators [-]."""
+    layout = Layout(balls)
+    return int(places.size - (layout.size - layout.mechanical))
 
 
 def friction_kind(model: DynamicsModel, races: list[FrictionData], laws: Array) -> int:

@@ -198,7 +198,6 @@ def simulation_statistics(
     work = state.y[simulation.layout.energy]
     put_in = float(np.sum(work[:INPUTS]))
     lost = float(np.sum(work[LOSSES]))
-    still = STILL * abs(simulation.start_energy)
     return SimulationStatistics(
         simulated=state.time,
         wall=simulation.wall,
@@ -215,7 +214,7 @@ def simulation_statistics(
         averaged=int(late.sum()),
         work=dict(zip(MECHANISMS, work.tolist(), strict=True)),
         stored=put_in - lost - float(work[-1]),
-        energy_error=running.residual / max(abs(put_in), abs(lost), still, 1e-300),
+        energy_error=_energy_error(running.residual, put_in, lost, simulation.start_energy),
         shares=state.shares / max(state.time, 1e-300),
         mean_load=running.load_sum / running.rows,
         largest_load=running.load_largest,
@@ -224,6 +223,11 @@ def simulation_statistics(
         mean_friction=running.friction_sum / np.maximum(running.touching, 1.0),
         largest_pocket_load=running.pocket_largest,
     )
+
+
+def _energy_error(residual: float, put_in: float, lost: float, start: float) -> float:
+    """A residual over the work or a share of the energy at the start, all in [J]."""
+    return residual / max(abs(put_in), abs(lost), STILL * abs(start), 1e-300)
 
 
 def _cage_orbit(simulation: Simulation, place: Array) -> dict[str, float | None]:
