@@ -5,6 +5,7 @@ from math import inf
 
 import numpy as np
 
+from ehl.traction._kernels import LEAST_SPEED
 from ehl.traction.laws import EllipseLaw, FrictionLaw
 from ehl.traction.quadrature import EllipseRule, ellipse_nodes
 from ehl.traction.table.table import LOAD_POWER, TractionTable
@@ -62,9 +63,11 @@ class RaceFriction:
         """
         law = self.inner if race is Race.INNER else self.outer
         disc = CENTRE if self.at_centre else ellipse_nodes(EllipseRule.TIME_STEPS)
-        coefficient = (np.array([rest / TABLE_SLIDE]), np.zeros(5))
+        coefficient = (np.zeros(1), np.zeros(5))
         if isinstance(law, TractionTable):
             axes, constants, scalars, values = law.kernel_arguments()
+            constants = constants.copy()
+            constants[LEAST_SPEED] = rest / TABLE_SLIDE
             return FrictionData(disc, *coefficient, axes, constants, scalars, values)
         if isinstance(law, EllipseLaw):
             coefficient = (law.coefficient.at_rest(rest).kernel_law, law.shape.constants)

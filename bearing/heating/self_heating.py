@@ -131,6 +131,7 @@ def solve_self_heating(problem: SelfHeatingProblem, model: str) -> SelfHeatingSo
                 problem.oil_share,
                 len(problem.rows),
             ),
+            state.temperatures,
         )
     except ValueError as error:
         return SelfHeatingSolution(model=model, around=around, balance=None, note=str(error))

@@ -54,14 +54,18 @@ class Stability:
         return self.rate / self.still_rate
 
 
-def stability(slopes: Slopes, problem: SelfHeatingProblem, capacities: Array) -> Stability:
-    """Of a balance, by heat capacities of the nodes [J/K]."""
+def stability(
+    slopes: Slopes, problem: SelfHeatingProblem, capacities: Array, found: Array
+) -> Stability:
+    """Of a balance whose nodes have temperatures `found` [K], by slopes of a state near by and
+    heat capacities of the nodes [J/K].
+    """
     state = slopes.state
     response = _response(slopes, problem)
     leaving, _ = state.network.matrix()
     rates = np.linalg.eigvals((response - leaving) / capacities[:, None]).real
     still = np.linalg.eigvals(-leaving / capacities[:, None]).real
-    ends = [state.temperatures]
+    ends = [found, state.temperatures]
     for end in (1, -1):
         other, from_outside = state.network.matrix(end)
         fixed = state.sources - response @ state.temperatures + from_outside

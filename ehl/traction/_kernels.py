@@ -22,9 +22,10 @@ COLUMNS = 4
 SCALE_X, SCALE_Y, SCALE_SPIN, CENTRAL_FILM, HYDRODYNAMIC = range(5)
 STIFFNESS, DAMPING, LARGEST_FORCE, LARGEST_SPIN, LARGEST_ROLLING = range(5, 10)
 # of a table's constants: bodies, range of the motions, transverse semi-axis at 1 N, 1/(2R), unit
-# of its whole numbers, semi-axis along the rolling direction at 1 N, `TractionTable.spacing`
+# of its whole numbers, semi-axis along the rolling direction at 1 N, `TractionTable.spacing`,
+# entrainment that sliding is taken over at least
 RADIUS_X, DIFFERENCE, RANGE_X, RANGE_Y, RANGE_SPIN, UNIT_AXIS, CURVATURE, VALUE_UNIT = range(8)
-UNIT_AXIS_X, SPACING_LIMIT, SPACING_SPIN = range(8, 11)
+UNIT_AXIS_X, SPACING_LIMIT, SPACING_SPIN, LEAST_SPEED = range(8, 12)
 # of the shape of an ellipse: semi-axes at 1 N, R_x, 1/(2R), curvature difference of the bodies
 SHAPE_AXIS_X, SHAPE_AXIS_Y, SHAPE_RADIUS_X, SHAPE_CURVATURE, SHAPE_DIFFERENCE = range(5)
 LOAD_POWER = -0.2  # of the load in its coordinate
@@ -226,7 +227,7 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
     table's range.
 
     axes, shape (5, 3): start, nodes per unit, nodes of -load^LOAD_POWER, ln(speed), and the three
-    scaled motions. constants, shape (11,), and scalars, shape (nQ + 2, nU + 2, 10): as named
+    scaled motions. constants, shape (12,), and scalars, shape (nQ + 2, nU + 2, 10): as named
     above. values, shape (nX + 2, nY + 2, nS + 2, nQ + 2, nU + 2, 4), whole numbers. Both are
     B-spline coefficients. out, 8 numbers: F_x, F_y on body 1 [N], M_n, M_y on body 1 [N m], power
     lost [W], central film [m], stiffness [N/m], damping [N s/m]. Outside, the nearest place in the
@@ -242,7 +243,7 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
     film = (scalars, i0, i1, w0, w1)
     # 2. place on the axes of the motions, the half above slide_y = 0
     mirror = 1.0 if slide_y >= 0.0 else -1.0
-    size = max(abs(speed), 1e-300)
+    size = max(abs(speed), constants[LEAST_SPEED], 1e-300)
     radius = constants[RADIUS_X]
     table_load = -1.0 / q**5  # -1/LOAD_POWER
     motions = (slide_x / size, abs(slide_y) / size, mirror * spin * radius / size)

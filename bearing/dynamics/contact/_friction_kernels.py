@@ -20,7 +20,6 @@ from ..arrays import COEFFICIENT, FRICTION_COLUMNS, LINEAR
 
 FORCES = 4  # F_x, F_y, M_n, M_y: those that sliding changes
 MOTIONS = 3  # slide_x, slide_y, spin
-LEAST_SPEED = 0  # of the law of a table: entrainment that its sliding is taken over at least [m/s]
 STRAIGHT_ROWS = 2  # of the nodes of `straight_friction`; those over the ellipse have three
 # load over that of the slopes, either way, up to which they hold [-]
 LOAD_CHANGE = 2.0
@@ -43,7 +42,7 @@ def friction_law(kind, mirrored, data, load, speed, motions, friction):
     else:
         table_lookup(
             data.axes, data.constants, data.scalars, data.values,
-            load, max(speed, data.law[LEAST_SPEED]), slide_x, slide_y, spin, friction,
+            load, speed, slide_x, slide_y, spin, friction,
         )  # fmt: skip
 
 

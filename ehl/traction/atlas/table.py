@@ -34,6 +34,10 @@ PAIRS = np.triu_indices(3)
 
 # of A, between which the patch of light contacts gives way to that of heavy ones [-]
 SEAM = (7.0, 9.0)
+# central and minimum film of light contacts with D above 1: the largest errors of contacts drawn at
+# the step of the film and of 40 with other oils, none of which the fit or its judges had seen
+STEP = 2.0  # A from which on they may be at the step [-]
+WIDE_LIGHT, WIDE_LIGHT_OIL = (0.011, 0.0), (0.027, 0.02)
 
 
 class Patch(NamedTuple):
@@ -84,7 +88,11 @@ def bars_of(load: Array, ratio: Array, base: NDArray[np.bool_]) -> Array:
     known = table().bars
     heavy = (load >= SEAM[0]).astype(int)
     own = known[heavy, (ratio > 1.0).astype(int)]
-    return np.where(base[:, None], own, np.maximum(own, known[heavy, 2]))
+    bars = np.where(base[:, None], own, np.maximum(own, known[heavy, 2]))
+    wide = np.where(base[:, None], WIDE_LIGHT, WIDE_LIGHT_OIL)
+    long = ((load > STEP) & (load < SEAM[0]) & (ratio > 1.0))[:, None]
+    bars[:, :2] = np.where(long, np.maximum(bars[:, :2], wide), bars[:, :2])
+    return bars
 
 
 def heavy_share(log_load: Array, seam: tuple[float, float] = SEAM) -> tuple[Array, Array]:

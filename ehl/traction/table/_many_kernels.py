@@ -13,7 +13,9 @@ from numba import types
 from numba.extending import intrinsic
 
 from ...compiled import compiled
-from .. import _block_kernels as _blocks
+from .._block_kernels import BLOCK as LAW_BLOCK
+from .._block_kernels import PULL as LAW_PULL
+from .._block_kernels import ROOM, SLIDE, pull_block
 from .._kernels import AREA, FILM, LIMIT, SPREAD_X, SPREAD_Y, VISCOSITY, X, Y
 
 BLOCK = 256  # motions of a block; of 64 and 128 the sums take 1.4 and 1.1 times as long
@@ -46,16 +48,16 @@ def node_pulls(nodes, law, slides, out):
     """Area times stress over sliding of nodes [N s/m] at slides [m/s], into out of shape (nodes,
     slides); nodes and law as `block_sums`.
     """
-    room = np.empty(_blocks.ROOM)
-    for first in range(0, slides.size, _blocks.BLOCK):
-        count = min(_blocks.BLOCK, slides.size - first)
-        for k in range(_blocks.BLOCK):
-            room[_blocks.SLIDE + k] = slides[first + min(k, count - 1)]
+    room = np.empty(ROOM)
+    for first in range(0, slides.size, LAW_BLOCK):
+        count = min(LAW_BLOCK, slides.size - first)
+        for k in range(LAW_BLOCK):
+            room[SLIDE + k] = slides[first + min(k, count - 1)]
         for n in range(out.shape[0]):
             oil = (nodes[AREA, n], nodes[FILM, n], nodes[VISCOSITY, n], nodes[LIMIT, n])
-            _blocks.pull_block(room, oil, law)
+            pull_block(room, oil, law)
             for k in range(count):
-                out[n, first + k] = room[_blocks.PULL + k]
+                out[n, first + k] = room[LAW_PULL + k]
 
 
 @compiled

@@ -164,13 +164,13 @@ class TractionTable:
 
     @cached_property
     def constants(self) -> Array:
-        """As the kernel takes them, shape (11,): see `_kernels.table_lookup`."""
+        """As the kernel takes them, shape (12,): see `_kernels.table_lookup`."""
         contact = self.contact
         bodies = (contact.radius_x, contact.curvature_difference)
         along, across = contact.unit_semi_axes
         ellipse = (across, 0.5 / contact.curvature_radius)
         unit = self._numbers[1]
-        return np.array([*bodies, *self.range.motions, *ellipse, unit, along, *self.spacing])
+        return np.array([*bodies, *self.range.motions, *ellipse, unit, along, *self.spacing, 0.0])
 
     @cached_property
     def _numbers(self) -> tuple[Numbers, float]:

@@ -91,7 +91,9 @@ def test_the_branch_turns_where_the_closed_form_does(problem, rise):
     at = at_speed(study, top.factor)
     warmer = heat_state(at, at.fixed_paths(), top.state.film_temperature + 0.5, top.state.clearance)
     capacities = heat_capacities(at.bearing, at.around, at.oil(AMBIENT))
-    margin = stability(Slopes(state=top.state, warmer=warmer, wider=None), at, capacities).margin
+    margin = stability(
+        Slopes(state=top.state, warmer=warmer, wider=None), at, capacities, top.state.temperatures
+    ).margin
     assert margin == pytest.approx(0.0, abs=0.03)
 
 

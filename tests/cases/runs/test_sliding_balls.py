@@ -31,7 +31,7 @@ def sliding(tmp_path, monkeypatch):
 def test_the_lag_of_sliding_balls_is_said(sliding):
     code, messages = sliding(0.069)
     assert code == 0
-    assert "their orbits are 4.9% slower than by 'half and half'" in messages
+    assert "their orbits are 4.8% slower than by 'half and half'" in messages
     assert "orbits are" not in sliding(0.03)[1]
 
 
