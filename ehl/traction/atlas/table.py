@@ -34,8 +34,8 @@ PAIRS = np.triu_indices(3)
 
 # of A, between which the patch of light contacts gives way to that of heavy ones [-]
 SEAM = (7.0, 9.0)
-# central and minimum film of light contacts with D above 1: the largest errors of contacts drawn at
-# the step of the film and of 40 with other oils, none of which the fit or its judges had seen
+# central and minimum film of light contacts with D above 1: the largest errors of contacts drawn
+# at the step of the film, and of 40 with other oils, none of them seen by the fit or its judges
 STEP = 2.0  # A from which on they may be at the step [-]
 WIDE_LIGHT, WIDE_LIGHT_OIL = (0.011, 0.0), (0.027, 0.02)
 
