@@ -26,15 +26,16 @@ LOG_2 = float(np.log(2.0))
 
 
 @intrinsic
-def _bits(typing, number):
-    """The binary form of a number."""
-    del typing, number
+def bits_of(typing, number):
+    """The binary form of a number of single or double precision, a whole number of its size."""
+    del typing
+    whole = types.int32 if number == types.float32 else types.int64
 
     def build(context, builder, signature, arguments):
         del signature
-        return builder.bitcast(arguments[0], context.get_value_type(types.int64))
+        return builder.bitcast(arguments[0], context.get_value_type(whole))
 
-    return types.int64(types.float64), build
+    return whole(number), build
 
 
 @intrinsic
@@ -62,7 +63,7 @@ def _compiled_logarithm(x):
     del x
 
     def of(x):
-        bits = _bits(x)
+        bits = bits_of(x)
         power = (bits - HALF_ROOT) >> FRACTION_BITS
         m = _number(bits - (power << FRACTION_BITS))
         z = (m - 1.0) / (m + 1.0)

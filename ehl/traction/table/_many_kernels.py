@@ -9,13 +9,11 @@ have neither jumps nor calls, and but one row of the room that they write to.
 """
 
 import numpy as np
-from numba import types
-from numba.extending import intrinsic
 
 from ...compiled import compiled
 from .._block_kernels import BLOCK as LAW_BLOCK
 from .._block_kernels import PULL as LAW_PULL
-from .._block_kernels import ROOM, SLIDE, pull_block
+from .._block_kernels import ROOM, SLIDE, bits_of, pull_block
 from .._kernels import AREA, FILM, LIMIT, SPREAD_X, SPREAD_Y, VISCOSITY, X, Y
 
 BLOCK = 256  # motions of a block; of 64 and 128 the sums take 1.4 and 1.1 times as long
@@ -29,18 +27,6 @@ BY_STEP = np.float32(1.0 / STEP)
 INSIDE = np.float32(1.0 - 1e-6)  # of the last square, so that one stands behind it
 TWO = np.float32(2.0)
 NONE = np.float32(0.0)
-
-
-@intrinsic
-def _bits(typing, number):
-    """The binary form of a number of single precision."""
-    del typing, number
-
-    def build(context, builder, signature, arguments):
-        del signature
-        return builder.bitcast(arguments[0], context.get_value_type(types.int32))
-
-    return types.int32(types.float32), build
 
 
 @compiled
@@ -84,7 +70,7 @@ def _tabulated_pulls(room, pulls, first):
     """Pull of a node on the motions of a block by its table, whose first square has these bits."""
     for n in range(BLOCK):
         k = np.uint64(n)
-        code = _bits(room[k + PULL])
+        code = bits_of(room[k + PULL])
         place = np.uint64((code >> SHIFT) - first)
         own = pulls[place]
         share = np.float32(code & PART) * BY_STEP
@@ -110,7 +96,7 @@ def tabulated_sums(nodes, pulls, squares, motions, surface, out):
     precision.
     """
     curvature, width = surface
-    first = np.int32(_bits(squares[0]) >> SHIFT)
+    first = np.int32(bits_of(squares[0]) >> SHIFT)
     ends = (squares[0], squares[squares.size - 1] * INSIDE)
     room = np.empty(11 * BLOCK, np.float32)
     for start in range(0, motions.shape[1], BLOCK):
