@@ -6,6 +6,10 @@ from typing import Any
 
 from ehl.units import notebook_html
 
+# kinds of pictures: those that need no more than the films, and those of all results
+FILMS = "films"
+OTHERS = "others"
+PARAVIEW = "ParaView"  # what is no picture
 STIFFNESS_ORDER = ("x", "y", "z", "ty", "tz")  # directions of a ring
 STIFFNESS_HEADLINES = {"axial stiffness": 0, "radial stiffness": 1}  # place on the diagonal
 STIFFNESS_UNITS = [  # force and moment over shift and tilt
@@ -29,9 +33,9 @@ class Results:
         return str(self.case.get("title", ""))
 
     @property
-    def pictures(self) -> int:
-        """The most that are drawn apart from each other [-]."""
-        return 0
+    def pictures(self) -> dict[str, int]:
+        """The most that are drawn apart from each other [-]: of the films alone, and others."""
+        return {FILMS: 0, OTHERS: 0}
 
     def _repr_html_(self) -> str:
         """What there is, for a notebook; kinds that show more have their own."""

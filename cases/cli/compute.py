@@ -61,7 +61,9 @@ def run(
         tell_cost(run_cost(loaded, workers or cores()), quiet=quiet)
         try:
             with progress_bar(quiet=quiet) as progress:
-                results = run_case(loaded, workers, progress)
+                results = run_case(
+                    loaded, workers, progress, filmed=drawing.films if directory else None
+                )
                 save(results, directory, drawing, progress)
         except Interrupted as stop:
             if stop.results is not None and directory is not None:

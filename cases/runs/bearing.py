@@ -1,6 +1,6 @@
 """Run a case: equilibrium of the bearing, then the film of every distinct contact."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import partial
 from time import perf_counter
@@ -12,8 +12,6 @@ from bearing.contacts.finite_bodies import FiniteBodies, finite_bodies, with_fin
 from bearing.friction.formula_films import FormulaFilm, formula_film
 from bearing.friction.running_films import RunningFilms
 from bearing.friction.sources import FilmTraction, LawTraction
-from bearing.geometry import Array
-from bearing.heating.films_heat import running_conductances
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.frequencies import bearing_frequencies
 from bearing.rating.life import bearing_life
@@ -32,13 +30,23 @@ from ..format.operation import SELF_HEATED
 from ..version import version
 from .equilibrium import case_equilibrium
 from .films import Progress, Solve, film_plan, film_solver, solve_contacts, wanted_contacts
-from .heating import Printed, at_its_balance, at_its_temperature, lost_balance, self_heated
+from .heating import (
+    Printed,
+    at_its_balance,
+    at_its_temperature,
+    conducts,
+    film_conductances,
+    lost_balance,
+    self_heated,
+)
 from .interrupt import interruptible
 from .load_cases import solve_load_cases
 from .strength import case_strength, contact_tensions
 from .studies.atlas import unasked_films
 from .studies.supply import beside_supply
 from .traction_films import contact_tractions, traction_messages, with_workers
+
+Filmed = Callable[[BearingResults], None]
 
 WARM_ROUNDS = 5  # of films solved anew at the temperature that their torque asks for
 ROUGH_POINTS = 129  # of films with heat in the first round [-]
@@ -59,6 +67,7 @@ def run_case(
     workers: int | None = None,
     progress: Progress | None = None,
     solve: Solve | None = None,
+    filmed: Filmed | None = None,
 ) -> BearingResults:
     """Solve the bearing and the film of its contacts; `Interrupted` on Ctrl-C, with the results
     of the finished contacts.
@@ -71,11 +80,14 @@ def run_case(
         Called with the contacts done, the contacts in all, and a word on the state.
     solve : callable, optional
         Takes the place of the film model's own: a batch looks up what it has solved before.
+    filmed : callable, optional
+        Called with the results as far as films go, before friction; not where the torque decides
+        the temperature, and with it the films.
     """
     notify = progress or (lambda done, total, state: None)
     how = (workers, notify, solve)
     if case.file.operation.temperature != SELF_HEATED:
-        return _run(case, *how)
+        return _run(case, *how, filmed)
     warmed = at_its_temperature(case)
     if case.films.model is FilmModel.THERMAL:
         warmed = _by_rough_films(case, warmed, how)
@@ -129,7 +141,27 @@ def _in_balance(results: BearingResults, case: Case) -> BearingResults:
     return replace(results, heating=at_its_balance(heating, case, printed))
 
 
-def _run(case: Case, workers: int | None, notify: Progress, solve: Solve | None) -> BearingResults:
+class _Films(NamedTuple):
+    """Films of the contacts, solved ones and those of formulas in place of some."""
+
+    solutions: tuple[ContactSolution | None, ...]
+    formulas: tuple[FormulaFilm | None, ...]
+    interrupted: bool
+    messages: tuple[str, ...]
+
+    @property
+    def known(self) -> tuple[ContactSolution | FormulaFilm | None, ...]:
+        """The one or the other of each contact."""
+        return tuple(a or b for a, b in zip(self.solutions, self.formulas, strict=True))
+
+
+def _run(
+    case: Case,
+    workers: int | None,
+    notify: Progress,
+    solve: Solve | None,
+    filmed: Filmed | None = None,
+) -> BearingResults:
     """As `run_case`, at the temperature of the case."""
     notify(0, 1, "equilibrium of the bearing")
     start = perf_counter()
@@ -144,11 +176,7 @@ def _run(case: Case, workers: int | None, notify: Progress, solve: Solve | None)
     start = perf_counter()
     films = _films(case, state, contacts, (workers, notify, solve))
     timing["contacts"] = perf_counter() - start
-    numbers = (case, state, contacts, films, timing, notify)
-    friction = None if films.interrupted else _stopped_friction(*numbers)
     traction = traction_messages(case.traction, state, contacts)
-    messages = (*case.warnings, *case.films.messages, *traction, *films.messages)
-    timing["total"] = sum(timing.values())
     results = BearingResults(
         version=version(),
         case=case.document,
@@ -158,29 +186,31 @@ def _run(case: Case, workers: int | None, notify: Progress, solve: Solve | None)
         solutions=films.solutions,
         formula_films=films.formulas,
         frequencies=bearing_frequencies(state),
-        messages=messages if friction is not None else (*messages, STOPPED),
-        interrupted=friction is None,
+        messages=(*case.warnings, *case.films.messages, *traction, *films.messages),
         timing=timing,
         finite_bodies=bodies,
         duty_cycle=cycle,
         **_ratings(case, state),
-        **(friction or {}),
     )
-    return _complete(results)
+    if filmed is not None and not films.interrupted:
+        filmed(results)
+    return _with_friction(case, results, films, notify)
 
 
-class _Films(NamedTuple):
-    """Films of the contacts, solved ones and those of formulas in place of some."""
-
-    solutions: tuple[ContactSolution | None, ...]
-    formulas: tuple[FormulaFilm | None, ...]
-    interrupted: bool
-    messages: tuple[str, ...]
-
-    @property
-    def known(self) -> tuple[ContactSolution | FormulaFilm | None, ...]:
-        """The one or the other of each contact."""
-        return tuple(a or b for a, b in zip(self.solutions, self.formulas, strict=True))
+def _with_friction(
+    case: Case, results: BearingResults, films: _Films, notify: Progress
+) -> BearingResults:
+    """The results with friction, or `Interrupted` with what is there of them."""
+    timing = dict(results.timing)
+    numbers = (case, results.quasistatic, results.contacts, films, timing, notify)
+    friction = None if films.interrupted else _stopped_friction(*numbers)
+    timing["total"] = sum(timing.values())
+    if friction is not None:
+        return replace(results, timing=timing, **friction)
+    if not any(solution is not None for solution in results.solutions):
+        raise Interrupted(None)
+    messages = (*results.messages, STOPPED)
+    raise Interrupted(replace(results, timing=timing, interrupted=True, messages=messages))
 
 
 def _films(
@@ -231,14 +261,6 @@ def _ratings(case: Case, state: QuasistaticSolution) -> dict[str, Any]:
         "clearance": case.clearance,
         "strength": case_strength(case),
     }
-
-
-def _complete(results: BearingResults) -> BearingResults:
-    """The results, or `Interrupted` with what is there of them."""
-    if results.interrupted:
-        some = any(solution is not None for solution in results.solutions)
-        raise Interrupted(results if some else None)
-    return results
 
 
 def _contacts(
@@ -292,7 +314,7 @@ def _friction(
         "torque": torque,
         "heating": heating,
         "tensions": tensions,
-        "conductances": _conductances(case, state, contacts, running),
+        "conductances": film_conductances(case, state, contacts, running),
         **beside_supply(case, state, contacts, films.known, torque),
     }
 
@@ -305,33 +327,11 @@ def _running(
     torque: TorqueBreakdown | None,
 ) -> RunningFilms | None:
     """Films as they run, those of the torque where it has them; None where heat is not known."""
-    if case.friction is None or not state.converged or not (case.heating or _conducts(case)):
+    if case.friction is None or not state.converged or not (case.heating or conducts(case)):
         return None
     if torque is not None and torque.shear is not None and torque.shear.films:
         return torque.shear.films
     return films_as_they_run(state, contacts, films, case.friction, case.inlet)
-
-
-def _conducts(case: Case) -> bool:
-    """Whether the heat properties of oil and bodies are known."""
-    bodies = case.bearing
-    materials = (bodies.ball_material, bodies.inner_ring_material, bodies.outer_ring_material)
-    known = all(m.thermal_conductivity and m.specific_heat for m in materials)
-    return case.lubricant.thermal is not None and known
-
-
-def _conductances(
-    case: Case,
-    state: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    running: RunningFilms | None,
-) -> Array | None:
-    """Of heat through the films of all contacts [W/K]; None where heat properties of oil or bodies
-    are not known.
-    """
-    if running is None or not _conducts(case):
-        return None
-    return running_conductances(state, contacts, running)
 
 
 def _printed(

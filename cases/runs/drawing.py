@@ -6,6 +6,7 @@ import signal
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor, wait
 from contextlib import contextmanager
+from dataclasses import dataclass, field
 from functools import lru_cache, partial
 from multiprocessing import (
     active_children,
@@ -16,21 +17,34 @@ from multiprocessing import (
     set_forkserver_preload,
 )
 from pathlib import Path
+from shutil import copytree
 from tempfile import TemporaryDirectory
 from typing import Any
 
 import postprocess
 from ehl.multigrid.threads import cores
 from postprocess.files import attempt
+from postprocess.results import FILMS, OTHERS, PARAVIEW
 
 from .processes import end_workers, prepare_worker
 
 # each holds all fields; the dozen pictures of a bearing, of 0.3 s each, gain little by more
 MOST_PROCESSES = 4
+ALL = "VTK and plots"
 LOOK = 0.1  # from one look for an interrupt to the next [s]
 TERMINATION = 0.3  # for processes to end that were told to [s]
 FORK_SERVER = "forkserver"  # loads the libraries once for all processes, where there is one
 LOADED = ["cases.runs.drawing", "postprocess.writer.extras"]
+
+
+@dataclass(slots=True)
+class _Begun:
+    """Parts under way: a place for what the processes receive, the folder that they write to."""
+
+    place: "TemporaryDirectory[str]"
+    folder: Path
+    jobs: list[Future[tuple[str, ...]]] = field(default_factory=list)
+    problems: tuple[str, ...] = ()
 
 
 class Drawing:
@@ -40,21 +54,76 @@ class Drawing:
         self._pool = pool
         self._before = set(active_children())
         self._stopped = False
+        self._ahead: _Begun | None = None  # pictures of the films, before the rest is known
 
     def stop(self) -> None:
         """Leave out what has not been begun, when the user wants to stop."""
         self._stopped = True
 
+    def films(self, results: Any) -> None:
+        """Begin the pictures that need no more than the films; other parts of `results` may be
+        missing. `write` puts them in place.
+        """
+        # a process that was ended may still write to it
+        place = TemporaryDirectory(ignore_cleanup_errors=True)
+        self._ahead = _Begun(place, Path(place.name) / "made")
+        self._begin(results, self._ahead, (FILMS,))
+
     def write(self, results: Any, folder: Path) -> tuple[str, ...]:
         """Write a run as `postprocess.write_results`, to the same files."""
-        jobs: list[Future[tuple[str, ...]]] = []
-        with TemporaryDirectory(dir=folder) as parcel:
-            problems = attempt("VTK and plots", lambda: self._begin(results, Path(parcel), jobs))
-            try:
-                extras = partial(self._extras, jobs, problems)
-                return postprocess.write_numbers(results, folder, extras)
-            finally:
-                self._end(jobs)
+        rest = _Begun(TemporaryDirectory(dir=folder), folder)
+        begun = [rest] if self._ahead is None else [self._ahead, rest]
+        try:
+            kinds = (FILMS, OTHERS, PARAVIEW) if self._ahead is None else (OTHERS, PARAVIEW)
+            self._begin(results, rest, kinds)
+            extras = partial(self._extras, begun, folder)
+            return postprocess.write_numbers(results, folder, extras)
+        finally:
+            self._end([job for part in begun for job in part.jobs])
+            rest.place.cleanup()
+            self._forget()
+
+    def close(self) -> None:
+        """End the processes, waiting for none that was given up."""
+        self._pool.shutdown(wait=not self._stopped, cancel_futures=True)
+        self._forget()
+
+    def _forget(self) -> None:
+        """Remove what was made ahead."""
+        if self._ahead is not None:
+            self._ahead.place.cleanup()
+        self._ahead = None
+
+    def _begin(self, results: Any, begun: "_Begun", kinds: Sequence[str]) -> None:
+        """Have the parts of these kinds made; that they cannot be begun is a problem of them."""
+        begun.problems = attempt(ALL, lambda: self._submit(results, begun, kinds))
+
+    def _submit(self, results: Any, begun: "_Begun", kinds: Sequence[str]) -> None:
+        if self._stopped:
+            raise InterruptedError("interrupted")
+        file = Path(begun.place.name) / "results"
+        file.write_bytes(pickle.dumps(results))
+        counts = {PARAVIEW: 1, **results.pictures}
+        # the longest first: pictures of contacts come last, files for ParaView are one part
+        parts = [(kind, number) for kind in kinds for number in range(counts[kind])]
+        for part in reversed(parts):
+            begun.jobs.append(self._pool.submit(_make, file, begun.folder, part))
+
+    def _extras(self, begun: Sequence["_Begun"], folder: Path) -> tuple[str, ...]:
+        """Wait for all parts, or give up those under way once it was stopped."""
+        jobs = [job for part in begun for job in part.jobs]
+        while not self._stopped and wait(jobs, timeout=LOOK).not_done:
+            pass
+        problems = tuple(problem for part in begun for problem in part.problems)
+        for job in jobs:
+            if job.done():
+                problems += attempt(ALL, job.result)
+        if not all(job.done() for job in jobs):
+            return (*problems, f"{ALL}: some not written, interrupted")
+        for part in begun:
+            if part.folder != folder and part.folder.exists():
+                copytree(part.folder, folder, dirs_exist_ok=True)
+        return problems
 
     def _end(self, jobs: Sequence[Future[tuple[str, ...]]]) -> None:
         """Cancel what has not been begun; wait for what has, or end its processes."""
@@ -64,32 +133,6 @@ class Drawing:
             self._pool.shutdown(wait=False, cancel_futures=True)
             end_workers(self._before)
         wait(jobs, timeout=TERMINATION if self._stopped else None)
-
-    def close(self) -> None:
-        """End the processes, waiting for none that was given up."""
-        self._pool.shutdown(wait=not self._stopped, cancel_futures=True)
-
-    def _begin(self, results: Any, parcel: Path, jobs: list[Future[tuple[str, ...]]]) -> None:
-        if self._stopped:
-            raise InterruptedError("interrupted")
-        file = parcel / "results"
-        file.write_bytes(pickle.dumps(results))
-        # the longest first: pictures of contacts come last, files for ParaView first
-        for part in reversed(range(1 + results.pictures)):
-            jobs.append(self._pool.submit(_make, file, parcel.parent, part))
-
-    def _extras(
-        self, jobs: Sequence[Future[tuple[str, ...]]], problems: tuple[str, ...]
-    ) -> tuple[str, ...]:
-        """Wait for all parts, or give up those under way once it was stopped."""
-        while not self._stopped and wait(jobs, timeout=LOOK).not_done:
-            pass
-        for job in jobs:
-            if job.done():
-                problems += attempt("VTK and plots", job.result)
-        if not all(job.done() for job in jobs):
-            problems += ("VTK and plots: some not written, interrupted",)
-        return problems
 
 
 @contextmanager
@@ -127,12 +170,12 @@ def _prepare() -> None:
     gc.freeze()
 
 
-def _make(file: Path, folder: Path, part: int) -> tuple[str, ...]:
+def _make(file: Path, folder: Path, part: tuple[str, int]) -> tuple[str, ...]:
     """In a process: one part of the pictures and VTK; what could not be written."""
     return postprocess.write_extras(_received(file), folder, part)
 
 
-@lru_cache(maxsize=1)
+@lru_cache(maxsize=2)  # of the films alone, and of all
 def _received(file: Path) -> Any:
     """The results, read once by each process."""
     return pickle.loads(file.read_bytes())

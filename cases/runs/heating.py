@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from bearing.contacts.contact import BearingContact
-from bearing.friction.running_films import RunningFilm
+from bearing.friction.running_films import RunningFilm, RunningFilms
 from bearing.geometry import Array
 from bearing.heating.films_heat import FilmsHeat, formula_conductances, running_conductances
 from bearing.heating.friction_heat import FrictionHeat, heat_of_torque
@@ -233,3 +233,25 @@ def _model_heat(
     if torque.total is None:
         raise ValueError(f"the torque model {name} {torque.note}")
     return heat_of_torque(torque.components, state, formula_conductances(state, contacts))
+
+
+def conducts(case: Case) -> bool:
+    """Whether the heat properties of oil and bodies are known."""
+    bodies = case.bearing
+    materials = (bodies.ball_material, bodies.inner_ring_material, bodies.outer_ring_material)
+    known = all(m.thermal_conductivity and m.specific_heat for m in materials)
+    return case.lubricant.thermal is not None and known
+
+
+def film_conductances(
+    case: Case,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    running: RunningFilms | None,
+) -> Array | None:
+    """Of heat through the films of all contacts [W/K]; None where heat properties of oil or bodies
+    are not known.
+    """
+    if running is None or not conducts(case):
+        return None
+    return running_conductances(state, contacts, running)

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
-from itertools import islice
+from itertools import chain, islice
 from math import degrees, pi
 from pathlib import Path
 from typing import Any
@@ -35,10 +35,10 @@ from ..plot_style import (
     write_figures,
 )
 from ..quantities import Quantity
+from ..results import FILMS, OTHERS
 from ..text import evenly_chosen, value_with_error
 from .film_heat import isothermal_note
-from .plots_strength import draw_strength
-from .plots_torque import draw_decay, draw_torque
+from .plots_torque import other_figures
 from .quantities import BALL_QUANTITY
 from .results import BearingResults, distinct_contacts
 
@@ -155,26 +155,20 @@ def _common_window(views: list[ContactView]) -> tuple[float, float, float]:
 
 
 def write_bearing_plots(
-    results: BearingResults, directory: Path, picture: int | None = None
+    results: BearingResults, directory: Path, picture: tuple[str, int] | None = None
 ) -> tuple[str, ...]:
     """Draw load zone, torque and contacts, equal ones once; figures that failed are messages.
 
-    All pictures, or the one of that number from 0, if there is one.
+    All pictures, or the one of that kind and number from 0, if there is one.
     """
-    figures = _figures(results)
-    if picture is not None:
-        figures = islice(figures, picture, picture + 1)
-    return write_figures(directory, figures)
+    if picture is None:
+        return write_figures(directory, chain(*(figures(results) for figures in FIGURES.values())))
+    kind, number = picture
+    return write_figures(directory, islice(FIGURES[kind](results), number, number + 1))
 
 
-def _figures(results: BearingResults) -> Iterator[tuple[str, Callable[[Figure], None]]]:
+def _film_figures(results: BearingResults) -> Iterator[tuple[str, Callable[[Figure], None]]]:
     yield "plots/load_zone", partial(draw_load_zone, results=results)
-    if results.torque is not None and results.torque.total is not None:
-        yield "plots/torque", partial(draw_torque, results=results)
-    if results.strength is not None and results.strength.inner_map is not None:
-        yield "plots/ring_strength", partial(draw_strength, results=results)
-    if results.decay is not None:
-        yield "plots/decay", partial(draw_decay, results=results)
     groups = distinct_contacts(results)
     for quantity in ("film", "pressure") if groups else ():
         draw = partial(draw_per_azimuth, results=results, quantity=quantity)
@@ -187,6 +181,9 @@ def _figures(results: BearingResults) -> Iterator[tuple[str, Callable[[Figure], 
         title = f"{results.title}\n{group.label}{cold}\n{place}, {film_text(view)}"
         name = f"plots/{first.race.value}_ball{first.ball:02d}"
         yield name, partial(draw_contact, view=view, title=title)
+
+
+FIGURES = {FILMS: _film_figures, OTHERS: other_figures}
 
 
 def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> None:

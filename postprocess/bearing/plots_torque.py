@@ -2,7 +2,8 @@
 every ball; of the film after the supply of oil has stopped.
 """
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -20,6 +21,7 @@ from ..plot_style import (
     REFERENCE,
 )
 from ..quantities import by_key
+from .plots_strength import draw_strength
 from .quantities import BALL_QUANTITY, DECAY_COURSE, TORQUE, TORQUE_MODELS
 from .results import BearingResults
 from .torque import shown_titles, shown_torques
@@ -51,6 +53,18 @@ KINDS = (  # what one colour stands for, and the components of the models that a
     ("seals", SEAL, ("seal",)),
 )
 VISIBLE = 1.0e-4  # of the largest torque: smaller parts are not drawn
+
+
+def other_figures(results: BearingResults) -> Iterator[tuple[str, Callable[[Figure], None]]]:
+    """Names without suffix and drawings of all that is not of the films: torque, strength of the
+    rings, film after the supply has stopped, as far as there are any.
+    """
+    if results.torque is not None and results.torque.total is not None:
+        yield "plots/torque", partial(draw_torque, results=results)
+    if results.strength is not None and results.strength.inner_map is not None:
+        yield "plots/ring_strength", partial(draw_strength, results=results)
+    if results.decay is not None:
+        yield "plots/decay", partial(draw_decay, results=results)
 
 
 def draw_torque(figure: Figure, results: BearingResults) -> None:

@@ -32,7 +32,7 @@ from ehl.traction.rolling_moment import RollingMoment
 from ehl.units import from_si, notebook_html
 
 from ..contact.quantities import oil_permittivity
-from ..results import Results
+from ..results import FILMS, OTHERS, Results
 from ..text import listed
 from .film_heat import film_bars
 
@@ -162,9 +162,11 @@ class BearingResults(Results):
         return notebook_html(self.title or "Bearing", facts, columns)
 
     @property
-    def pictures(self) -> int:
-        """The most that are drawn [-]: six of the bearing, one of each distinct contact."""
-        return 6 + len(distinct_contacts(self))
+    def pictures(self) -> dict[str, int]:
+        """The most that are drawn [-]: of the films three of the bearing and one of each distinct
+        contact; torque, strength and decay.
+        """
+        return {FILMS: 3 + len(distinct_contacts(self)), OTHERS: 3}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -8,7 +8,7 @@ from ehl.traction import NormalResponse
 from ehl.traction.shear import TractionResult
 from ehl.units import notebook_html
 
-from ..results import Results
+from ..results import FILMS, OTHERS, Results
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -34,6 +34,6 @@ class ContactResults(Results):
         return notebook_html(self.title or "Contact", facts) + self.solution._repr_html_()
 
     @property
-    def pictures(self) -> int:
+    def pictures(self) -> dict[str, int]:
         """That are drawn [-]."""
-        return 1
+        return {FILMS: 0, OTHERS: 1}

@@ -7,33 +7,34 @@ from ..bearing.results import BearingResults
 from ..contact.plots import write_contact_plots
 from ..contact.results import ContactResults
 from ..files import attempt
+from ..results import PARAVIEW
 from ..scene.ring_deformed import write_ring_deformed
 from ..scene.ring_stress import write_ring_stress
 from ..scene.vtk import write_collection, write_subsurface
 
 
 def write_extras(
-    results: BearingResults | ContactResults, folder: Path, part: int | None = None
+    results: BearingResults | ContactResults, folder: Path, part: tuple[str, int] | None = None
 ) -> tuple[str, ...]:
-    """Write files for ParaView, part 0, and the pictures, a part each from 1; all if None.
+    """Write files for ParaView and the pictures; or one part of them, by its kind and number from
+    0.
 
     Returns what could not be written, and why.
     """
     problems: tuple[str, ...] = ()
-    if part in (None, 0):
+    if part is None or part[0] == PARAVIEW:
         problems = attempt("VTK", lambda: _write_vtk(results, folder))
-    if part != 0:
-        picture = None if part is None else part - 1
-        problems += attempt("plots", lambda: _write_plots(results, folder, picture))
+    if part is None or part[0] != PARAVIEW:
+        problems += attempt("plots", lambda: _write_plots(results, folder, part))
     return problems
 
 
 def _write_plots(
-    results: BearingResults | ContactResults, folder: Path, picture: int | None
+    results: BearingResults | ContactResults, folder: Path, picture: tuple[str, int] | None
 ) -> tuple[str, ...]:
     if isinstance(results, BearingResults):
         return write_bearing_plots(results, folder, picture)
-    return write_contact_plots(results, folder) if picture in (None, 0) else ()
+    return write_contact_plots(results, folder)
 
 
 def _write_vtk(results: BearingResults | ContactResults, folder: Path) -> None:

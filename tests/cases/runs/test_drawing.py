@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 
 import pytest
 
@@ -35,9 +36,12 @@ def contents(folder):
     return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
 
 
-def test_processes_write_the_files_of_one_process(results, drawing, tmp_path):
+@pytest.mark.parametrize("ahead", [False, True], ids=["all at once", "pictures of films ahead"])
+def test_processes_write_the_files_of_one_process(results, drawing, tmp_path, ahead):
     for name in ("one", "several"):
         (tmp_path / name).mkdir()
+    if ahead:
+        drawing.films(replace(results, torque=None, strength=None))
     assert drawing.write(results, tmp_path / "several") == write_results(results, tmp_path / "one") == ()
     one, several = contents(tmp_path / "one"), contents(tmp_path / "several")
     assert "plots/load_zone.png" in one
@@ -61,6 +65,15 @@ def test_after_an_interrupt_numbers_alone_are_written(results, tmp_path):
     assert problems == (f"{LEFT_OUT} not written: interrupted",)
     assert set(contents(tmp_path)) == NUMBERS
     assert problems[0] in (tmp_path / "summary.json").read_text(encoding="utf-8")
+
+
+def test_after_an_interrupt_pictures_begun_ahead_are_given_up(results, tmp_path):
+    with drawing_processes(ahead=False) as processes:
+        processes.films(results)
+        processes.stop()
+        problems = processes.write(results, tmp_path)
+    assert f"{LEFT_OUT} not written: interrupted" in problems
+    assert NUMBERS <= set(contents(tmp_path)) <= NUMBERS | {"plots/load_zone.png"}  # it may have been drawn
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
