@@ -1,8 +1,10 @@
 """Elastic rings with their displacement under all balls, as hexahedra, by meshio."""
 
-from pathlib import Path
+from __future__ import annotations
 
-import meshio
+from pathlib import Path
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from bearing.geometry import Race
@@ -14,6 +16,9 @@ from ..bearing.results import BearingResults
 from ..files import atomic_path
 from .hexahedra import hexahedra
 from .vtk import groove_axial
+
+if TYPE_CHECKING:
+    import meshio
 
 DISPLACEMENT = "displacement [um]"
 DISTANCE = "displacement, size [um]"
@@ -54,6 +59,8 @@ def write_ring_deformed(results: BearingResults, directory: Path) -> tuple[Path,
 
 def displacement_mesh(points: list[Array], displacements: list[Array]) -> meshio.Mesh:
     """Rings of one or more rows as one mesh, shape (n, m, k, 3) each [m]."""
+    import meshio  # when it is needed: most runs have no such mesh
+
     cells = []
     first = 0
     for place in points:

@@ -1,8 +1,10 @@
 """Stress in rings as finite bodies below their heaviest contacts, as hexahedra, by meshio."""
 
-from pathlib import Path
+from __future__ import annotations
 
-import meshio
+from pathlib import Path
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from bearing.geometry import Race
@@ -11,6 +13,9 @@ from ehl.units import GIGAPASCAL, MILLIMETRE
 
 from ..bearing.results import BearingResults
 from .hexahedra import hexahedra
+
+if TYPE_CHECKING:
+    import meshio
 
 COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
 
@@ -34,6 +39,8 @@ def write_ring_stress(results: BearingResults, directory: Path) -> tuple[Path, .
 
 def stress_mesh(stress: RingStress) -> meshio.Mesh:
     """The box as a mesh, nodes in the order x, y, z, the last the fastest."""
+    import meshio  # when it is needed: most runs have no such mesh
+
     ring, flat = stress.ring, stress.half_space
     grid = np.meshgrid(ring.x, ring.y, ring.depth, indexing="ij")
     points = np.stack([axis.ravel() for axis in grid], axis=1) / MILLIMETRE

@@ -1,16 +1,23 @@
 """Meshes of quadratic hexahedra as images of boxes of parameters, and integrals of their shape
 functions.
+
+scikit-fem is loaded when the first mesh is made: most runs need none.
 """
+
+from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
-from skfem import Basis, ElementHex2, FacetBasis, LinearForm, MeshHex, MeshHex2, asm
 
 from ...arrays import Array
+
+if TYPE_CHECKING:
+    from skfem import AbstractBasis, Basis, MeshHex2
 
 Nodes = NDArray[np.bool_]
 
@@ -41,6 +48,8 @@ class HexMesh:
 
     def basis(self) -> Basis:
         """Scalar basis of the nodes."""
+        from skfem import Basis, ElementHex2
+
         return Basis(self.mesh, ElementHex2(), intorder=INTEGRATION_ORDER)
 
     def on(self, axis: int, value: float) -> Nodes:
@@ -58,6 +67,8 @@ def hexahedra(lines: Sequence[Array], place: Callable[[Array], Array]) -> HexMes
     ValueError
         If cells are turned inside out.
     """
+    from skfem import MeshHex, MeshHex2
+
     box = MeshHex2.from_mesh(MeshHex.init_tensor(*lines))
     parameters = np.array(box.doflocs)
     mesh = MeshHex2(np.ascontiguousarray(place(parameters)), box.t)
@@ -69,16 +80,19 @@ def hexahedra(lines: Sequence[Array], place: Callable[[Array], Array]) -> HexMes
 
 def volume_weights(body: HexMesh, cells: Nodes) -> Array:
     """Integrals of the shape functions over the chosen cells, shape (n,) [m^3]."""
-    part = Basis(body.mesh, ElementHex2(), intorder=2, elements=np.flatnonzero(cells))
-    return np.asarray(asm(_one, part))
+    from skfem import Basis, ElementHex2
+
+    return _integrals(Basis(body.mesh, ElementHex2(), intorder=2, elements=np.flatnonzero(cells)))
 
 
 def surface_weights(body: HexMesh, nodes: Nodes) -> Array:
     """Integrals of the shape functions over the facets all of whose corners are chosen, shape (n,)
     [m^2].
     """
+    from skfem import ElementHex2, FacetBasis
+
     facets = np.flatnonzero(nodes[body.mesh.facets].all(axis=0) & _is_boundary(body.mesh))
-    return np.asarray(asm(_one, FacetBasis(body.mesh, ElementHex2(), intorder=4, facets=facets)))
+    return _integrals(FacetBasis(body.mesh, ElementHex2(), intorder=4, facets=facets))
 
 
 def _is_boundary(mesh: MeshHex2) -> Nodes:
@@ -87,9 +101,11 @@ def _is_boundary(mesh: MeshHex2) -> Nodes:
     return boundary
 
 
-@LinearForm
-def _one(v, w):  # type: ignore[no-untyped-def]
-    return v
+def _integrals(basis: AbstractBasis) -> Array:
+    """Of the shape functions of a basis over its cells or facets, shape (n,)."""
+    from skfem import LinearForm, asm
+
+    return np.asarray(asm(LinearForm(lambda v, _w: v), basis))
 
 
 def block_matrix(body: HexMesh, blocks: Array) -> sparse.bsr_matrix:
