@@ -9,6 +9,7 @@ import scipy
 
 from ..arrays import Array
 from .coating import ScaledCoating
+from .layered_fem import correction
 
 # cells around the load in which the correction of a thin coating is averaged over the cell
 NEIGHBOURS = 6
@@ -28,8 +29,6 @@ def _table(
     ratio: float, poisson: tuple[float, float]
 ) -> tuple[Callable[[Array], Array], float, float]:
     """c over asinh(r/t), the distance up to which it holds, and c r/t beyond."""
-    from .layered_fem import correction  # with it scikit-fem, which no other film needs
-
     r, c = correction(ratio, poisson)
     inside = r < 0.3 * r[-1]
     far = (1.0 - poisson[1] ** 2) / (1.0 - poisson[0] ** 2) / ratio - 1.0

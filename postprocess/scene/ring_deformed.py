@@ -1,9 +1,7 @@
 """Elastic rings with their displacement under all balls, as hexahedra, by meshio."""
 
-from __future__ import annotations
-
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 
@@ -16,9 +14,6 @@ from ..bearing.results import BearingResults
 from ..files import atomic_path
 from .hexahedra import hexahedra
 from .vtk import groove_axial
-
-if TYPE_CHECKING:
-    import meshio
 
 DISPLACEMENT = "displacement [um]"
 DISTANCE = "displacement, size [um]"
@@ -57,7 +52,7 @@ def write_ring_deformed(results: BearingResults, directory: Path) -> tuple[Path,
     return tuple(written)
 
 
-def displacement_mesh(points: list[Array], displacements: list[Array]) -> meshio.Mesh:
+def displacement_mesh(points: list[Array], displacements: list[Array]) -> Any:
     """Rings of one or more rows as one mesh, shape (n, m, k, 3) each [m]."""
     import meshio  # when it is needed: most runs have no such mesh
 

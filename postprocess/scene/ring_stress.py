@@ -1,9 +1,7 @@
 """Stress in rings as finite bodies below their heaviest contacts, as hexahedra, by meshio."""
 
-from __future__ import annotations
-
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 
@@ -13,9 +11,6 @@ from ehl.units import GIGAPASCAL, MILLIMETRE
 
 from ..bearing.results import BearingResults
 from .hexahedra import hexahedra
-
-if TYPE_CHECKING:
-    import meshio
 
 COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
 
@@ -37,7 +32,7 @@ def write_ring_stress(results: BearingResults, directory: Path) -> tuple[Path, .
     return tuple(written)
 
 
-def stress_mesh(stress: RingStress) -> meshio.Mesh:
+def stress_mesh(stress: RingStress) -> Any:
     """The box as a mesh, nodes in the order x, y, z, the last the fastest."""
     import meshio  # when it is needed: most runs have no such mesh
 

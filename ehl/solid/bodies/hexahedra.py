@@ -4,20 +4,15 @@ functions.
 scikit-fem is loaded when the first mesh is made: most runs need none.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
 from ...arrays import Array
-
-if TYPE_CHECKING:
-    from skfem import AbstractBasis, Basis, MeshHex2
 
 Nodes = NDArray[np.bool_]
 
@@ -32,7 +27,7 @@ class HexMesh:
     The parameters are the coordinates (p, q, t) of a box whose image the body is, [-] or [m].
     """
 
-    mesh: MeshHex2
+    mesh: Any  # of scikit-fem, MeshHex2
     parameters: Array  # of the nodes, shape (3, n)
 
     @property
@@ -46,7 +41,7 @@ class HexMesh:
         corners = self.mesh.t[:8]
         return np.asarray(self.parameters[:, corners].mean(axis=1))
 
-    def basis(self) -> Basis:
+    def basis(self) -> Any:
         """Scalar basis of the nodes."""
         from skfem import Basis, ElementHex2
 
@@ -95,13 +90,13 @@ def surface_weights(body: HexMesh, nodes: Nodes) -> Array:
     return _integrals(FacetBasis(body.mesh, ElementHex2(), intorder=4, facets=facets))
 
 
-def _is_boundary(mesh: MeshHex2) -> Nodes:
+def _is_boundary(mesh: Any) -> Nodes:
     boundary = np.zeros(mesh.facets.shape[1], dtype=np.bool_)
     boundary[mesh.boundary_facets()] = True
     return boundary
 
 
-def _integrals(basis: AbstractBasis) -> Array:
+def _integrals(basis: Any) -> Array:
     """Of the shape functions of a basis over its cells or facets, shape (n,)."""
     from skfem import LinearForm, asm
 
