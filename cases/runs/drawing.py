@@ -5,6 +5,7 @@ import pickle
 import signal
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor, wait
+from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import lru_cache, partial
@@ -117,7 +118,8 @@ class Drawing:
         problems = tuple(problem for part in begun for problem in part.problems)
         for job in jobs:
             if job.done():
-                problems += attempt(ALL, job.result)
+                problems += attempt(ALL, partial(_result, job))
+        problems = tuple(dict.fromkeys(problems))
         if not all(job.done() for job in jobs):
             return (*problems, f"{ALL}: some not written, interrupted")
         for part in begun:
@@ -173,6 +175,14 @@ def _prepare() -> None:
 def _make(file: Path, folder: Path, part: tuple[str, int]) -> tuple[str, ...]:
     """In a process: one part of the pictures and VTK; what could not be written."""
     return postprocess.write_extras(_received(file), folder, part)
+
+
+def _result(job: Future[tuple[str, ...]]) -> tuple[str, ...]:
+    """What a part left unwritten."""
+    try:
+        return job.result()
+    except BrokenProcessPool:
+        return (f"{ALL}: some not written, a process that drew them was ended",)
 
 
 @lru_cache(maxsize=2)  # of the films alone, and of all

@@ -58,9 +58,10 @@ def judged(solution: ContactSolution, by_box: float = 0.0) -> ContactSolution:
         return solution
     share = film_over_radius(solution)
     if share > MAX_FILM_OVER_RADIUS:
+        size = f"{share:.1%} of" if share < 1.0 else "thicker than"
         message = (
-            f"outside the model: the film is {share:.1%} of Rx, where the gap is no paraboloid; "
-            "no film is given"
+            f"outside the model: the film is {size} Rx, where the gap is no paraboloid; no film "
+            "is given"
         )
         return replace(solution, converged=False, resolved=False, message=message)
     if not solution.resolved:

@@ -31,6 +31,11 @@ def drawing():
         yield processes
 
 
+def killed(*_part):
+    """In a process that draws."""
+    os.abort()
+
+
 def contents(folder):
     """The files of a folder by their relative paths."""
     return {str(path.relative_to(folder)): path.read_bytes() for path in folder.rglob("*") if path.is_file()}
@@ -74,6 +79,14 @@ def test_after_an_interrupt_pictures_begun_ahead_are_given_up(results, tmp_path)
         problems = processes.write(results, tmp_path)
     assert f"{LEFT_OUT} not written: interrupted" in problems
     assert NUMBERS <= set(contents(tmp_path)) <= NUMBERS | {"plots/load_zone.png"}  # it may have been drawn
+
+
+def test_a_drawing_process_that_is_killed_loses_its_pictures_only(results, tmp_path, monkeypatch):
+    monkeypatch.setattr("cases.runs.drawing._make", killed)
+    with drawing_processes(ahead=False) as processes:
+        problems = processes.write(results, tmp_path)
+    assert problems == (f"{LEFT_OUT}: some not written, a process that drew them was ended",)
+    assert set(contents(tmp_path)) == NUMBERS
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
