@@ -132,6 +132,27 @@ def test_bars_widen_where_the_order_is_not_seen_and_where_levels_miss():
     assert np.isnan(extrapolate([], 0).value)
 
 
+@pytest.mark.parametrize(
+    ("films", "right"),
+    [
+        ([0.6600, 0.7134, 0.74876, 0.74534], 0.7363),  # M 2563, L 1.55, R_x/R_y 0.0595, 69.5 deg: turns
+        ([0.2000, 0.26827, 0.3098, 0.31343], 0.3091),  # M 3629, L 0.79, R_x/R_y 0.0968, 69.7 deg: falls too fast
+    ],
+)
+def test_bars_of_minimum_films_at_an_angle_hold_a_late_turn(films, right):
+    """Levels of 129 to 1025 points, and the film of 2049."""
+    known = levels(films, fineness=400.0)
+    film = extrapolate(known, 1, oblique=True)
+    assert abs(film.value - right) < film.uncertainty
+    assert abs(film.value - right) > extrapolate(known, 0, oblique=True).uncertainty  # no bar of a steady sequence
+
+
+def test_the_bar_of_a_minimum_film_at_an_angle_that_no_step_bears_out_is_wider_than_the_step():
+    known = levels([0.9, 0.93, 0.96], fineness=40.0)
+    assert not known[0].resolved
+    assert extrapolate(known, 1, oblique=True).uncertainty > 1.5 * (0.96 - 0.93) / 3.0
+
+
 def test_bars_of_two_levels_far_apart_hold_the_whole_step():
     """A skewed contact of M 1801 was 1.07 steps off on 257 points, with a bar of 0.7."""
     for fall, share in ((0.05, 0.5), (0.3, 1.1)):
