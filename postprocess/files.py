@@ -10,6 +10,8 @@ from typing import Any
 from bearing.files import atomic_path, is_disk_failure, write_bytes
 
 Table = tuple[Iterable[str], Iterable[Iterable[Any]]]  # header and rows
+# types whose values are of JSON as they are, as finite floats are; the paths of others are built
+PLAIN = frozenset((str, int, bool, type(None)))
 SUMMARY_FILE = "summary.json"
 CONTACTS_FILE = "contacts.csv"
 
@@ -55,12 +57,16 @@ def plain(value: Any, path: str = "", lost: list[str] | None = None) -> Any:
     """Plain JSON types; a number that is not finite becomes None, its path is added to `lost`."""
     if isinstance(value, dict):
         return {
-            key: v if _is_plain(v) else plain(v, f"{path}.{key}".lstrip("."), lost)
+            key: v
+            if (kind := type(v)) in PLAIN or (kind is float and isfinite(v))
+            else plain(v, f"{path}.{key}".lstrip("."), lost)
             for key, v in value.items()
         }
     if isinstance(value, list | tuple):
         return [
-            item if _is_plain(item) else plain(item, f"{path}[{i}]", lost)
+            item
+            if (kind := type(item)) in PLAIN or (kind is float and isfinite(item))
+            else plain(item, f"{path}[{i}]", lost)
             for i, item in enumerate(value)
         ]
     if hasattr(value, "tolist"):  # arrays and scalars of NumPy
@@ -70,12 +76,6 @@ def plain(value: Any, path: str = "", lost: list[str] | None = None) -> Any:
             lost.append(path)
         return None
     return value
-
-
-def _is_plain(value: Any) -> bool:
-    """Whether a value is one of JSON as it is, as most are; the paths of others are built."""
-    kind = type(value)
-    return (kind is float and isfinite(value)) or kind in (str, int, bool, type(None))
 
 
 def write_csv(

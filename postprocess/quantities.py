@@ -6,6 +6,7 @@ of terminal and report and the labels of pictures read the same declaration.
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
 
 from ehl.units import from_si, si_unit_of, unit_of, unit_symbol, without_unit
@@ -55,11 +56,17 @@ class Quantity:
     def value(self, record: Any) -> Any:
         """The value of a record, in the unit of the key; None where a part of its path is None."""
         value = record
-        for name in self.source.split("."):
+        for name in _names(self.source):
             if value is None:
                 return None
             value = getattr(value, name)
-        return self.in_unit(value)
+        return from_si(self.key, value)
+
+
+@cache
+def _names(source: str) -> tuple[str, ...]:
+    """Of the attributes on a dotted path."""
+    return tuple(source.split("."))
 
 
 def quantities(

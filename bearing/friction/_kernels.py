@@ -21,6 +21,11 @@ from ehl.traction._kernels import hertz_friction, table_lookup
 # of the stress of oil at ambient pressure, up to which it counts as proportional to the rate [-]:
 # it makes some 1e-3 of the friction of a film
 PROPORTIONAL = 1.0e-6
+# slope of the sliding at a line of pure rolling, over its largest one, below which it counts as
+# this [-], and that keeps quotients finite [m/s]
+FLAT_LINE = 1.0e-9
+NO_SLOPE = 1.0e-300
+FAR_LINE = 1.0e30  # where lines beyond reach stand, over the semi-axis [-]
 
 
 @compiled
@@ -241,6 +246,96 @@ def thin_sums(nodes, out):
         out[8] += pull * (x * x + y * y)
         out[9] -= pull * y * height
         out[10] += pull * height * height
+
+
+@compiled
+def flat_rows(films, nodes, inside, level, viscosity, limit, rows):
+    """First six rows of nodes of `film_frictions` in flat films, rows of shape (films, 7, m).
+
+    films, shape (n, 6): semi-axes along and across, Hertz' pressure, radius along rolling, gap
+    around and in the contact; nodes, shape (4, m): x and y over the semi-axes, area over both,
+    (x^2 - 1)/2 of lines behind; inside (m,): in the contact; level (m,): of each node in viscosity
+    and limiting stress, shape (n, levels). Oil that leaves the contact fills strips.
+    """
+    for n in range(films.shape[0]):
+        a, b, _, radius, around, gap = films[n]
+        for k in range(level.size):
+            height = gap
+            share = 1.0
+            if not inside[k]:
+                height = around + a * a / radius * nodes[3, k]
+                share = min(gap / height, 1.0)
+            rows[n, 0, k] = a * b * nodes[2, k] * share
+            rows[n, 1, k] = 1.0 / height
+            rows[n, 2, k] = viscosity[n, level[k]]
+            rows[n, 3, k] = limit[n, level[k]]
+            rows[n, 4, k] = a * nodes[0, k]
+            rows[n, 5, k] = b * nodes[1, k]
+
+
+@compiled
+def line_sums(ellipses, motion, power, gradient, slope):
+    """As `coulomb_sums` of narrow ellipses, by the lines of pure rolling u = y/a, the roots of
+    omega a^2/(2R) u^2 + Omega a u = S_x.
+    """
+    moments = np.empty(3)
+    arms = np.zeros(4)
+    for n in range(motion.shape[0]):
+        friction, _, a, curvature, _ = ellipses[n]
+        slide = motion[n, 0]
+        tilt = motion[n, 2] * a
+        bend = motion[n, 3] * a * a * curvature
+        arms[0] = 1.0
+        arms[2] = -a
+        arms[3] = -a * a * curvature
+        roots = _line_roots(slide, tilt, bend)
+        sign = 1.0 if bend >= 0.0 else -1.0
+        for k in range(3):
+            high = _line_moment(min(max(roots[1], -1.0), 1.0), k)
+            low = _line_moment(min(max(roots[0], -1.0), 1.0), k)
+            whole = 1.0 if k == 0 else 0.2 if k == 2 else 0.0
+            moments[k] = sign * (2.0 * (high - low) - whole)
+        gradient[n, 0] = friction * moments[0]
+        gradient[n, 1] = 0.0
+        gradient[n, 2] = friction * arms[2] * moments[1]
+        gradient[n, 3] = friction * arms[3] * moments[2]
+        power[n] = gradient[n, 0] * slide
+        power[n] += gradient[n, 2] * motion[n, 2] + gradient[n, 3] * motion[n, 3]
+        slope[n] = 0.0
+        flat = FLAT_LINE * (abs(tilt) + abs(bend)) + NO_SLOPE
+        for u in roots:
+            if abs(u) < 1.0:
+                weight = friction * 1.5 * (1.0 - u * u) / max(abs(tilt + 2.0 * bend * u), flat)
+                for i in (0, 2, 3):
+                    for j in (0, 2, 3):
+                        across = u ** (max(i - 1, 0) + max(j - 1, 0))
+                        slope[n, i, j] += weight * arms[i] * arms[j] * across
+
+
+@compiled
+def _line_roots(slide, tilt, bend):
+    """Roots of bend u^2 + tilt u - slide, the lower first; 2 where there are none."""
+    square = tilt * tilt + 4.0 * bend * slide
+    if not square > 0.0:
+        return 2.0, 2.0
+    q = -0.5 * (tilt + np.copysign(np.sqrt(square), tilt + 0.0))
+    first = _far(q / bend)
+    second = _far(-slide / q)
+    return min(first, second), max(first, second)
+
+
+@compiled
+def _far(root):
+    """A root as a finite number."""
+    if np.isnan(root):
+        return 0.0
+    return min(max(root, -FAR_LINE), FAR_LINE)
+
+
+@compiled
+def _line_moment(u, power):
+    """Integral of 3/4 (1 - u^2) u^n from 0."""
+    return 0.75 * (u ** (power + 1) / (power + 1) - u ** (power + 3) / (power + 3))
 
 
 @compiled

@@ -30,7 +30,7 @@ from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 from . import _kernels
 from .balance import BalancedFriction, balance_balls, curvature_slip
-from .law import TINY, ContactLaw, Dissipation
+from .law import ContactLaw, Dissipation
 
 # e of Coulomb's law over the largest sliding that the curvature of the contact makes [-]: half and
 # double of it change the friction power of 25 random bearings by 2.4e-3 at most, as much as the
@@ -56,54 +56,19 @@ class Ellipses(NamedTuple):
         """Those with these indices [-]."""
         return Ellipses(*(values[indices] for values in self))
 
+    @property
+    def numbers(self) -> Array:
+        """mu Q, semi-axes along and across, 1/(2R), e as kernels take them, shape (N, 5)."""
+        friction = self.friction * self.load
+        axes = (self.semi_axis_x, self.semi_axis_y)
+        return np.stack([friction, *axes, 0.5 / self.radius, self.rounding], axis=1)
+
 
 def line_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
     """Friction of narrow ellipses [W]: exact integrals between the lines of pure rolling, the
     roots of s_x; motion (N, 4): S_x, S_y [m/s], Omega and omega [rad/s], S_y does not count.
     """
-    a = ellipses.semi_axis_y
-    slide = motion[:, 0]
-    tilt = motion[:, 2] * a
-    heathcote = motion[:, 3] * a**2 / (2.0 * ellipses.radius)
-    roots = _roots(slide, tilt, heathcote)
-    signs = np.where(heathcote >= 0.0, 1.0, -1.0)
-    between = np.clip(roots, -1.0, 1.0)
-    moments = [
-        signs * (2.0 * (_moment(between[1], n) - _moment(between[0], n)) - _WHOLE[n])
-        for n in range(3)
-    ]
-    scale = ellipses.friction * ellipses.load
-    one, none = np.ones_like(a), np.zeros_like(a)
-    arms = np.stack([one, none, -a, -(a**2) / (2.0 * ellipses.radius)], axis=1)
-    gradient = scale[:, None] * arms * np.stack([moments[0], none, *moments[1:]], axis=1)
-    curvature = np.zeros((a.size, 4, 4))
-    for u in roots:
-        inside = np.abs(u) < 1.0
-        v = np.where(inside, u, 0.0)
-        flat = 1e-9 * (np.abs(tilt) + np.abs(heathcote)) + TINY
-        slope = np.maximum(np.abs(tilt + 2.0 * heathcote * v), flat)
-        weight = np.where(inside, scale * 1.5 * (1.0 - v**2) / slope, 0.0)
-        arm = arms * np.stack([one, none, v, v**2], axis=1)
-        curvature += weight[:, None, None] * arm[:, :, None] * arm[:, None, :]
-    return Dissipation(np.einsum("nk,nk->n", gradient, motion), gradient, curvature)
-
-
-_WHOLE = (1.0, 0.0, 0.2)  # integrals of 3/4 (1 - u^2) u^n over the contact
-
-
-def _moment(u: Array, power: int) -> Array:
-    """Integral of 3/4 (1 - u^2) u^n from 0 [-]."""
-    return 0.75 * (u ** (power + 1) / (power + 1) - u ** (power + 3) / (power + 3))
-
-
-def _roots(slide: Array, tilt: Array, heathcote: Array) -> Array:
-    """Roots of heathcote u^2 + tilt u - slide, the lower first, (2, N) [-]; 2 where none."""
-    discriminant = tilt**2 + 4.0 * heathcote * slide
-    q = -0.5 * (tilt + np.copysign(np.sqrt(np.maximum(discriminant, 0.0)), tilt + 0.0))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        pair = np.stack([q / heathcote, -slide / q])
-    pair = np.nan_to_num(pair, nan=0.0, posinf=1e30, neginf=-1e30)
-    return np.where(discriminant > 0.0, np.sort(pair, axis=0), 2.0)
+    return _line_sums(motion, ellipses.numbers)
 
 
 def coulomb_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
@@ -112,14 +77,26 @@ def coulomb_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
 
     |s| is rounded to sqrt(s^2 + e^2) [m/s]. Hertz's pressure is taken into the weights.
     """
-    e = ellipses
-    n = motion.shape[0]
-    shapes = np.stack(
-        [e.friction * e.load, e.semi_axis_x, e.semi_axis_y, 0.5 / e.radius, e.rounding], axis=1
-    )
-    result = Dissipation(np.empty(n), np.empty((n, 4)), np.empty((n, 4, 4)))
-    _kernels.coulomb_sums(ellipse_nodes(EllipseRule.BALANCE), shapes, motion, *result)
+    return ellipse_sums(motion, ellipses.numbers)
+
+
+def ellipse_sums(motion: Array, numbers: Array) -> Dissipation:
+    """As `coulomb_dissipation`, by `Ellipses.numbers` [W]."""
+    result = _empty(len(motion))
+    _kernels.coulomb_sums(ellipse_nodes(EllipseRule.BALANCE), numbers, motion, *result)
     return result
+
+
+def _line_sums(motion: Array, numbers: Array) -> Dissipation:
+    """As `line_dissipation`."""
+    result = _empty(len(motion))
+    _kernels.line_sums(numbers, motion, *result)
+    return result
+
+
+def _empty(count: int) -> Dissipation:
+    """Of so many contacts, to be filled."""
+    return Dissipation(np.empty(count), np.empty((count, 4)), np.empty((count, 4, 4)))
 
 
 def contact_ellipses(
@@ -146,7 +123,7 @@ def coulomb_law(
 ) -> ContactLaw:
     """Coulomb's mu [-] over the ellipses of all contacts, one value or one a contact."""
     ellipses = contact_ellipses(solution, contacts, friction)
-    return _law(ellipses, coulomb_dissipation)
+    return _law(ellipses, ellipse_sums)
 
 
 def line_law(
@@ -154,18 +131,19 @@ def line_law(
 ) -> ContactLaw:
     """As `coulomb_law` by lines of pure rolling: without sliding across the rolling direction."""
     ellipses = contact_ellipses(solution, contacts, friction)
-    return _law(ellipses, line_dissipation, longitudinal_only=True)
+    return _law(ellipses, _line_sums, longitudinal_only=True)
 
 
 def _law(
     ellipses: Ellipses,
-    dissipation: Callable[[Array, Ellipses], Dissipation],
+    dissipation: Callable[[Array, Array], Dissipation],
     *,
     longitudinal_only: bool = False,
 ) -> ContactLaw:
     """A dissipation over ellipses as the law of their contacts; no rolling resistance."""
+    numbers = ellipses.numbers
     return ContactLaw(
-        evaluate=lambda motion, indices: dissipation(motion, ellipses.take(indices)),
+        evaluate=lambda motion, indices: dissipation(motion, numbers[indices]),
         reference_force=ellipses.friction * ellipses.load,
         longitudinal_only=longitudinal_only,
         has_rolling_resistance=False,

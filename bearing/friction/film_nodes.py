@@ -28,7 +28,7 @@ from ..contacts.shape import groove_curvature_radius
 from ..contacts.traction import TRACTION_POINTS
 from ..geometry import Array, Bearing
 from ..quasistatic.solution import QuasistaticSolution
-from ._kernels import thin_sums
+from ._kernels import flat_rows, thin_sums
 from .flat_film import FlatFilm, flat_nodes
 from .law import TINY
 from .running_films import RunningFilm, RunningFilms
@@ -164,18 +164,16 @@ def _flat_films(
     first, like = alike(places / np.where(scale > 0.0, scale, 1.0))
     oil = flat[0].conditions.lubricant
     at = flat_nodes()
-    a, b, largest, radius, central, gap, curvature, width = places[first].T[:, :, None]
+    largest, curvature, width = places[first].T[[2, 6, 7], :, None]
     # 1. oil at the pressures that there are
     pressure = largest * at.pressure
-    viscosity = bounded_viscosity(pressure, oil)[:, at.level]
-    limit = limiting_stress(pressure, rheology, temperature)[:, at.level]
+    viscosity = bounded_viscosity(pressure, oil)
+    limit = limiting_stress(pressure, rheology, temperature)
     # 2. gaps, and strips as wide as the oil that leaves the contact fills them
-    height = np.where(at.inside, gap, central + a**2 / radius * at.opening)
-    share = np.where(at.inside, 1.0, np.minimum(gap / height, 1.0))
-    x, y = a * at.x, b * at.y
-    surface = curvature_height(curvature, width, y)
-    rows = (a * b * at.area * share, 1.0 / height, viscosity, limit, x, y, surface)
-    nodes = np.stack(rows, axis=1)
+    nodes = np.empty((first.size, ROWS, at.level.size))
+    own_places = np.stack([at.x, at.y, at.area, at.opening])
+    flat_rows(places[first, :6], own_places, at.inside, at.level, viscosity, limit, nodes)
+    nodes[:, 6] = curvature_height(curvature, width, nodes[:, 5])
     laws = [_law(contact_rheology(rheology, oil, flat[n].mean_pressure)) for n in first]
     pressed = int(at.inside.sum())
     return like, [_Block(own, pressed, law) for own, law in zip(nodes, laws, strict=True)]

@@ -20,7 +20,7 @@ from .balance import (
     may_be_driven,
     sliding_ratio,
 )
-from .coulomb import Ellipses, contact_ellipses, coulomb_dissipation
+from .coulomb import contact_ellipses, ellipse_sums
 from .film_nodes import FilmNodes, film_nodes
 from .law import REFERENCE_TRACTION, ContactLaw, Dissipation
 from .resistance import NO_RESISTANCE, Resistance
@@ -88,7 +88,7 @@ class ShearedFilms:
     nodes: FilmNodes
     oil: Array  # (contacts,) share of the load on the oil [-]
     pumping: Array  # (contacts, 4) minus the hydrodynamic rolling moment, its share along [N m]
-    rubbing: Ellipses  # of asperities
+    rubbing: Array  # (contacts, 5) `Ellipses.numbers` of asperities
     rubs: NDArray[np.bool_]  # (contacts,) where there are any
 
     def shear(self, motion: Array, indices: NDArray[np.int64]) -> tuple[Array, Array]:
@@ -108,7 +108,7 @@ class ShearedFilms:
         """The same of asperities; None where there are none."""
         if not self.rubs[indices].any():
             return None
-        _, gradient, slope = coulomb_dissipation(motion, self.rubbing.take(indices))
+        _, gradient, slope = ellipse_sums(motion, self.rubbing[indices])
         return gradient, slope
 
     def evaluate(self, motion: Array, indices: NDArray[np.int64]) -> Dissipation:
@@ -142,7 +142,7 @@ def sheared_films(
         nodes=nodes or film_nodes(solution, contacts, films, rheology),
         oil=1.0 - share,
         pumping=np.stack([along * moment, zero, zero, moment], axis=1),
-        rubbing=contact_ellipses(solution, contacts, share * boundary),
+        rubbing=contact_ellipses(solution, contacts, share * boundary).numbers,
         rubs=share * boundary > 0.0,
     )
 
@@ -177,7 +177,7 @@ def law_of_films(
     pairs = zip(contacts, films, strict=True)
     load = np.array([0.0 if film is None else contact.load for contact, film in pairs])
     kinds = [sheared.nodes.own[:, None], sheared.oil[:, None], sheared.pumping]
-    kinds.append(np.stack(sheared.rubbing, axis=1))
+    kinds.append(sheared.rubbing)
     return ContactLaw(
         evaluate=sheared.evaluate,
         reference_force=REFERENCE_TRACTION * load,

@@ -13,6 +13,7 @@ friction paper of deep groove ball bearings, re-derived).
 """
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 from scipy.optimize import brentq
 
@@ -28,6 +29,7 @@ class RollingLines:
     curvature: float  # S, m_r = mu Q a^2/(2 R) S
 
 
+@lru_cache(maxsize=256)
 def rolling_lines(spin_ratio: float, force: float = 0.0) -> RollingLines:
     """Lines of a contact.
 

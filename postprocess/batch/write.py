@@ -1,7 +1,7 @@
 """Files of a batch: every number of every point, as one table and one data set."""
 
 import json
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from itertools import repeat
 from pathlib import Path
 from typing import Any
@@ -177,12 +177,14 @@ def _filled(
     place: Callable[[dict[str, Any]], tuple[int, ...]],
 ) -> dict[str, Any]:
     """An array for each key of numbers, NaN where a point has no value."""
-    names = _number_names(entry for row in rows for entry in row)
-    values = {name: np.full(shape, np.nan) for name in names if name not in left_out}
-    for i, row in enumerate(rows):
-        for entry in row:
-            for name, array in values.items():
-                array[(i, *place(entry))] = _number(entry.get(name))
+    entries = [entry for row in rows for entry in row]
+    values = {
+        name: np.full(shape, np.nan) for name in _number_names(entries) if name not in left_out
+    }
+    places = [(i, *place(entry)) for i, row in enumerate(rows) for entry in row]
+    for name, array in values.items():
+        numbers = [entry.get(name) for entry in entries]  # None is NaN
+        array[tuple(zip(*places, strict=True))] = np.array(numbers, dtype=float)
     return values
 
 
@@ -192,16 +194,13 @@ def _named(part: str, over: tuple[str, ...], values: dict[str, Any]) -> Variable
     return {f"{part}.{name}": (over, value, units[name]) for name, value in values.items()}
 
 
-def _number_names(rows: Iterable[dict[str, Any]]) -> list[str]:
+def _number_names(rows: Sequence[dict[str, Any]]) -> list[str]:
     """Keys that hold a number or null in every row, in their order."""
-    names: dict[str, bool] = {}
-    for row in rows:
-        for key, value in row.items():
-            names[key] = names.get(key, True) and (
-                value is None or isinstance(value, bool | int | float)
-            )
-    return [name for name, numeric in names.items() if numeric and name != "note"]
-
-
-def _number(value: Any) -> float:
-    return float(value) if isinstance(value, bool | int | float) else np.nan
+    names = dict.fromkeys(key for row in rows for key in row)
+    numbers = (bool, int, float, type(None))
+    return [
+        name
+        for name in names
+        if name != "note"
+        and all(issubclass(k, numbers) for k in {type(r.get(name)) for r in rows})
+    ]

@@ -53,12 +53,6 @@ class ContactRecord(FilmRecord):
         return lambda_ratio(self.contact, minimum and minimum[0], self.surface)
 
     @property
-    def lambda_ratio_formula(self) -> float | None:
-        """Lambda ratio of Hamrock and Dowson's minimum film [-]."""
-        film = formula_films(self.contact.conditions)[LAMBDA_FORMULA]
-        return lambda_ratio(self.contact, to_si("film_um", film), self.surface)
-
-    @property
     def kappa(self) -> float | None:
         """Viscosity ratio that the film stands for [-]."""
         return self.kappa_at(0.0)
@@ -254,13 +248,15 @@ def at_supply(record: ContactRecord) -> dict[str, str]:
 def contact_values(record: ContactRecord) -> dict[str, Any]:
     """One contact of the summary, in the units of the keys."""
     film = record.film
+    formulas = formula_films(record.contact.conditions)
+    by_formula = to_si("film_um", formulas[LAMBDA_FORMULA])
     return {
         **values_of(record, CONTACT_QUANTITIES),
         **film_values(record),
         **record.heated.keys,
         "film_origin": _origin(record),
-        "lambda_ratio_formula": record.lambda_ratio_formula,
-        "film_formulas_um": formula_films(record.contact.conditions),
+        "lambda_ratio_formula": lambda_ratio(record.contact, by_formula, record.surface),
+        "film_formulas_um": formulas,
         "domain": None if film is None else list(film.domain),
         "points": None if film is None else list(film.P.shape),
     }

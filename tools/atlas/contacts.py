@@ -37,6 +37,7 @@ class Part(NamedTuple):
 
 HELD_OUT = 20261123  # seed of the contacts that judge: the date on which they were drawn
 HELD_OUT_SKEWED = 20261126
+HELD_OUT_STEP = 20261136
 HEAVY, LIGHT, WIDE = (6.3, 175.0), (2.2, 8.2), (1.0, 5.2)
 SLIM, LUBRICANT = (0.0092, 1.1), (0.0, 31.4)
 RIGID, ANY_RATIO = (0.32, 2.6), (0.0092, 5.2)
@@ -79,6 +80,13 @@ PARTS = {
     ),
     "held skew oil": Part(
         HELD_SKEW, (0.0, 30.0), HELD_SKEW_RATIO, any_oil=True, random=True, seed=HELD_OUT_SKEWED + 1, skewed=ACROSS
+    ),
+    # light contacts with D above 1 where their film rises
+    "held step along": Part(
+        (4.9, 6.9), (10.0, 30.0), (1.0, 5.0), any_oil=False, random=True, seed=HELD_OUT_STEP, step=True
+    ),
+    "held step along oil": Part(
+        (4.9, 6.9), (10.0, 30.0), (1.0, 5.0), any_oil=True, random=True, seed=HELD_OUT_STEP + 1, step=True
     ),
     # whose pressure and film traction takes without a solve, `fields.py`
     "fields": Part(FIELDS, LUBRICANT, SLIM, any_oil=False, random=False, seed=101),

@@ -42,6 +42,7 @@ JUDGES = (
     (("held light", "held rigid"), ("held light along", "held rigid"), ("held light oil", "held rigid oil")),
     (("held",), ("held along",), ("held oil",)),
 )
+STEP_JUDGES = ("held step along", "held step along oil")  # at the step with Rx/Ry above 1: the base oil, others
 DEVIATION, TREND = 0.3, 5.0  # prior deviations of the functions
 NOISE = {"light": 2e-4, "heavy": 1e-3}  # and of the labels
 MEDIAN = 0.67  # of the size of a normal deviate
@@ -185,7 +186,7 @@ def main():
     kinds, rows = labels()
     light, heavy = (patch(name, kinds, rows) for name in ("light", "heavy"))
     x, y = places(rows), targets(rows)
-    known = Table(light, heavy, np.zeros((len(JUDGES), len(JUDGES[0]), y.shape[1])))
+    known = Table(light, heavy, np.zeros((len(JUDGES), len(JUDGES[0]), y.shape[1])), np.zeros((2, y.shape[1])))
     error = relative(functions(x, rows[:, 3] * 1e-9, rows[:, 4], known) - y, rows)
     print("max/95 %/rms [%]: central, minimum, deflection (of a^2/Rx), moment within thin, thick, very thick layer")
     for kind in sorted(set(kinds)):
@@ -194,7 +195,8 @@ def main():
     stored = {
         f"{name}_{key}": v for name, own in (("light", light), ("heavy", heavy)) for key, v in own._asdict().items()
     }
-    np.savez_compressed(FILE, bars=np.array(bars), **stored)
+    step_bars = [_bar([error[kinds == kind]]) for kind in STEP_JUDGES]
+    np.savez_compressed(FILE, bars=np.array(bars), step_bars=np.array(step_bars), **stored)
 
 
 if __name__ == "__main__":

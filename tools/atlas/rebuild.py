@@ -13,7 +13,8 @@ SOLVED = (
     *("heavy 400", "oil 130", "held 150", "start 40", "held oil 80", "light 800", "held light 100", "along 400"),
     *("held along 40", "light oil 130", "light along 360", "held light oil 60", "held light along 40", "rigid 360"),
     *("rigid oil 60", "held rigid 60", "held rigid oil 40", "wide oil 60", "light wide oil 40", "rigid wide oil 20"),
-    *("step 70", "step along 120", "skew 230", "skew across 71", "skew oil 60", "held skew 200", "held skew oil 40"),
+    *("step 70", "step along 120", "skew 480", "skew across 102", "skew oil 60", "held skew 200", "held skew oil 40"),
+    *("held step along 24", "held step along oil 30"),
 )
 
 

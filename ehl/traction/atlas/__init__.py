@@ -1,6 +1,7 @@
 """Films of flooded contacts from a table of solved ones.
 
 _lookup_kernels - compiled: films of many contacts on a lattice
+_table_kernels  - compiled: sums of the table's radial functions
 arrays          - films of many contacts at once
 check           - a solved film beside that of the atlas
 fields          - pressure and film over the ellipse, for traction

@@ -24,20 +24,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
+from ._table_kernels import add_near
 
 FILE = Path(__file__).parent / "film_atlas.npz"
 BASE_Z = 0.68  # Roelands' z of the oil of the solves [-]
 BASE_ALPHA = 22e-9  # its alpha [1/Pa]
 OIL_UNITS = (0.2, 0.45)  # of z and ln alpha in the features of oils [-]
 PAIRS = np.triu_indices(3)
+NO_STEP = np.array([0.0, 1.0, 0.0, 1.0, 1.0, 1.0])  # of a patch without a step [-]
 
 
 # of A, between which the patch of light contacts gives way to that of heavy ones [-]
 SEAM = (7.0, 9.0)
-# central and minimum film of light contacts with D above 1: the largest errors of contacts drawn
-# at the step of the film, and of 40 with other oils, none of them seen by the fit or its judges
-STEP = 2.0  # A from which on they may be at the step [-]
-WIDE_LIGHT, WIDE_LIGHT_OIL = (0.011, 0.0), (0.027, 0.02)
+STEP = 2.0  # A from which on light contacts with D above 1 may be at the step of their film [-]
 
 
 class Patch(NamedTuple):
@@ -68,6 +67,9 @@ class Table(NamedTuple):
     # contacts lie, below and above the beginning of the seam: of the base oil with D up to 1, of
     # that with D above 1, of other oils
     bars: Array
+    # (2, 6) likewise of light contacts with D above 1 that were drawn at the step of their film:
+    # of the base oil, of others
+    step_bars: Array
 
 
 @cache
@@ -78,21 +80,19 @@ def table() -> Table:
             Patch(**{name: file[f"{patch}_{name}"] for name in Patch._fields})
             for patch in ("light", "heavy")
         )
-        return Table(light=light, heavy=heavy, bars=file["bars"])
+        return Table(light=light, heavy=heavy, bars=file["bars"], step_bars=file["step_bars"])
 
 
 def bars_of(load: Array, ratio: Array, base: NDArray[np.bool_]) -> Array:
     """Errors of the six functions at A and Rx/Ry of shape (m,), shape (m, 6) [-]; base: whether
     the oil is that of the solves, shape (m,).
     """
-    known = table().bars
+    known, wide = table()[2:]
     heavy = (load >= SEAM[0]).astype(int)
     own = known[heavy, (ratio > 1.0).astype(int)]
     bars = np.where(base[:, None], own, np.maximum(own, known[heavy, 2]))
-    wide = np.where(base[:, None], WIDE_LIGHT, WIDE_LIGHT_OIL)
     long = ((load > STEP) & (load < SEAM[0]) & (ratio > 1.0))[:, None]
-    bars[:, :2] = np.where(long, np.maximum(bars[:, :2], wide), bars[:, :2])
-    return bars
+    return np.where(long, np.maximum(bars, wide[np.where(base, 0, 1)]), bars)
 
 
 def heavy_share(log_load: Array, seam: tuple[float, float] = SEAM) -> tuple[Array, Array]:
@@ -159,7 +159,8 @@ def patch_base(patch: Patch, x: Array) -> Array:
     """
     own = slanted(x, patch.slant)
     base = patch.mean + trend_terms(own) @ patch.trend
-    return np.asarray(base + near(own, patch.places, patch.scales, patch.step) @ patch.weights)
+    add_near(own, patch.places, patch.scales, patch.step, patch.weights, base)
+    return np.asarray(base)
 
 
 def patch_oils(patch: Patch, x: Array) -> Array:
@@ -167,7 +168,8 @@ def patch_oils(patch: Patch, x: Array) -> Array:
     line = np.concatenate([np.ones((len(x), 1)), x], axis=1)
     features, weights = patch.oil_features, patch.oil_weights
     products = (features[:, :, None] * weights[:, None, :]).reshape(len(weights), -1)
-    around = radial(x, patch.oil_places, patch.oil_scales) @ products
+    around = np.zeros((len(x), products.shape[1]))
+    add_near(x, patch.oil_places, patch.oil_scales, NO_STEP, products, around)
     trend = np.einsum("mc,fck->mfk", line, patch.oil_trend.reshape(-1, 4, weights.shape[1]))
     return np.asarray(trend + around.reshape(trend.shape))
 
