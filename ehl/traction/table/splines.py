@@ -6,6 +6,8 @@ With n nodes there are n + 2 coefficients; on the interval i the spline is sum c
 continuity of the third derivative at the second and the last but one node.
 """
 
+from math import prod
+
 import numpy as np
 
 from ...arrays import Array
@@ -30,9 +32,15 @@ def spline_matrix(nodes: int) -> Array:
 def spline_coefficients(values: Array, axes: tuple[int, ...]) -> Array:
     """Coefficients of values [same unit] along the given axes, each of which grows by two."""
     for axis in axes:
-        matrix = spline_matrix(values.shape[axis])
-        values = np.moveaxis(np.tensordot(matrix, values, axes=(1, axis)), 0, axis)
+        values = along_axis(spline_matrix(values.shape[axis]), values, axis)
     return np.ascontiguousarray(values)
+
+
+def along_axis(matrix: Array, values: Array, axis: int) -> Array:
+    """Values multiplied by a matrix along an axis, which stays where it is [same unit]."""
+    before, after = values.shape[:axis], values.shape[axis + 1 :]
+    flat = values.reshape(prod(before), values.shape[axis], prod(after))
+    return np.asarray((matrix @ flat).reshape(*before, matrix.shape[0], *after))
 
 
 def node_values(coefficients: Array, axes: tuple[int, ...]) -> Array:

@@ -22,15 +22,15 @@ from ...oil.lubricant import DensityLaw, Lubricant, ThermalProperties, Viscosity
 from ...oil.pressure_laws import PressureModulus, ScaledVolume
 from ...oil.rheology import Rheology, ShearLaw
 from ...solid.heat import SolidThermal
-from .packing import packed, unpacked, unpacked_coefficients
+from .packing import DAMAGED, packed, unpacked, unpacked_coefficients
 from .table import FullSolve, TableContact, TableError, TableRange, TractionTable
 
 FORMAT = "oilfilm traction table"
 # 1 had other coordinates of the motions, 2 neither heat nor full solves beside the films, 3 the
 # rolling moment of the solver's box, 4 an Eyring stress without the contact's pressure and a limit
 # that no stress came near, 5 values as they stand in memory, 6 few motions near their limits and
-# coefficients of splines in place of what they pass through
-FORMAT_VERSION = 7
+# coefficients of splines in place of what they pass through, 7 another packing
+FORMAT_VERSION = 8
 EVEN_VERSION = 6  # which is read
 ARRAYS = ("axes", "scalars", "values")
 PARTS = ("contact", "range", "error", "full_solves")
@@ -124,7 +124,7 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
         plain = {name: document[name] for name in PLAIN}
         plain["spacing"] = tuple(map(float, plain["spacing"]))
         table = TractionTable(**parts, **arrays, **plain)
-    except (KeyError, TypeError, AttributeError, ValueError, OSError, zlib.error) as problem:
+    except (KeyError, TypeError, AttributeError, ValueError, *DAMAGED) as problem:
         fault = "damaged, or written by another version of this program"
         raise ValueError(f"{path}: {fault}") from problem
     digest = inputs_digest(table.contact, table.range, table.points)

@@ -12,6 +12,7 @@ from bearing.library.lubricants import library_lubricant
 from ehl.arrays import lagrange_weights
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.traction.table.build import TableOptions
+from ehl.traction.table.storage import load_table, save_table
 from ehl.traction.table.table import TableContact, TableRange
 from ehl.traction.table.temperature import TemperatureTable, build_temperature_table
 
@@ -57,6 +58,15 @@ def test_between_it_agrees_with_films_there(table):
     assert hot.film < found.film < cold.film
     motion = (60.0, 6.0, 0.01, 0.02, 5.0)
     assert_allclose(middle.forces(*motion)[:8], reference.table_forces(middle, *motion))
+
+
+def test_tables_between_are_saved_as_they_are(table, tmp_path):
+    """Their values are sums of whole numbers with weights, no whole numbers themselves."""
+    middle = table.at(323.15)
+    save_table(middle, tmp_path / "middle.npz")
+    read = load_table(tmp_path / "middle.npz")
+    motion = (60.0, 6.0, 0.01, 0.02, 5.0)
+    assert read.forces(*motion) == middle.forces(*motion)
 
 
 def test_temperatures_out_of_range_are_refused(table):
