@@ -31,6 +31,10 @@ GROWTH = 1.4  # of the nodes of a motion
 NARROW_LOADS = 6  # fewest nodes of a narrow range of loads
 NARROW_STEP = 0.2  # ln(load) between them
 
+# smallest motions of `straight_motions`: slide over the entrainment, spin over that over R_x; at
+# smaller ones traction goes with the motion
+SMALLEST_SLIDE = 1e-7
+SMALLEST_SPIN = 1e-5
 ERRORS = ("largest", "quantile", "rms", "largest_spin", "largest_rolling")
 Progress = Callable[[int, int, str], None]  # done, in all, what
 # film of a contact at a place (ln load, ln speed) of a range, of so many points along x, with
@@ -246,6 +250,9 @@ def _with_message(study: _Study, table: TractionTable) -> TractionTable:
     if bad:
         faults.append(f"{bad} of {len(films)} films did not converge")
     message = "; ".join(faults) or "converged"
+    if error.largest_straight > error.tolerance:
+        near = f"{error.largest_straight:.2%} of kappa_max Q, above {error.tolerance:.2%}"
+        message += f"; near rolling without spin errors up to {near}"
     message += _of_atlas(films)
     if filled:
         few = f"{filled} of {len(films)} films"
@@ -310,24 +317,56 @@ def _motions(study: _Study, film: FilmSample, places: Sequence[Array] | Array) -
     return [slide_x, motion_of(y, scale_y, bounds[1], PLACE_PARTS[1]), spin]
 
 
-def _checked(study: _Study, table: TractionTable) -> TableError:
-    """Error at the films of the check, for motions drawn evenly in the table's coordinates."""
-    rng = np.random.default_rng(study.options.seed + 1)
-    n = study.options.check_motions
+def straight_motions(
+    contact: TableContact, limits: TableRange, load: float, rng: np.random.Generator, count: int
+) -> list[Array]:
+    """Motions over u, u and u/R_x of rolling without spin and with little, where traction turns
+    most sharply: slides even in their logarithm, along from the vertex on, across, or both, each
+    sign; every third with a spin, flat [-].
+    """
+    ends = np.log([[SMALLEST_SLIDE] * 2 + [SMALLEST_SPIN], limits.motions])
+    drawn = np.exp(ends[0] + (ends[1] - ends[0]) * rng.random((count, 3)))
+    drawn *= rng.choice([-1.0, 1.0], (count, 3))
+    order = np.arange(count)
+    drawn[order % 4 == 0, 0] = 0.0
+    drawn[order % 4 == 1, 1] = 0.0
+    drawn[order % 3 != 0, 2] = 0.0
+    top, slide_y, spin = drawn.T
+    return [from_vertex(top, vertex_slide(spin, contact, load), limits.slide_x), slide_y, spin]
+
+
+def _errors(
+    study: _Study, table: TractionTable, film: FilmSample, motions: Sequence[Array]
+) -> Array:
+    """Errors of force and moments about n, y at a film's motions, shape (n, 3), as `TableError`
+    measures them [-].
+    """
     contact = study.contact
+    expected = relative_forces(contact, film.film, film.speed, list(motions))
+    expected[:, 0] -= 0.5 * contact.curvature_difference * film.moment
+    expected[:, 3] -= film.moment
+    slide_x, slide_y, spin = (part * film.speed for part in motions)
+    places = np.stack([slide_x, slide_y, spin / contact.radius_x], axis=1)
+    lookups = [table.forces(film.load, film.speed, *place)[:4] for place in places]
+    off = np.array(lookups) - expected
+    parts = (np.hypot(off[:, 0], off[:, 1]), np.abs(off[:, 2]), np.abs(off[:, 3]))
+    unit = table.largest(film.load, film.speed) + np.array([0.0, 0.0, film.moment])
+    return np.asarray(np.stack(parts, axis=1) / unit)
+
+
+def _checked(study: _Study, table: TractionTable) -> TableError:
+    """Error at the films of the check, for motions drawn evenly in the table's coordinates, and
+    for `straight_motions`.
+    """
+    rng, others = (np.random.default_rng(study.options.seed + k) for k in (1, 2))
+    n = study.options.check_motions
     errors = []
+    straight = []
     for film in study.checks:
-        motion = _motions(study, film, rng.uniform(-1.0, 1.0, (3, n)))
-        expected = relative_forces(contact, film.film, film.speed, motion)
-        expected[:, 0] -= 0.5 * contact.curvature_difference * film.moment
-        expected[:, 3] -= film.moment
-        slide_x, slide_y, spin = (part * film.speed for part in motion)
-        motions = np.stack([slide_x, slide_y, spin / contact.radius_x], axis=1)
-        lookups = [table.forces(film.load, film.speed, *part)[:4] for part in motions]
-        off = np.array(lookups) - expected
-        parts = (np.hypot(off[:, 0], off[:, 1]), np.abs(off[:, 2]), np.abs(off[:, 3]))
-        unit = table.largest(film.load, film.speed) + np.array([0.0, 0.0, film.moment])
-        errors.append(np.stack(parts, axis=1) / unit)
+        even = _motions(study, film, rng.uniform(-1.0, 1.0, (3, n)))
+        errors.append(_errors(study, table, film, even))
+        rolling = straight_motions(study.contact, study.range, film.load, others, n)
+        straight.append(_errors(study, table, film, rolling)[:, 0].max())
     every = np.concatenate(errors)
     return TableError(
         largest=float(every[:, 0].max()),
@@ -335,6 +374,7 @@ def _checked(study: _Study, table: TractionTable) -> TableError:
         rms=float(np.sqrt(np.mean(every[:, 0] ** 2))),
         largest_spin=float(every[:, 1].max()),
         largest_rolling=float(every[:, 2].max()),
+        largest_straight=float(max(straight)),
         films=len(study.checks),
         motions=n,
         tolerance=study.options.tolerance,

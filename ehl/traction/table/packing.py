@@ -114,7 +114,8 @@ def unpacked(data: NDArray[np.uint8] | Values, shape: tuple[int, ...]) -> Values
     they are not of that shape.
     """
     if data.dtype == np.float32:
-        return np.ascontiguousarray(data).reshape(shape)
+        plain: Values = np.ascontiguousarray(data, dtype=np.float32)
+        return plain.reshape(shape)
     nodes = (*(count - 2 for count in shape[:5]), *shape[5:])
     written = lzma.decompress(data.tobytes(), format=lzma.FORMAT_RAW, filters=FILTERS)
     unsigned = _numbers(written, tuple(nodes[k] for k in FILE_ORDER)).view(np.uint32)

@@ -38,7 +38,8 @@ def spline_coefficients(values: Array, axes: tuple[int, ...]) -> Array:
 
 def along_axis(matrix: Array, values: Array, axis: int) -> Array:
     """Values multiplied by a matrix along an axis, which stays where it is [same unit]."""
-    before, after = values.shape[:axis], values.shape[axis + 1 :]
+    before = values.shape[:axis]
+    after = values.shape[axis + 1 :]
     flat = values.reshape(prod(before), values.shape[axis], prod(after))
     return np.asarray((matrix @ flat).reshape(*before, matrix.shape[0], *after))
 

@@ -25,7 +25,7 @@ from ehl.traction.film_quadrature import film_quadrature, sliding_forces
 from ehl.traction.laws import ContactShape, EllipseLaw
 from ehl.traction.rolling_moment import rolling_moment
 from ehl.traction.shear import integrate_traction
-from ehl.traction.table.build import TableOptions, build_table
+from ehl.traction.table.build import TableOptions, build_table, straight_motions
 from ehl.traction.table.packing import EVEN_STEP, VALUE_STEP, packed, stored_values, unpacked
 from ehl.traction.table.splines import node_values, spline_coefficients, spline_weights
 from ehl.traction.table.storage import inputs_digest, load_table, save_table
@@ -99,6 +99,7 @@ def test_lookup_agrees_with_shear_in_a_film_solved_there(table):
 def test_table_states_its_error(table):
     error = table.error
     assert error.rms < error.quantile < error.largest
+    assert 0.0 < error.largest_straight < 0.02
     assert (error.films, error.motions) == (3, 40)
     assert table.converged == (error.largest <= 0.02)
 
@@ -107,8 +108,23 @@ def test_error_is_that_of_points_not_in_the_table(table):
     """Its check has films between the nodes; a table of fewer nodes for the motions states a larger error."""
     coarse = build_table(CIRCLE, LIMITS, replace(OPTIONS, nodes=(5, 4, 9, 5, 7)))
     assert coarse.error.largest > 2.0 * table.error.largest
+    assert coarse.error.largest_straight > 2.0 * table.error.largest_straight
     assert not coarse.converged
     assert "above 2.00%" in coarse.message
+
+
+def test_check_draws_rolling_without_spin():
+    """Slides in every factor of ten from 1e-7 on, both signs, along or across alone and together; some with spin."""
+    slide_x, slide_y, spin = straight_motions(CIRCLE, LIMITS, 60.0, np.random.default_rng(3), 600)
+    straight = spin == 0.0
+    assert np.count_nonzero(straight) == 400
+    assert np.all((np.abs(spin[~straight]) >= 1e-5) & (np.abs(spin[~straight]) <= LIMITS.spin))
+    for slide, other in ((slide_x, slide_y), (slide_y, slide_x)):
+        alone = slide[straight & (other == 0.0)]
+        for sign in (-1.0, 1.0):
+            counts, _ = np.histogram(np.log10(np.abs(alone[sign * alone > 0.0])), np.arange(-7, 0))
+            assert np.all(counts > 0)
+    assert np.any(straight & (slide_x != 0.0) & (slide_y != 0.0))
 
 
 def test_mirror_image_in_y(table):
@@ -311,6 +327,22 @@ def test_sums_over_a_film(solution):
     assert_allclose(found, reference.sliding_forces(nodes, motion), rtol=1e-10)
     whole = integrate_traction(solution, motion, RHEOLOGY)
     assert_allclose(found[:2], [whole.sliding_force_x, whole.sliding_force_y], atol=3e-3 * 0.047 * 500.0)
+
+
+@pytest.mark.parametrize(("spin", "limit"), [(0.0, 0.006), (0.01, 0.004), (0.1, 0.0015)])
+def test_lines_of_a_film_are_close_enough(solution, monkeypatch, spin, limit):
+    """64 lines across against 1024, near rolling: a line's sliding changes sign at once where balls hardly spin."""
+    pair = replace(CIRCLE, radius_x=4.8e-3, radius_y=12e-3, curvature_radius=6.08e-3)
+    limits = TableRange(load=(10.0, 1000.0), speed=(1.0, 20.0))
+    slide_x, slide_y, _ = straight_motions(pair, limits, 500.0, np.random.default_rng(7), 120)
+    turns = np.full(120, spin)
+    slide = (slide_x * 15.08, slide_y * 15.08, turns * 15.08 / 4.8e-3)
+    rolling = np.full(120, 15.08 / 4.8e-3)
+    forces = []
+    for lines in (64, 1024):
+        monkeypatch.setattr("ehl.traction.film_quadrature.LINES", lines)
+        forces.append(sliding_forces(film_quadrature(solution, RHEOLOGY, 30.0), slide, rolling, 0.5 / 6.08e-3)[:, :2])
+    assert np.hypot(*(forces[0] - forces[1]).T).max() < limit * np.hypot(*forces[1].T).max()
 
 
 @pytest.mark.parametrize("load", [15.0, 500.0])
