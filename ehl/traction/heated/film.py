@@ -240,19 +240,25 @@ def heated_forces(
     """
     forces = sliding_forces(film.low_pressure, slide, rolling, curvature)
     lines = film.lines
-    first, last, count = SLIDES
-    axis = (np.log(first * lines.speed), (count - 1.0) / np.log(last / first))
     surface = (curvature, film.low_pressure.half_width)
     _kernels.factored_sums(
         (lines.nodes, lines.factors),
         kernel_rheology(lines.rheology)[:4],
-        axis,
+        slide_axis(lines.speed),
         (*slide, rolling),
         lines.ratio_weights(slide[0]),
         surface,
         forces,
     )
     return forces
+
+
+def slide_axis(speed: float) -> tuple[float, float]:
+    """Logarithm of the first sliding speed of factors at an entrainment speed [m/s], and their
+    number per unit [-].
+    """
+    first, last, count = SLIDES
+    return float(np.log(first * speed)), float((count - 1.0) / np.log(last / first))
 
 
 def _alike(first: Array, second: Array) -> bool:

@@ -13,13 +13,17 @@ import numpy as np
 from ...compiled import compiled
 from .._block_kernels import BLOCK as LAW_BLOCK
 from .._block_kernels import PULL as LAW_PULL
-from .._block_kernels import ROOM, SLIDE, bits_of, pull_block
-from .._kernels import AREA, FILM, LIMIT, SPREAD_X, SPREAD_Y, VISCOSITY, X, Y
+from .._block_kernels import ROOM as LAW_ROOM
+from .._block_kernels import SLIDE, bits_of, pull_block
+from .._kernels import AREA, FILM, LIMIT, SPREAD_X, SPREAD_Y, TINY, VISCOSITY, X, Y
+from ..heated._kernels import factor_at, first_weighted
 
 BLOCK = 256  # motions of a block; of 64 and 128 the sums take 1.4 and 1.1 times as long
-# rows of a block's room: motions, sliding at a node, its square and then its pull, sums
-ROWS = [np.uint64(BLOCK * row) for row in range(11)]
-SLIDE_X, SLIDE_Y, SPIN, ROLLING, AT_X, AT_Y, PULL, F_X, F_Y, M_N, M_Y = ROWS
+# rows of a block's room: motions, sliding at a node, its square and then its pull, sums of forces,
+# moments, and area times squares
+ROWS = [np.uint64(BLOCK * row) for row in range(12)]
+SLIDE_X, SLIDE_Y, SPIN, ROLLING, AT_X, AT_Y, PULL, F_X, F_Y, M_N, M_Y, SQUARES = ROWS
+ROOM = 12 * BLOCK
 SHIFT = 19  # bits of a mantissa of 23 that are not the first four
 STEP = 1 << SHIFT
 PART = np.int32(STEP - 1)
@@ -34,7 +38,7 @@ def node_pulls(nodes, law, slides, out):
     """Area times stress over sliding of nodes [N s/m] at slides [m/s], into out of shape (nodes,
     slides); nodes and law as `block_sums`.
     """
-    room = np.empty(ROOM)
+    room = np.empty(LAW_ROOM)
     for first in range(0, slides.size, LAW_BLOCK):
         count = min(LAW_BLOCK, slides.size - first)
         for k in range(LAW_BLOCK):
@@ -91,28 +95,77 @@ def _add_pulls(room, x, y, height):
 
 
 @compiled
+def _load_block(room, motions, start):
+    """Motions of a block from the first on, the last one again where there are no more; their
+    number.
+    """
+    count = min(BLOCK, motions.shape[1] - start)
+    for row in range(4):
+        for n in range(BLOCK):
+            room[row * BLOCK + n] = motions[row, start + min(n, count - 1)]
+    return count
+
+
+@compiled
+def _add_squares(room, area):
+    """Add a node's area times the mean square of its sliding."""
+    for n in range(BLOCK):
+        k = np.uint64(n)
+        room[k + SQUARES] += area * room[k + PULL]
+
+
+@compiled
+def _block_sums(room, nodes, pulls, surface, ends, first):
+    """Sums of a block's motions over nodes, into the room."""
+    curvature, width = surface
+    room[F_X:] = NONE
+    for n in range(nodes.shape[1]):
+        x, y = nodes[X, n], nodes[Y, n]
+        height = curvature * min(y * y, width * width)
+        steep = TWO * curvature * y if abs(y) < width else NONE
+        node = (x, y, nodes[SPREAD_X, n], nodes[SPREAD_Y, n])
+        _slide_block(room, node, (height, steep), ends)
+        _add_squares(room, nodes[AREA, n])
+        _tabulated_pulls(room, pulls[n], first)
+        _add_pulls(room, x, y, height)
+
+
+@compiled
 def tabulated_sums(nodes, pulls, squares, motions, surface, out):
     """As `sliding_sums_many` by pulls of `node_pulls`, the numbers of all arrays in single
     precision.
     """
-    curvature, width = surface
     first = np.int32(bits_of(squares[0]) >> SHIFT)
     ends = (squares[0], squares[squares.size - 1] * INSIDE)
-    room = np.empty(11 * BLOCK, np.float32)
+    room = np.empty(ROOM, np.float32)
     for start in range(0, motions.shape[1], BLOCK):
-        count = min(BLOCK, motions.shape[1] - start)
-        for row in range(4):
-            for n in range(BLOCK):  # the last one again where there are no more
-                room[row * BLOCK + n] = motions[row, start + min(n, count - 1)]
-        room[F_X:] = NONE
-        for n in range(nodes.shape[1]):
-            x, y = nodes[X, n], nodes[Y, n]
-            height = curvature * min(y * y, width * width)
-            steep = TWO * curvature * y if abs(y) < width else NONE
-            node = (x, y, nodes[SPREAD_X, n], nodes[SPREAD_Y, n])
-            _slide_block(room, node, (height, steep), ends)
-            _tabulated_pulls(room, pulls[n], first)
-            _add_pulls(room, x, y, height)
+        count = _load_block(room, motions, start)
+        _block_sums(room, nodes, pulls, surface, ends, first)
         for n in range(count):
             for row in range(4):
                 out[start + n, row] += room[(7 + row) * BLOCK + n]
+
+
+@compiled
+def tabulated_lines(lines, pulls, squares, axis, motions, weights, surface, out):
+    """As `heated._kernels.factored_sums` by pulls of `node_pulls`, shape (L, N, slides); nodes,
+    pulls, squares, motions and surface in single precision.
+    """
+    nodes, factors = lines
+    first = np.int32(bits_of(squares[0]) >> SHIFT)
+    ends = (squares[0], squares[squares.size - 1] * INSIDE)
+    room = np.empty(ROOM, np.float32)
+    near = np.empty(BLOCK, dtype=np.int64)
+    for start in range(0, motions.shape[1], BLOCK):
+        count = _load_block(room, motions, start)
+        for n in range(count):
+            near[n] = first_weighted(weights[start + n])
+        for k in range(nodes.shape[0]):
+            _block_sums(room, nodes[k], pulls[k], surface, ends, first)
+            by_area = 1.0 / max(np.float64(nodes[k, AREA].sum()), TINY)
+            for n in range(count):
+                square = by_area * room[np.uint64(n) + SQUARES]
+                place = (0.5 * np.log(max(square, TINY)) - axis[0]) * axis[1]
+                factor = factor_at(factors[k], weights[start + n], near[n], place)
+                for row in range(4):
+                    out[start + n, row] += factor * room[(7 + row) * BLOCK + n]

@@ -16,7 +16,7 @@ from ..film_quadrature import FilmQuadrature, film_quadrature, sliding_forces
 from ..heated.film import HeatedFilm, heated_film, heated_forces
 from ..response.normal import NormalResponse, normal_response
 from ..rolling_moment import rolling_moment
-from .many_motions import many_sliding_forces
+from .many_motions import many_heated_forces, many_sliding_forces
 from .table import TableContact, TableRange
 
 # of the motion where the traction has risen by half, along, across and of spin: the scale there
@@ -43,10 +43,11 @@ class TableFilm:
         many: bool = False,
     ) -> Array:
         """F_x, F_y [N] and M_n, M_y [N m] on body 1 by sliding, as `sliding_forces`; many: as
-        `many_sliding_forces`, where the film has no heat.
+        `many_motions`.
         """
         if isinstance(self.quadrature, HeatedFilm):
-            return heated_forces(self.quadrature, slide, rolling, curvature)
+            heated = many_heated_forces if many else heated_forces
+            return heated(self.quadrature, slide, rolling, curvature)
         forces = many_sliding_forces if many else sliding_forces
         return forces(self.quadrature, slide, rolling, curvature)
 
