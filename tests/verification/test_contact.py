@@ -386,7 +386,10 @@ OBLIQUE = MoesConditions(
 
 
 def test_oblique_entrainment_on_two_grids():
-    """A grid along the ellipse and one along the entrainment share neither stencil nor gap: films within their bars."""
+    """A grid along the ellipse and one along the entrainment share neither stencil nor gap: films within their bars.
+
+    The minimum's is 2.7 % on the grid along the entrainment, where the steps of its levels fall too fast.
+    """
     straight, options = solve_contact(OBLIQUE, SolverOptions(points=257)), SolverOptions(points=257)
     turned = scale_contact(OBLIQUE, along_entrainment=True)
     assert turned.frame_angle == 0.5
@@ -395,7 +398,8 @@ def test_oblique_entrainment_on_two_grids():
     assert outcome.converged
     for kind, film in enumerate((straight.film_central_dimensionless, straight.film_minimum_dimensionless)):
         other = extrapolate(outcome.levels, kind, oblique=True)
-        assert abs(film.value - other.value) < film.uncertainty + other.uncertainty < 0.02 * film.value
+        assert abs(film.value - other.value) < film.uncertainty + other.uncertainty < (0.02, 0.035)[kind] * film.value
+        assert abs(film.value - other.value) < 0.01 * film.value
 
 
 def test_mirrored_entrainment_is_the_same_contact():

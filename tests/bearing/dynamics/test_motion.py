@@ -191,7 +191,7 @@ def test_a_stiff_problem_goes_to_lsoda(setup):
         (radians(15.0),) * 2,
         at_centre=True,
     )
-    model = setup.model(bearing, friction, cage=False, end_time=4e-4, sample_interval=2e-4)
+    model = setup.model(bearing, friction, cage=False, end_time=1e-4, sample_interval=5e-5)
     sim = simulation(bearing, setup.operation(5000.0, 100.0), model)
     record = setup.run(sim)
     assert sim.state.stiff
