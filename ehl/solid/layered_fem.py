@@ -8,14 +8,24 @@ u_B, and a smooth rest w
 
 that has no singularity, since the source lies in the substrate only. Far away w is the difference
 of Boussinesq's solutions for substrate and coating, which is set on the outer edge.
-
-scikit-fem is loaded when the first coating is met: most films have none.
 """
 
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from skfem import (
+    Basis,
+    BilinearForm,
+    ElementQuad2,
+    ElementVector,
+    LinearForm,
+    MeshQuad,
+    asm,
+    condense,
+    solve,
+)
+from skfem.helpers import ddot, grad, sym_grad
 
 from ..arrays import Array
 
@@ -30,28 +40,14 @@ def correction(ratio: float, poisson: tuple[float, float]) -> tuple[Array, Array
     + c(r/t)/t] of a unit load [-]; `ratio` is Young's modulus of the substrate over that of the
     coating, `poisson` the ratios of coating and substrate.
     """
-    from skfem import (
-        Basis,
-        BilinearForm,
-        ElementQuad2,
-        ElementVector,
-        LinearForm,
-        asm,
-        condense,
-        solve,
-    )
-
     mesh = _mesh()
     basis = Basis(mesh, ElementVector(ElementQuad2()), intorder=5)
     below = np.nonzero(mesh.p[1][mesh.t].mean(axis=0) > 1.0)[0]
-    properties = {"young": _by_cell(mesh, 1.0, ratio), "nu": _by_cell(mesh, *poisson)}
-    matrix = asm(BilinearForm(_stiffness), basis, **properties)
+    matrix = asm(_stiffness, basis, young=_by_cell(mesh, 1.0, ratio), nu=_by_cell(mesh, *poisson))
     part = Basis(mesh, ElementVector(ElementQuad2()), intorder=5, elements=below)
     nodes = np.where(basis.doflocs[1] >= 1.0 - 1e-9, _boussinesq(basis, 1.0, poisson[0]), 0.0)
     field = part.interpolate(nodes)
-    sources: dict[str, Any] = {"field": field, "ratio": ratio}
-    sources |= {"nu_c": poisson[0], "nu_s": poisson[1]}
-    load = -asm(LinearForm(_source), part, **sources)
+    load = -asm(_source, part, field=field, ratio=ratio, nu_c=poisson[0], nu_s=poisson[1])
     edge = basis.get_dofs(lambda x: np.maximum(x[0], x[1]) > REACH * (1 - 1e-9)).all()
     axis = basis.get_dofs(lambda x: x[0] < 1e-12).all("u^1")
     far = _boussinesq(basis, ratio, poisson[1]) - _boussinesq(basis, 1.0, poisson[0])
@@ -71,9 +67,7 @@ def layered_mesh() -> tuple[Array, NDArray[np.int64], NDArray[np.bool_]]:
     return mesh.p.T, mesh.t.T.astype(np.int64), _by_cell(mesh, 1.0, 0.0)[:, 0] > 0.5
 
 
-def _mesh() -> Any:
-    from skfem import MeshQuad
-
+def _mesh() -> MeshQuad:
     r = _graded(0.0, FINEST, REACH)
     coating = np.linspace(0.0, 1.0, LAYER_CELLS + 1)
     substrate = _graded(1.0, 1.0 / LAYER_CELLS, REACH)
@@ -87,15 +81,13 @@ def _graded(start: float, first: float, end: float) -> Array:
     return start + lines * (end - start) / lines[-1]
 
 
-def _by_cell(mesh: Any, coating: float, substrate: float) -> Array:
+def _by_cell(mesh: MeshQuad, coating: float, substrate: float) -> Array:
     """A property of each cell, shape (cells, 1)."""
     return np.where(mesh.p[1][mesh.t].mean(axis=0) > 1.0, substrate, coating)[:, None]
 
 
 def _contraction(u: Any, v: Any, r: Any, young: Any, nu: Any) -> Any:
     """C eps(u) : eps(v) with the hoop strain u_r/r, isotropic."""
-    from skfem.helpers import ddot, grad, sym_grad
-
     mu = young / (2.0 * (1.0 + nu))
     lame = young * nu / ((1.0 + nu) * (1.0 - 2.0 * nu))
     hoop_u, hoop_v = u[0] / r, v[0] / r
@@ -104,17 +96,19 @@ def _contraction(u: Any, v: Any, r: Any, young: Any, nu: Any) -> Any:
     return 2.0 * mu * (ddot(sym_grad(u), sym_grad(v)) + hoop_u * hoop_v) + lame * trace_u * trace_v
 
 
-def _stiffness(u: Any, v: Any, w: Any) -> Any:
+@BilinearForm
+def _stiffness(u, v, w):  # type: ignore[no-untyped-def]
     return _contraction(u, v, w.x[0], w.young, w.nu) * w.x[0]
 
 
-def _source(v: Any, w: Any) -> Any:
+@LinearForm
+def _source(v, w):  # type: ignore[no-untyped-def]
     r = w.x[0]
     substrate = _contraction(w["field"], v, r, w.ratio, w.nu_s)
     return (substrate - _contraction(w["field"], v, r, 1.0, w.nu_c)) * r
 
 
-def _boussinesq(basis: Any, young: float, nu: float) -> Array:
+def _boussinesq(basis: Basis, young: float, nu: float) -> Array:
     """Displacement of the nodes under a unit load on a half space, Boussinesq (1885)."""
     r, z = basis.doflocs
     distance = np.maximum(np.hypot(r, z), 1e-12)

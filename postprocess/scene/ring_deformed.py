@@ -1,8 +1,8 @@
 """Elastic rings with their displacement under all balls, as hexahedra, by meshio."""
 
 from pathlib import Path
-from typing import Any
 
+import meshio
 import numpy as np
 
 from bearing.geometry import Race
@@ -52,10 +52,8 @@ def write_ring_deformed(results: BearingResults, directory: Path) -> tuple[Path,
     return tuple(written)
 
 
-def displacement_mesh(points: list[Array], displacements: list[Array]) -> Any:
+def displacement_mesh(points: list[Array], displacements: list[Array]) -> meshio.Mesh:
     """Rings of one or more rows as one mesh, shape (n, m, k, 3) each [m]."""
-    import meshio  # when it is needed: most runs have no such mesh
-
     cells = []
     first = 0
     for place in points:

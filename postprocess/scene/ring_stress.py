@@ -1,8 +1,8 @@
 """Stress in rings as finite bodies below their heaviest contacts, as hexahedra, by meshio."""
 
 from pathlib import Path
-from typing import Any
 
+import meshio
 import numpy as np
 
 from bearing.geometry import Race
@@ -32,10 +32,8 @@ def write_ring_stress(results: BearingResults, directory: Path) -> tuple[Path, .
     return tuple(written)
 
 
-def stress_mesh(stress: RingStress) -> Any:
+def stress_mesh(stress: RingStress) -> meshio.Mesh:
     """The box as a mesh, nodes in the order x, y, z, the last the fastest."""
-    import meshio  # when it is needed: most runs have no such mesh
-
     ring, flat = stress.ring, stress.half_space
     grid = np.meshgrid(ring.x, ring.y, ring.depth, indexing="ij")
     points = np.stack([axis.ravel() for axis in grid], axis=1) / MILLIMETRE

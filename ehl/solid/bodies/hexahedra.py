@@ -1,16 +1,14 @@
 """Meshes of quadratic hexahedra as images of boxes of parameters, and integrals of their shape
 functions.
-
-scikit-fem is loaded when the first mesh is made: most runs need none.
 """
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
+from skfem import Basis, ElementHex2, FacetBasis, LinearForm, MeshHex, MeshHex2, asm
 
 from ...arrays import Array
 
@@ -27,7 +25,7 @@ class HexMesh:
     The parameters are the coordinates (p, q, t) of a box whose image the body is, [-] or [m].
     """
 
-    mesh: Any  # of scikit-fem, MeshHex2
+    mesh: MeshHex2
     parameters: Array  # of the nodes, shape (3, n)
 
     @property
@@ -41,10 +39,8 @@ class HexMesh:
         corners = self.mesh.t[:8]
         return np.asarray(self.parameters[:, corners].mean(axis=1))
 
-    def basis(self) -> Any:
+    def basis(self) -> Basis:
         """Scalar basis of the nodes."""
-        from skfem import Basis, ElementHex2
-
         return Basis(self.mesh, ElementHex2(), intorder=INTEGRATION_ORDER)
 
     def on(self, axis: int, value: float) -> Nodes:
@@ -62,8 +58,6 @@ def hexahedra(lines: Sequence[Array], place: Callable[[Array], Array]) -> HexMes
     ValueError
         If cells are turned inside out.
     """
-    from skfem import MeshHex, MeshHex2
-
     box = MeshHex2.from_mesh(MeshHex.init_tensor(*lines))
     parameters = np.array(box.doflocs)
     mesh = MeshHex2(np.ascontiguousarray(place(parameters)), box.t)
@@ -75,32 +69,27 @@ def hexahedra(lines: Sequence[Array], place: Callable[[Array], Array]) -> HexMes
 
 def volume_weights(body: HexMesh, cells: Nodes) -> Array:
     """Integrals of the shape functions over the chosen cells, shape (n,) [m^3]."""
-    from skfem import Basis, ElementHex2
-
-    return _integrals(Basis(body.mesh, ElementHex2(), intorder=2, elements=np.flatnonzero(cells)))
+    part = Basis(body.mesh, ElementHex2(), intorder=2, elements=np.flatnonzero(cells))
+    return np.asarray(asm(_one, part))
 
 
 def surface_weights(body: HexMesh, nodes: Nodes) -> Array:
     """Integrals of the shape functions over the facets all of whose corners are chosen, shape (n,)
     [m^2].
     """
-    from skfem import ElementHex2, FacetBasis
-
     facets = np.flatnonzero(nodes[body.mesh.facets].all(axis=0) & _is_boundary(body.mesh))
-    return _integrals(FacetBasis(body.mesh, ElementHex2(), intorder=4, facets=facets))
+    return np.asarray(asm(_one, FacetBasis(body.mesh, ElementHex2(), intorder=4, facets=facets)))
 
 
-def _is_boundary(mesh: Any) -> Nodes:
+def _is_boundary(mesh: MeshHex2) -> Nodes:
     boundary = np.zeros(mesh.facets.shape[1], dtype=np.bool_)
     boundary[mesh.boundary_facets()] = True
     return boundary
 
 
-def _integrals(basis: Any) -> Array:
-    """Of the shape functions of a basis over its cells or facets, shape (n,)."""
-    from skfem import LinearForm, asm
-
-    return np.asarray(asm(LinearForm(lambda v, _w: v), basis))
+@LinearForm
+def _one(v, w):  # type: ignore[no-untyped-def]
+    return v
 
 
 def block_matrix(body: HexMesh, blocks: Array) -> sparse.bsr_matrix:

@@ -7,7 +7,6 @@ that do not reach the tolerance, go to the factorisation.
 """
 
 import warnings
-from importlib.util import find_spec
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,7 +17,11 @@ from scipy.sparse import linalg
 
 from ...arrays import Array
 
-PYAMG = find_spec("pyamg") is not None  # no wheels for Linux on 64-bit ARM
+try:
+    import pyamg
+except ImportError:  # no wheels for Linux on 64-bit ARM
+    pyamg = None
+
 STRENGTH = 0.05  # of connection, symmetric; 0.25 multiplies the hierarchy by nine [-]
 MAX_COARSE = 300
 # a free ring of 1.25 mm under the groove takes 134, one on a rigid shaft 25
@@ -55,7 +58,7 @@ def solve_symmetric(
     """
     if multigrid is None:
         multigrid = matrix.shape[0] >= DIRECT_BELOW
-    if multigrid and PYAMG:
+    if multigrid and pyamg is not None:
         solution = _by_multigrid(matrix, near_null, right, tolerance)
         if solution.residual <= 2.0 * tolerance:
             return solution
@@ -73,8 +76,6 @@ def _residual(matrix: Any, values: Array, right: Array) -> float:
 
 def _by_multigrid(matrix: Any, near_null: Array, right: Array, tolerance: float) -> LinearSolution:
     """One hierarchy, the right-hand sides one after the other."""
-    import pyamg  # when it is needed: most runs need none
-
     name = "block_gauss_seidel" if isinstance(matrix, sparse.bsr_matrix) else "gauss_seidel"
     smoother = (name, {"sweep": "symmetric", "iterations": 1})
     hierarchy = pyamg.smoothed_aggregation_solver(
