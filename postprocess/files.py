@@ -57,16 +57,12 @@ def plain(value: Any, path: str = "", lost: list[str] | None = None) -> Any:
     """Plain JSON types; a number that is not finite becomes None, its path is added to `lost`."""
     if isinstance(value, dict):
         return {
-            key: v
-            if (kind := type(v)) in PLAIN or (kind is float and isfinite(v))
-            else plain(v, f"{path}.{key}".lstrip("."), lost)
+            key: v if _is_plain(v) else plain(v, f"{path}.{key}".lstrip("."), lost)
             for key, v in value.items()
         }
     if isinstance(value, list | tuple):
         return [
-            item
-            if (kind := type(item)) in PLAIN or (kind is float and isfinite(item))
-            else plain(item, f"{path}[{i}]", lost)
+            item if _is_plain(item) else plain(item, f"{path}[{i}]", lost)
             for i, item in enumerate(value)
         ]
     if hasattr(value, "tolist"):  # arrays and scalars of NumPy
@@ -76,6 +72,12 @@ def plain(value: Any, path: str = "", lost: list[str] | None = None) -> Any:
             lost.append(path)
         return None
     return value
+
+
+def _is_plain(value: Any) -> bool:
+    """Whether a value is one of JSON as it is, as most are; the paths of others are built."""
+    kind = type(value)
+    return kind in PLAIN or (kind is float and isfinite(value))
 
 
 def write_csv(

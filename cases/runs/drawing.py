@@ -31,7 +31,7 @@ from .processes import end_workers, prepare_worker
 
 # each holds all fields; the dozen pictures of a bearing, of 0.3 s each, gain little by more
 MOST_PROCESSES = 4
-ALL = "VTK and plots"
+EXTRAS = "VTK and plots"
 LOOK = 0.1  # from one look for an interrupt to the next [s]
 TERMINATION = 0.3  # for processes to end that were told to [s]
 FORK_SERVER = "forkserver"  # loads the libraries once for all processes, where there is one
@@ -97,7 +97,7 @@ class Drawing:
 
     def _begin(self, results: Any, begun: "_Begun", kinds: Sequence[str]) -> None:
         """Have the parts of these kinds made; that they cannot be begun is a problem of them."""
-        begun.problems = attempt(ALL, lambda: self._submit(results, begun, kinds))
+        begun.problems = attempt(EXTRAS, lambda: self._submit(results, begun, kinds))
 
     def _submit(self, results: Any, begun: "_Begun", kinds: Sequence[str]) -> None:
         if self._stopped:
@@ -118,10 +118,10 @@ class Drawing:
         problems = tuple(problem for part in begun for problem in part.problems)
         for job in jobs:
             if job.done():
-                problems += attempt(ALL, partial(_result, job))
+                problems += attempt(EXTRAS, partial(_result, job))
         problems = tuple(dict.fromkeys(problems))
         if not all(job.done() for job in jobs):
-            return (*problems, f"{ALL}: some not written, interrupted")
+            return (*problems, f"{EXTRAS}: some not written, interrupted")
         for part in begun:
             if part.folder != folder and part.folder.exists():
                 copytree(part.folder, folder, dirs_exist_ok=True)
@@ -182,7 +182,7 @@ def _result(job: Future[tuple[str, ...]]) -> tuple[str, ...]:
     try:
         return job.result()
     except BrokenProcessPool:
-        return (f"{ALL}: some not written, a process that drew them was ended",)
+        return (f"{EXTRAS}: some not written, a process that drew them was ended",)
 
 
 @lru_cache(maxsize=2)  # of the films alone, and of all
