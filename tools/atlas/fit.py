@@ -46,7 +46,6 @@ STEP_JUDGES = ("held step along", "held step along oil")  # at the step with Rx/
 DEVIATION, TREND = 0.3, 5.0  # prior deviations of the functions
 NOISE = {"light": 2e-4, "heavy": 1e-3}  # and of the labels
 MEDIAN = 0.67  # of the size of a normal deviate
-MOMENT_ORDER = 1.45  # as in ehl.traction.rolling_moment
 STEEP = 0.1  # step from mesh to mesh beyond which none is extrapolated
 OIL_RIDGE = 1e-4
 
@@ -67,7 +66,7 @@ def label(entry):
     f, g, _ = hertz_coefficients(D)
     scale = np.pi * 6.0 / (f**3 * g) * entry["M"] ** (-4.0 / 3.0) / ((3.0 + 2.0 * D) * np.sqrt(D))
     films = [np.log(limit(a["films"][k][2], b["films"][k][2], 2.0) * A) for k in (0, 1)]
-    whole = [(y + (y - x) / (2.0**MOMENT_ORDER - 1.0)) / scale for x, y in zip(a["moments"], b["moments"], strict=True)]
+    whole = [(y + (y - x) / 3.0) / scale for x, y in zip(a["moments"], b["moments"], strict=True)]
     rest = [t - np.log(s) for t, s in zip(whole, entry["layers"], strict=True)]
     oil = (entry["alpha"] * 1e9, entry["z"])
     return [entry["kind"], entry["number"], A, entry["L"], D, *oil, *films, b["approach"], *rest, *whole]
