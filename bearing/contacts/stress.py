@@ -67,7 +67,9 @@ def contact_stresses(
 
 
 def _stresses(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], hertz: Sequence[HertzContact]
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    hertz: Sequence[HertzContact],
 ) -> Iterator[ContactStress]:
     """Of loaded contacts."""
     bearing = solution.bearing
@@ -106,10 +108,11 @@ def largest_sliding(
     a, b, pressure = ellipses
     # of squares, in units of the semi-axes
     curved = (0.5 * rolling * b / radius)[:, None, None] * across
-    first = ((curved - spin[:, None, None]) * across) ** 2
-    squares = (b * b)[:, None, None] * first + ((a * spin) ** 2)[:, None, None] * along**2
+    squares = ((b[:, None, None] * (curved - spin[:, None, None])) * across) ** 2
+    squares += ((a * spin) ** 2)[:, None, None] * along**2
     largest = squares.max(axis=(1, 2))
-    heated = (squares * share**2).max(axis=(1, 2))
+    squares *= share**2
+    heated = squares.max(axis=(1, 2))
     return np.sqrt(largest), pressure * np.sqrt(heated)
 
 

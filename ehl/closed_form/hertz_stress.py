@@ -50,7 +50,7 @@ def hertz_axis_stress(
     return np.asarray(pressure * a * b * np.stack(_axis_stress(a, b, depth, poisson_ratio)))
 
 
-def _axis_stress(a: float, b: float, depth: Any, nu: float) -> tuple[Any, Any, Any]:
+def _axis_stress(a: float, b: Any, depth: Any, nu: Any) -> tuple[Any, Any, Any]:
     """Stresses of `hertz_axis_stress` over p_h a b [1/m^2], at one depth or many [m]."""
     z2 = depth * depth
     a2, b2 = a * a + z2, b * b + z2
@@ -75,14 +75,14 @@ def hertz_maximum_shear(
 
     0.310 p_h for the circle and 0.300 p_h for the line with nu = 0.3.
     """
-    first, second = map(np.asarray, semi_axes)
+    first, second, peak = (np.asarray(one, dtype=np.float64) for one in (*semi_axes, pressure))
     small = np.minimum(first, second)
     ratio, nu = np.broadcast_arrays(np.maximum(first, second) / small, poisson_ratio)
     shear, depth = _shear_across(ratio, nu)
     for n in np.ndindex(nu.shape):
         if nu[n] < ACROSS_POISSON:
             shear[n], depth[n] = _searched_shear(float(ratio[n]), float(nu[n]))
-    return pressure * shear, small * depth
+    return np.asarray(peak * shear), np.asarray(small * depth)
 
 
 def _searched_shear(ratio: float, nu: float) -> tuple[float, float]:
@@ -127,7 +127,9 @@ def _shear_slope(ratio: Any, depth: Any, nu: Any) -> Any:
     along_x = 2.0 / 3.0 * elliprd(b2, z2, a2)
     along_z = 2.0 / 3.0 * elliprd(a2, b2, z2)
     turn = over + 1.0 / over
-    inner = (1.0 - nu) * along_x - nu * along_z + 2.0 * (nu - (1.0 - nu) * z2 / a2) / (depth * root)
+    inner = (
+        (1.0 - nu) * along_x - nu * along_z + 2.0 * (nu - (1.0 - nu) * z2 / a2) / (depth * root)
+    )
     surface = (1.0 - 2.0 * nu) * depth * (2.0 + turn) / (a2 + root) ** 2
     return inner + surface - depth * turn / (a2 * b2)
 
@@ -142,13 +144,15 @@ def hertz_orthogonal_shear(
     tau_0 = p_h sqrt(2 t - 1)/(2 t (t + 1)), z_0 = a/[(t + 1) sqrt(2 t - 1)], (t^2 - 1)(2 t - 1) =
     (a/b)^2. It swings between -tau_0 and +tau_0, whatever Poisson's ratio.
     """
-    along = np.asarray(semi_axis_rolling)
-    ratio = (along / semi_axis_transverse) ** 2
+    given = (semi_axis_rolling, semi_axis_transverse, pressure)
+    along, across, peak = (np.asarray(one, dtype=np.float64) for one in given)
+    ratio = (along / across) ** 2
     t = 2.0 + np.cbrt(ratio)
     for _ in range(CUBIC_STEPS):  # Newton's, from above: the cubic is convex beyond its root
         t = t - ((t * t - 1.0) * (2.0 * t - 1.0) - ratio) / (6.0 * t * t - 2.0 * t - 2.0)
     root = np.sqrt(2.0 * t - 1.0)
-    return pressure * root / (2.0 * t * (t + 1.0)), along / ((t + 1.0) * root)
+    amplitude = peak * root / (2.0 * t * (t + 1.0))
+    return np.asarray(amplitude), np.asarray(along / ((t + 1.0) * root))
 
 
 def hertz_edge_tension(

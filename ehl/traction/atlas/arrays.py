@@ -17,10 +17,11 @@ from ...arrays import Array
 from ...closed_form.film import MAX_FILM_OVER_RADIUS
 from ...closed_form.hertz import hertz_coefficients
 from . import _lookup_kernels
-from .films import LIGHT, RANGE, STIFFNESS_ERROR
+from .films import RANGE, STIFFNESS_ERROR
 from .table import (
     BASE_ALPHA,
     BASE_Z,
+    LIGHT,
     SEAM,
     Patch,
     bars_of,

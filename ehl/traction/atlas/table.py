@@ -36,6 +36,7 @@ NO_STEP = np.array([0.0, 1.0, 0.0, 1.0, 1.0, 1.0])  # of a patch without a step 
 
 # of A, between which the patch of light contacts gives way to that of heavy ones [-]
 SEAM = (7.0, 9.0)
+LIGHT = 7.0  # A below which contacts are light
 STEP = 2.0  # A from which on light contacts with D above 1 may be at the step of their film [-]
 
 

@@ -15,7 +15,7 @@ import ehl
 from ehl.closed_form.hertz import hertz_coefficients
 from ehl.scaling import scale_contact
 from ehl.solid.coating import Coating
-from ehl.traction.atlas.films import nearest_covered
+from ehl.traction.atlas.nearest import nearest_covered
 from ehl.traction.kapitza import moment_lost_by_circles
 from ehl.traction.rolling_moment import rolling_moment
 from verification.contacts import OIL, from_groups, moes
