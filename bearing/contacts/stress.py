@@ -8,7 +8,7 @@ curved contact (Heathcote).
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
-from math import pi
+from math import pi, sqrt
 
 import numpy as np
 
@@ -105,15 +105,17 @@ def largest_sliding(
     rolling direction, 2 r D/(2 r + D) [m]; shape (n,). The product in [W/m^2].
     """
     along, across, share = _places()
-    a, b, pressure = ellipses
-    # of squares, in units of the semi-axes
-    curved = (0.5 * rolling * b / radius)[:, None, None] * across
-    squares = ((b[:, None, None] * (curved - spin[:, None, None])) * across) ** 2
-    squares += ((a * spin) ** 2)[:, None, None] * along**2
-    largest = squares.max(axis=(1, 2))
-    squares *= share**2
-    heated = squares.max(axis=(1, 2))
-    return np.sqrt(largest), pressure * np.sqrt(heated)
+    shapes = np.stack([*ellipses, spin, 0.5 * rolling / radius], axis=1)
+    found = np.empty((len(shapes), 2))
+    for (a, b, pressure, turn, curved), own in zip(shapes.tolist(), found, strict=True):
+        squares = b * across
+        squares *= curved * squares - turn
+        squares *= squares
+        squares += (a * turn * along) ** 2
+        own[0] = sqrt(squares.max())
+        squares *= share**2
+        own[1] = pressure * sqrt(squares.max())
+    return found[:, 0], found[:, 1]
 
 
 @cache
