@@ -28,7 +28,8 @@ DEEPEST = 1.5
 # is; with a smaller one that along the longer axis may be [-]
 ACROSS_POISSON = 0.25
 # depth of the largest shear in the smaller semi-axis, about [-]; where its search begins
-CIRCLE_DEPTH, LINE_DEPTH = 0.48, 0.79
+CIRCLE_DEPTH = 0.48
+LINE_DEPTH = 0.79
 SHEAR_STEPS = 30  # at most, of that search; 5 or 6 are taken
 SHEAR_ROUNDING = 1e-12  # step of the depth at which it ends [-]
 CUBIC_STEPS = 9  # to round-off, for any ellipse; 7 do
@@ -121,7 +122,8 @@ def _shear_across(ratio: Array, nu: Array) -> tuple[Array, Array]:
 def _shear_slope(ratio: Any, depth: Any, nu: Any) -> Any:
     """d(sigma_x - sigma_z)/dz of semi-axes 1 and `ratio` above it, over p_h times that [-]."""
     z2 = depth * depth
-    a2, b2 = 1.0 + z2, ratio * ratio + z2
+    a2 = 1.0 + z2
+    b2 = ratio * ratio + z2
     root = np.sqrt(a2 * b2)
     over = np.sqrt(b2 / a2)  # B/A
     along_x = 2.0 / 3.0 * elliprd(b2, z2, a2)

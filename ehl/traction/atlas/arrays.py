@@ -102,7 +102,7 @@ def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
     found = _found(place)
     # 3. scales
     base = (place.alpha == BASE_ALPHA) & (place.z == BASE_Z)
-    bars = bars_of(np.exp(x[:, 0]), np.exp(x[:, 2]), base)
+    bars = bars_of(x, base)
     height = place.height
     heavy = x[:, 0] >= log(LIGHT)
     central, minimum = (np.exp(found[:, k] - x[:, 0]) * height for k in (0, 1))

@@ -258,8 +258,7 @@ def _bars(places: Sequence[_Place]) -> Array:
     if not places:
         return np.empty((0, 6))
     base = np.array([oil_numbers(place.own) == (BASE_ALPHA, BASE_Z) for place in places])
-    load, ratio = np.array([(place.along.load, place.along.ratio) for place in places]).T
-    bars = bars_of(load, ratio, base)
+    bars = bars_of(np.array([place.along.place for place in places])[:, :3], base)
     for n, (_, own, _, along, _) in enumerate(places):
         if along.mixed:
             bars[n, :MIXED] = np.maximum(bars[n, :MIXED], skew_bars(along.ratio, bool(base[n])))
