@@ -67,7 +67,9 @@ def label(entry):
     f, g, _ = hertz_coefficients(D)
     scale = np.pi * 6.0 / (f**3 * g) * entry["M"] ** (-4.0 / 3.0) / ((3.0 + 2.0 * D) * np.sqrt(D))
     films = [np.log(limit(a["films"][k][2], b["films"][k][2], 2.0) * A) for k in (0, 1)]
-    whole = [(y + (y - x) / 3.0) / scale for x, y in zip(a["moments"], b["moments"], strict=True)]
+    pairs = zip(a["moments"], b["moments"], strict=True)
+    same = a["attempt"] == b["attempt"]  # or the mesh across may be another
+    whole = [(limit(x, y, 2.0) if same else y) / scale for x, y in pairs]
     rest = [t - np.log(s) for t, s in zip(whole, entry["layers"], strict=True)]
     oil = (entry["alpha"] * 1e9, entry["z"])
     return [entry["kind"], entry["number"], A, entry["L"], D, *oil, *films, b["approach"], *rest, *whole]
