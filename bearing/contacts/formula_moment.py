@@ -19,11 +19,12 @@ from ehl.traction.kapitza import kapitza_moment
 
 from .heavy_moment import rolling_moment
 
-# Fitted to the film atlas at 400 contacts, M 1 to 3000, L 5 to 29, Rx/Ry 0.02 to 1, layers of 50, 100
-# and 400 um (`tools/atlas/moment_formula.py`): s and t over Rx/Ry, linear, and w [-]
-SLOPE = (0.856, -0.244)
-START = (0.939, -0.268)
-WIDTH = 0.2
+# s and t over Rx/Ry, linear [-]: fitted to the film atlas at 400 contacts, M 1 to 3000, L 5 to 29,
+# Rx/Ry 0.02 to 1, layers of 50, 100 and 400 um (`tools/atlas/moment_formula.py`); w to solved
+# contacts before
+SLOPE = (0.843, -0.250)
+START = (0.884, -0.330)
+WIDTH = 0.06
 
 
 def flooded_moment(

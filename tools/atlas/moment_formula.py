@@ -68,19 +68,19 @@ def moments(seed, number):
 
 
 def errors(constants, rows):
-    """Of the formula with s and t over R_x/R_y, linear, and w."""
-    s, s_ratio, t, t_ratio, w = constants
+    """Of the formula with s and t over R_x/R_y, linear; w stays, as more of it leaves a moment to no contact."""
+    s, s_ratio, t, t_ratio = constants
     _, ratio, atlas, kapitza, heavy, _ = rows.T
     z = (s + s_ratio * ratio) * heavy - (t + t_ratio * ratio)
-    return (kapitza + 0.5 * (z + np.hypot(z, w))) / atlas - 1.0
+    return (kapitza + 0.5 * (z + np.hypot(z, WIDTH))) / atlas - 1.0
 
 
 def main(seed, number):
     """Fit to half, judge by the others."""
     rows = moments(int(seed), int(number))
-    start = (*SLOPE, *START, WIDTH)
+    start = (*SLOPE, *START)
     found = least_squares(errors, start, args=(rows[::2],), loss="soft_l1", f_scale=ROBUST).x
-    print("fitted: s, t over R_x/R_y, w:", np.round(found, 3))
+    print("fitted: s, t over R_x/R_y:", np.round(found, 3))
     others = rows[1::2]
     off = others[:, 5] / others[:, 2] - 1.0
     for low, high in zip((LOADS[0], *LOADS[:-1]), (LOADS[-1], *LOADS[1:]), strict=True):
