@@ -24,6 +24,7 @@ from ..arrays import Array
 
 # the largest shear lies above this depth, in the smaller semi-axis: 0.48 (circle) to 0.79 (line)
 DEEPEST = 1.5
+SEARCHED_DEPTHS = 200  # in a row, between the surface and there [-]
 # Poisson's ratio from which on the stress across the shorter axis is the largest where the shear
 # is; with a smaller one that along the longer axis may be [-]
 ACROSS_POISSON = 0.25
@@ -87,14 +88,19 @@ def hertz_maximum_shear(
 
 
 def _searched_shear(ratio: float, nu: float) -> tuple[float, float]:
-    """Largest shear and its depth of semi-axes 1 and `ratio` above it, over p_h [-]."""
+    """Largest shear and its depth of semi-axes 1 and `ratio` above it, over p_h [-]: of two
+    maxima the larger, from depths in a row.
+    """
 
-    def negative_shear(depth: float) -> float:
-        stress = _axis_stress(1.0, ratio, float(depth), nu)
-        return -0.5 * ratio * float(max(stress) - min(stress))
+    def shear(depth: Any) -> Any:
+        stress = np.broadcast_arrays(*_axis_stress(1.0, ratio, depth, nu))
+        return 0.5 * ratio * (np.max(stress, axis=0) - np.min(stress, axis=0))
 
+    row = np.geomspace(1e-3, DEEPEST, SEARCHED_DEPTHS)
+    best = int(np.argmax(shear(row)))
+    ends = row[max(best - 1, 0)], row[min(best + 1, SEARCHED_DEPTHS - 1)]
     peak = minimize_scalar(
-        negative_shear, bounds=(1e-3, DEEPEST), method="bounded", options={"xatol": 1e-9}
+        lambda depth: -float(shear(depth)), bounds=ends, method="bounded", options={"xatol": 1e-9}
     )
     return -float(peak.fun), float(peak.x)
 

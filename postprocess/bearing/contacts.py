@@ -314,7 +314,11 @@ def _absent_films(results: BearingResults) -> Iterator[str]:
     absent: dict[tuple[str, str], list[str]] = {}
     formulas = results.formula_films or (None,) * len(results.contacts)
     for contact, solution in zip(results.contacts, results.films, strict=True):
-        reason = contact.note or "not asked for by [ehl] film_maps"
+        reason = contact.note or (
+            "neither asked for by [ehl] film_maps nor in the film atlas"
+            if results.formula_films
+            else "not asked for by [ehl] film_maps"
+        )
         if contact.conditions is not None and too_thick(contact.conditions):
             reason = "too light a contact for its speed: by formula the film is beyond 2 % of R_x"
         if contact.conditions is None or (solution is None and complete):

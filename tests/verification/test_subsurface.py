@@ -61,13 +61,13 @@ def test_largest_shear(semi_axes, shear, depth):
     assert found[1] == pytest.approx(depth, rel=2e-3)
 
 
-@pytest.mark.parametrize("nu", [0.1, 0.25, 0.45])
+@pytest.mark.parametrize("nu", [0.1, 0.17, 0.22, 0.25, 0.45])
 def test_largest_shear_is_the_largest_on_the_axis(nu):
     """Of ellipses of all ratios at once, against the stresses at many depths; with a small Poisson's ratio the
-    stress along the longer axis counts.
+    stress along the longer axis counts, and there may be two maxima.
     """
-    ratios = np.geomspace(0.01, 100.0, 9)
-    shear, depth = hertz_maximum_shear((np.ones(9), ratios), 1.0, nu)
+    ratios = np.geomspace(0.01, 100.0, 61)
+    shear, depth = hertz_maximum_shear((np.ones(61), ratios), 1.0, nu)
     for ratio, own, at in zip(ratios, shear, depth, strict=True):
         depths = min(ratio, 1.0) * np.linspace(1e-4, 1.5, 3000)
         stress = hertz_axis_stress((1.0, ratio), 1.0, depths, nu)

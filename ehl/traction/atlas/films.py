@@ -8,7 +8,7 @@ solved to judge the table. What the table does not cover is refused.
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from math import exp, log, pi, sin, sqrt
+from math import exp, isfinite, log, pi, sin, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -103,8 +103,10 @@ def atlas_films_of(
     contacts: Sequence[ContactConditions | MoesConditions], layer: float | None = None
 ) -> list[AtlasFilms | NotInAtlasError]:
     """As `atlas_films`, of many contacts in a fraction of the time; for one that is not covered
-    the error that says why; layer: [m] or in a^2/Rx.
+    the error that says why; layer: [m] or in a^2/Rx, ValueError where it is none.
     """
+    if layer is not None and not (isfinite(layer) and layer > 0.0):
+        raise ValueError(f"layer must be positive and finite, got {layer!r}")
     found: list[AtlasFilms | NotInAtlasError | None] = [None] * len(contacts)
     places: dict[int, _Place] = {}
     for n, conditions in enumerate(contacts):

@@ -15,9 +15,11 @@ from numpy.testing import assert_allclose
 from scipy.special import ellipe
 
 import ehl
+from ehl.generalized.solver import solve_generalized
 from ehl.kinematics import contact_kinematics
 from ehl.multigrid.far_field import far_field
 from ehl.multigrid.supply.oil_supply import pressure_moment
+from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.scaling import scale_contact
 from ehl.solution import FilmValue
 from ehl.traction.rolling_moment import rolling_moment, scaled_as_solved
@@ -244,6 +246,21 @@ def test_moment_has_the_order_of_the_scheme(conditions, change):
     truth = fine + (fine - middle) / 3.0
     assert_allclose(middle, truth, rtol=0.015)
     assert_allclose(fine, truth, rtol=0.004)
+
+
+def test_bar_covers_what_the_mesh_makes_of_a_sheared_film(conditions):
+    """Whose moment is by the lever of the pressure: against twice the points."""
+    eyring = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5e6)
+    films = [solve_generalized(conditions, eyring, options=ehl.SolverOptions(points=n)).contact for n in (65, 129)]
+    coarse, fine = (rolling_moment(film) for film in films)
+    assert 0.01 * fine.value < abs(coarse.value - fine.value) < coarse.uncertainty < 0.3 * fine.value
+
+
+def test_a_film_that_did_not_converge_has_no_moment(solution):
+    found = rolling_moment(replace(solution, converged=False))
+    assert np.isnan(found.value)
+    assert found.uncertainty == np.inf
+    assert "converge" in found.note
 
 
 def test_moment_does_not_know_which_radius_is_called_x(conditions):

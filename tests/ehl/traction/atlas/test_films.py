@@ -300,3 +300,11 @@ def test_bars_are_wide_at_the_step_alone(ratio, L):
     ]
     below, there, above = (one.uncertainty / one.value for one in own)
     assert there > 2.5 * max(below, above)
+
+
+@pytest.mark.parametrize("layer", [float("nan"), float("inf"), -1e-4, 0.0])
+def test_a_layer_that_is_none_is_refused(layer):
+    oil = ehl.Lubricant(viscosity=0.05, pressure_viscosity=22e-9)
+    groups = ehl.MoesConditions(load_parameter=200.0, lubricant_parameter=10.0, lubricant=oil)
+    with pytest.raises(ValueError, match="layer"):
+        ehl.atlas_films(groups, layer=layer)
