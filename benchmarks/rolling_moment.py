@@ -1,7 +1,7 @@
 """Rolling moment of contacts of the ceramic 6208 by open box, mesh and layer: `python benchmarks/rolling_moment.py`.
 
 The box is the solver's choice; it is replaced by boxes of our own, on one mesh and on finer ones. Last, the error bar
-of sixteen contacts against the value extrapolated from 513 and 1025 points.
+of sixteen contacts and of random ones against the value extrapolated from 513 and 1025 points.
 """
 
 from __future__ import annotations
@@ -13,7 +13,8 @@ from unittest.mock import patch
 import numpy as np
 
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.traction.rolling_moment import rolling_moment
+from ehl.multigrid.supply.oil_supply import pressure_moment
+from ehl.traction.rolling_moment import rolling_moment, scaled_as_solved
 from verification.contacts import race_6208
 
 OIL = Lubricant(viscosity=0.05, pressure_viscosity=18e-9)
@@ -90,25 +91,59 @@ def with_lengths(m, l, ratio, angle):
 
 
 def bars():
-    """Errors over the bars of the oil up to eight times the gap that the film needs."""
-    print("\nerror and bar in per cent on 129, 257, 513 points; order of the last three")
+    """Errors of the moment by the lever of the pressure and by the balance, and the bar, of oil up to eight times the
+    gap that the film needs."""
+    print("\nerror of the lever, of the balance and bar in per cent on 129, 257, 513 points; order of the last three")
     for contact in CONTACTS:
-        conditions = with_lengths(*contact)
-        films = [solve_contact(conditions, SolverOptions(points=points)) for points in POINTS]
+        films = [solve_contact(with_lengths(*contact), SolverOptions(points=points)) for points in POINTS]
         layer = 40.0 * films[-1].film_central_dimensionless.value * films[-1].film_scale
         found = [rolling_moment(film, layer) for film in films]
         values = np.array([moment.value for moment in found])
         steps = np.abs(np.diff(values))
-        order = float(np.clip(log(steps[1] / steps[2]) / log(2.0), 1.0, 2.5))
-        truth = values[-1] + (values[-1] - values[-2]) / (2.0**order - 1.0)
+        truth = values[-1] + (values[-1] - values[-2]) / 3.0
         parts = [
-            f"{100 * abs(moment.value / truth - 1):7.2f}{100 * moment.uncertainty / truth:7.2f}"
-            f"{'' if film.converged and film.resolved else '*'}"
+            f"{100 * (moment.value - by_balance(film) - truth) / truth:7.2f}{100 * (moment.value / truth - 1):6.2f}"
+            f"{100 * moment.uncertainty / truth:6.2f}{'' if film.converged and film.resolved else '*'}"
             for moment, film in zip(found[:3], films[:3], strict=True)
         ]
-        print(f"{contact!s:28}{order:6.2f}" + "".join(f"{part:>16}" for part in parts))
+        print(f"{contact!s:28}{log(steps[1] / steps[2]) / log(2.0):6.2f}" + "".join(f"{part:>21}" for part in parts))
+
+
+def by_balance(film):
+    """What the balance of power changes [N m]."""
+    change = pressure_moment(film, scaled_as_solved(film))[1]
+    return film.hertz_pressure * film.semi_axis_x**3 * change
+
+
+def drawn(rng):
+    """M, L, Rx/Ry and angle, one in four not along a principal direction."""
+    load, ratio = (np.log(limits) for limits in ((3.0, 3000.0), (0.02, 5.0)))
+    m, l, d = np.exp(rng.uniform(*load)), rng.uniform(0.3, 26.0), np.exp(rng.uniform(*ratio))
+    return float(m), float(l), float(d), float(rng.choice([0, 0, 0, 1]) * rng.uniform(0.1, 1.4))
+
+
+def random_bars(seed=271, number=71):
+    """What `MESH_ERROR` is: errors over the sum of what the balance changes and the step of the film."""
+    rng = np.random.default_rng(seed)
+    points = (65, *POINTS)
+    shares = {count: [] for count in points[:-1]}
+    for contact in (drawn(rng) for _ in range(number)):
+        films = [solve_contact(with_lengths(*contact), SolverOptions(points=count)) for count in points]
+        if not all(film.converged for film in films[-2:]):
+            continue
+        values = [rolling_moment(film).box for film in films]
+        truth = values[-1] + (values[-1] - values[-2]) / 3.0
+        for count, film, value in zip(points[:-1], films, values, strict=False):
+            central = film.film_central_dimensionless
+            step = abs(central.value - central.finest) / central.value
+            if film.converged and film.resolved and film.frame_angle == films[-1].frame_angle:
+                shares[count].append(abs(value - truth) / (abs(by_balance(film)) + step * abs(value)))
+    print("\nerrors of random contacts over the sum: points, contacts, 50, 90, 95 %, largest")
+    for count, values in shares.items():
+        print(count, len(values), np.round(np.quantile(values, (0.5, 0.9, 0.95, 1.0)), 2))
 
 
 if __name__ == "__main__":
     boxes_and_layers()
     bars()
+    random_bars()

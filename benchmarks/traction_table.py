@@ -44,7 +44,7 @@ def random_table(random: np.random.Generator) -> tuple[Array, Array, Array, NDAr
     first = np.array([load_place(LOAD[0]), np.log(SPEED[0]), -1.0, 0.0, -1.0])
     last = np.array([load_place(LOAD[1]), np.log(SPEED[1]), 1.0, 1.0, 1.0])
     axes = np.stack([first, (nodes - 1.0) / (last - first), nodes], axis=1)
-    constants = np.array([RADIUS, -125.0, 2.0, 1.0, 0.6, 1.5e-4, CURVATURE, VALUE_STEP, 2e-5, 0.15, 0.15])
+    constants = np.array([RADIUS, -125.0, 2.0, 1.0, 0.6, 1.5e-4, CURVATURE, VALUE_STEP, 2e-5, 0.1, 0.15, 0.0])
     scalars = random.random((START[0] + 2, START[1] + 2, 10)) - np.array([8.0, 8.0, 3.0, *[0.0] * 7])
     return (
         axes,

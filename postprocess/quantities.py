@@ -55,18 +55,28 @@ class Quantity:
 
     def value(self, record: Any) -> Any:
         """The value of a record, in the unit of the key; None where a part of its path is None."""
-        value = record
-        for name in _names(self.source):
-            if value is None:
-                return None
-            value = getattr(value, name)
-        return from_si(self.key, value)
+        return from_si(self.key, _attribute(record, self.source))
+
+
+def _attribute(record: Any, source: str, known: dict[str, Any] | None = None) -> Any:
+    """Of a record by its dotted path; None where a part of it is None; known: parts that were
+    looked up before.
+    """
+    known = {} if known is None else known
+    owner, name = _names(source)
+    value = record
+    if owner:
+        if owner not in known:
+            known[owner] = _attribute(record, owner, known)
+        value = known[owner]
+    return None if value is None else getattr(value, name)
 
 
 @cache
-def _names(source: str) -> tuple[str, ...]:
-    """Of the attributes on a dotted path."""
-    return tuple(source.split("."))
+def _names(source: str) -> tuple[str, str]:
+    """Path of the owner of an attribute, empty for the record itself, and its name."""
+    owner, _, name = source.rpartition(".")
+    return owner, name
 
 
 def quantities(
@@ -94,7 +104,11 @@ def by_key(declared: Iterable[Quantity]) -> dict[str, Quantity]:
 
 def values_of(record: Any, declared: Iterable[Quantity]) -> dict[str, Any]:
     """Values of a record by key, in the units of the keys."""
-    return {quantity.key: quantity.value(record) for quantity in declared}
+    known: dict[str, Any] = {}
+    return {
+        quantity.key: from_si(quantity.key, _attribute(record, quantity.source, known))
+        for quantity in declared
+    }
 
 
 def rows_of(columns: Mapping[str, Iterable[Any]]) -> list[dict[str, Any]]:

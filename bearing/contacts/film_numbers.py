@@ -11,6 +11,7 @@ The formulas alone, against solved films of 6208, 6306, 7012 AC, 6205, 6312 and 
 M 50 to 10 000): central films within 12 % but one (18 %), minimum films within 20 %.
 """
 
+from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
 from typing import NamedTuple
@@ -23,7 +24,8 @@ from ehl.closed_form.film import (
     film_nijenbanning_central,
 )
 from ehl.conditions import ContactConditions
-from ehl.traction.atlas.films import NotInAtlasError, atlas_films, nearest_covered
+from ehl.traction.atlas.films import AtlasFilms, NotInAtlasError, atlas_films_of, skewed
+from ehl.traction.atlas.nearest import nearest_covered
 
 from .formula_moment import flooded_moment
 
@@ -54,6 +56,23 @@ def film_numbers(conditions: ContactConditions, axes: tuple[float, float]) -> Fi
     Sliding does not count, nor on which side the entrainment turns: balls on both sides of a load
     have theirs once.
     """
+    return _film_numbers(*_alike(conditions, axes))
+
+
+def film_numbers_of(
+    contacts: Sequence[tuple[ContactConditions, tuple[float, float]]],
+) -> list[FilmNumbers]:
+    """As `film_numbers`, of the conditions and axes [m] of many contacts at once."""
+    alike = [_alike(*contact) for contact in contacts]
+    distinct = list(dict.fromkeys(alike))
+    found = dict(zip(distinct, _numbers(distinct), strict=True))
+    return [found[own] for own in alike]
+
+
+def _alike(
+    conditions: ContactConditions, axes: tuple[float, float]
+) -> tuple[ContactConditions, tuple[float, float]]:
+    """Conditions and axes to `DIGITS`, without what does not count."""
     lengths = (conditions.load, conditions.radius_x, conditions.radius_y)
     load, radius_x, radius_y, speed, turning = map(
         _rounded, (*lengths, conditions.entrainment_speed, abs(conditions.rotation))
@@ -69,7 +88,7 @@ def film_numbers(conditions: ContactConditions, axes: tuple[float, float]) -> Fi
         spin=0.0,
         mean_spin=turning,
     )
-    return _film_numbers(alike, (_rounded(axes[0]), _rounded(axes[1])))
+    return alike, (_rounded(axes[0]), _rounded(axes[1]))
 
 
 def _rounded(value: float) -> float:
@@ -80,16 +99,37 @@ def _rounded(value: float) -> float:
 @lru_cache(maxsize=256)
 def _film_numbers(conditions: ContactConditions, axes: tuple[float, float]) -> FilmNumbers:
     """The same of conditions that are alike."""
-    near, distance = nearest_covered(conditions)
-    if near is None:
-        return _by_formulas(conditions, axes)
-    try:
-        known = atlas_films(near)
-    except NotInAtlasError:  # its film is too thick
-        return _by_formulas(conditions, axes)
+    return _numbers([(conditions, axes)])[0]
+
+
+def _numbers(
+    contacts: Sequence[tuple[ContactConditions, tuple[float, float]]],
+) -> list[FilmNumbers]:
+    """The same of many contacts that differ: of the atlas, or as far beyond it as it is."""
+    known = atlas_films_of([conditions for conditions, _ in contacts])
+    return [
+        _beyond_atlas(*contact)
+        if isinstance(films, NotInAtlasError) or skewed(contact[0].entrainment_angle)
+        else _of_atlas(films, *contact)
+        for contact, films in zip(contacts, known, strict=True)
+    ]
+
+
+def _of_atlas(
+    known: AtlasFilms, conditions: ContactConditions, axes: tuple[float, float]
+) -> FilmNumbers:
+    """Of a contact that the atlas covers, with the moment of the formulas where it has none."""
+    found = _as_numbers(known, 0.0)
+    if known.rolling_moment is not None:
+        return found
+    return found._replace(moment=_by_formulas(conditions, axes).moment)
+
+
+def _as_numbers(known: AtlasFilms, distance: float) -> FilmNumbers:
+    """Films of the atlas that count at a distance in ln A, ln L and z [-]."""
     beyond = BEYOND_ERROR * distance
     errors = [one.uncertainty / one.value + beyond for one in (known.central, known.minimum)]
-    found = FilmNumbers(
+    return FilmNumbers(
         central=known.central.value,
         ratio=known.minimum.value / known.central.value,
         moment=0.0 if known.rolling_moment is None else known.rolling_moment.value,
@@ -97,14 +137,20 @@ def _film_numbers(conditions: ContactConditions, axes: tuple[float, float]) -> F
         minimum_error=min(errors[1], FORMULA_ERROR),
         atlas=not distance,
     )
-    if not distance and known.rolling_moment is not None:
-        return found
+
+
+def _beyond_atlas(conditions: ContactConditions, axes: tuple[float, float]) -> FilmNumbers:
+    """Of a contact that the atlas does not cover, by its nearest one that it does."""
     own = _by_formulas(conditions, axes)
-    if not distance:
-        return found._replace(moment=own.moment)
+    near, distance = nearest_covered(conditions)
+    if near is None or not distance:  # its film is too thick
+        return own
+    (known,) = atlas_films_of([near])
+    if isinstance(known, NotInAtlasError):
+        return own
     stretch = (near.load / conditions.load) ** (1.0 / 3.0)
     there = _by_formulas(near, (stretch * axes[0], stretch * axes[1]))
-    return _beyond(found, own, there)
+    return _beyond(_as_numbers(known, distance), own, there)
 
 
 def _beyond(known: FilmNumbers, own: FilmNumbers, there: FilmNumbers) -> FilmNumbers:

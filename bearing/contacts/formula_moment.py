@@ -9,7 +9,7 @@ Rx/Ry) sqrt(Rx/Ry)),
 
     M = M_Kapitza + M_0 f(M_Biboulet/M_0),   f(e) = (z + sqrt(z^2 + w^2))/2,   z = s e - t,
 
-f fitted to solved contacts (`SLOPE`, `START`, `WIDTH`).
+f fitted to the film atlas (`SLOPE`, `START`, `WIDTH`).
 """
 
 from math import pi, sqrt
@@ -19,10 +19,11 @@ from ehl.traction.kapitza import kapitza_moment
 
 from .heavy_moment import rolling_moment
 
-# Fitted to 275 solved contacts, M 1 to 3000, L 5 to 29, Rx/Ry 0.02 to 1, layers of 50, 100 and 400
-# um: s and t over Rx/Ry, linear, and w [-]
-SLOPE = (0.903, -0.230)
-START = (0.984, -0.280)
+# s and t over Rx/Ry, linear [-]: fitted to the film atlas at 400 contacts, M 1 to 3000, L 5 to 29,
+# Rx/Ry 0.02 to 1, layers of 50, 100 and 400 um (`tools/atlas/moment_formula.py`); w to solved
+# contacts before
+SLOPE = (0.843, -0.250)
+START = (0.884, -0.330)
 WIDTH = 0.06
 
 

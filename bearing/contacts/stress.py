@@ -5,10 +5,10 @@ hypotheses: none in the middle, spin about the normal, and the difference of rad
 curved contact (Heathcote).
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
-from math import pi
+from math import pi, sqrt
 
 import numpy as np
 
@@ -25,6 +25,10 @@ from .shoulder import Truncation, truncation
 # points at which pressure times sliding is evaluated, around and across half the ellipse
 ANGLES = 180
 RINGS = 40
+COLUMNS = (  # of `ContactStress`, as they are computed
+    *("mean_pressure", "shear_maximum", "shear_depth", "orthogonal_shear", "orthogonal_depth"),
+    *("sliding_speed", "pressure_sliding"),
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,53 +56,66 @@ def contact_stresses(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> list[ContactStress | None]:
     """As `contact_stress`, of many contacts [Pa], [m/s]."""
-    motion = motion_map(solution, contacts).motion(*ball_speeds(solution))
-    return [
-        _stress(solution, contact, float(spin), float(rolling))
-        for contact, (spin, rolling) in zip(contacts, motion[:, 2:].tolist(), strict=True)
-    ]
+    loaded = [(n, c, c.hertz) for n, c in enumerate(contacts) if c.hertz is not None]
+    found: list[ContactStress | None] = [None] * len(contacts)
+    if loaded:
+        own = [contact for _, contact, _ in loaded]
+        stresses = _stresses(solution, own, [hertz for _, _, hertz in loaded])
+        for (n, _, _), stress in zip(loaded, stresses, strict=True):
+            found[n] = stress
+    return found
 
 
-def _stress(
-    solution: QuasistaticSolution, contact: BearingContact, spin: float, rolling: float
-) -> ContactStress | None:
-    """Of a contact with the relative angular speeds of its bodies [rad/s]."""
-    hertz = contact.hertz
-    if hertz is None:
-        return None
+def _stresses(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    hertz: Sequence[HertzContact],
+) -> Iterator[ContactStress]:
+    """Of loaded contacts."""
     bearing = solution.bearing
-    race = contact.race
-    ring = bearing.inner_ring_material if race is Race.INNER else bearing.outer_ring_material
-    axes = (hertz.semi_axis_x, hertz.semi_axis_y)
-    shear = hertz_maximum_shear(axes, hertz.pressure, ring.poisson_ratio)
-    orthogonal = hertz_orthogonal_shear(*axes, hertz.pressure)
-    sliding = largest_sliding(hertz, spin, rolling, groove_curvature_radius(bearing, race))
-    return ContactStress(
-        mean_pressure=2.0 / 3.0 * hertz.pressure,
-        shear_maximum=shear[0],
-        shear_depth=shear[1],
-        orthogonal_shear=orthogonal[0],
-        orthogonal_depth=orthogonal[1],
-        sliding_speed=sliding[0],
-        pressure_sliding=sliding[1],
-        truncation=truncation(bearing, race, contact.contact_angle, hertz),
+    motion = motion_map(solution, contacts).motion(*ball_speeds(solution))
+    ellipses = np.array([(h.semi_axis_x, h.semi_axis_y, h.pressure) for h in hertz]).T
+    poisson = {
+        Race.INNER: bearing.inner_ring_material.poisson_ratio,
+        Race.OUTER: bearing.outer_ring_material.poisson_ratio,
+    }
+    radius = {race: groove_curvature_radius(bearing, race) for race in Race}
+    pressure = ellipses[2]
+    shear = hertz_maximum_shear(
+        (ellipses[0], ellipses[1]), pressure, np.array([poisson[c.race] for c in contacts])
     )
+    orthogonal = hertz_orthogonal_shear(*ellipses)
+    curvature = np.array([radius[c.race] for c in contacts])
+    sliding = largest_sliding(ellipses, motion[:, 2], motion[:, 3], curvature)
+    columns = np.stack([2.0 / 3.0 * pressure, *shear, *orthogonal, *sliding], axis=1)
+    for contact, own, row in zip(contacts, hertz, columns.tolist(), strict=True):
+        cut = truncation(bearing, contact.race, contact.contact_angle, own)
+        yield ContactStress(**dict(zip(COLUMNS, row, strict=True)), truncation=cut)
 
 
 def largest_sliding(
-    hertz: HertzContact, spin: float, rolling: float, radius: float
-) -> tuple[float, float]:
-    """Largest sliding speed, and largest product of pressure and sliding speed, in an ellipse.
+    ellipses: Array, spin: Array, rolling: Array, radius: Array
+) -> tuple[Array, Array]:
+    """Largest sliding speed, and largest product of pressure and sliding speed, in ellipses.
 
     v_x = -w_s y + w_r y^2/(2 R), v_y = w_s x [m/s], x along the rolling direction; no sliding in
-    the middle, |v| is largest on the rim. `spin`, `rolling`: relative angular speeds w_s about the
-    normal and w_r about the transverse direction [rad/s]; `radius`: R of the deformed surface
-    across the rolling direction, 2 r D/(2 r + D) [m]. The product in [W/m^2].
+    the middle, |v| is largest on the rim. `ellipses`: semi-axes along x and y [m] and Hertz'
+    pressure [Pa], shape (3, n); `spin`, `rolling`: relative angular speeds w_s about the normal
+    and w_r about the transverse direction [rad/s]; `radius`: R of the deformed surface across the
+    rolling direction, 2 r D/(2 r + D) [m]; shape (n,). The product in [W/m^2].
     """
-    along, across, pressure = _places()
-    x, y = hertz.semi_axis_x * along, hertz.semi_axis_y * across
-    speed = np.hypot(-spin * y + 0.5 * rolling * y * y / radius, spin * x)
-    return float(speed.max()), hertz.pressure * float((pressure * speed).max())
+    along, across, share = _places()
+    shapes = np.stack([*ellipses, spin, 0.5 * rolling / radius], axis=1)
+    found = np.empty((len(shapes), 2))
+    for (a, b, pressure, turn, curved), own in zip(shapes.tolist(), found, strict=True):
+        squares = b * across
+        squares *= curved * squares - turn
+        squares *= squares
+        squares += (a * turn * along) ** 2
+        own[0] = sqrt(squares.max())
+        squares *= share**2
+        own[1] = pressure * sqrt(squares.max())
+    return found[:, 0], found[:, 1]
 
 
 @cache

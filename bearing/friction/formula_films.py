@@ -6,6 +6,7 @@ speed or with another oil, film and moment are those of that solution times the 
 numbers here and there.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from math import log
 
@@ -19,7 +20,7 @@ from ehl.traction.rolling_moment import rolling_moment
 
 from ..contacts.contact import BearingContact
 from ..contacts.film_heat import film_heat, solved_with_heat
-from ..contacts.film_numbers import film_numbers
+from ..contacts.film_numbers import FilmNumbers, film_numbers, film_numbers_of
 from ..geometry import Array
 from .flat_film import CONTACT_PRESSURE, FlatFilm, film_scale, film_values
 
@@ -48,6 +49,18 @@ class FormulaFilm:
         return self.uncertainty / self.central
 
 
+def formula_films(contacts: Sequence[BearingContact | None]) -> list[FormulaFilm | None]:
+    """Films of contacts by formulas, None where there is none, or it carries no load or entrains
+    no oil.
+    """
+    found: list[FormulaFilm | None] = [None] * len(contacts)
+    places = [n for n, own in enumerate(contacts) if own is not None and _pair(own) is not None]
+    pairs = [pair for own in contacts if own is not None and (pair := _pair(own)) is not None]
+    for n, (conditions, _), own in zip(places, pairs, film_numbers_of(pairs), strict=True):
+        found[n] = _flat(conditions, own)
+    return found
+
+
 def formula_film(
     contact: BearingContact, base: ContactSolution | None = None
 ) -> FormulaFilm | None:
@@ -56,43 +69,68 @@ def formula_film(
     base: a solved, flooded film of the contact at another speed [m/s] or with another oil, which
     the formulas are scaled to.
     """
-    conditions = contact.conditions
-    hertz = contact.hertz
-    if conditions is None or hertz is None:
+    pair = _pair(contact)
+    if pair is None:
         return None
-    axes = (hertz.semi_axis_y, hertz.semi_axis_x)
-    limit = MAX_FILM_OVER_RADIUS * conditions.radius_x
-    own = film_numbers(conditions, axes)
-    central = own.central
-    ratio = own.ratio
-    moment = own.moment
-    error = own.error
-    least = own.minimum_error
-    if base is not None and isinstance(base.conditions, ContactConditions):
-        there = base.conditions
-        other = film_numbers(there, axes)
-        solved = _known(base.film_minimum) / _known(base.film_central)
-        central *= _known(base.film_central) / other.central
-        if solved_with_heat(base):
-            central /= film_heat(replace(contact, conditions=there)).value
-        ratio = solved if ratio is None or other.ratio is None else ratio * solved / other.ratio
-        moment *= rolling_moment(base).value / other.moment
-        way = log(there.entrainment_speed / conditions.entrainment_speed)
-        error = base.film_central_dimensionless.relative_uncertainty + WAY_ERROR * abs(way)
-        least = error
-    central = min(central, limit)
-    minimum = None if ratio is None else min(ratio, 1.0) * central
+    own = film_numbers(*pair)
+    if base is None or not isinstance(base.conditions, ContactConditions):
+        return _flat(pair[0], own)
+    return _scaled_film(contact, pair, own, base, base.conditions)
+
+
+def _pair(contact: BearingContact) -> tuple[ContactConditions, tuple[float, float]] | None:
+    """Conditions and Hertz' semi-axes across and along rolling [m]."""
+    hertz = contact.hertz
+    if contact.conditions is None or hertz is None:
+        return None
+    return contact.conditions, (hertz.semi_axis_y, hertz.semi_axis_x)
+
+
+def _flat(conditions: ContactConditions, own: FilmNumbers) -> FormulaFilm:
+    """A flat film by these numbers."""
+    central = min(own.central, MAX_FILM_OVER_RADIUS * conditions.radius_x)
+    minimum = None if own.ratio is None else min(own.ratio, 1.0) * central
     return FormulaFilm(
-        film=FlatFilm(conditions=conditions, central=central, minimum=minimum)
-        if base is None
-        else _scaled(base, conditions, central, minimum),
+        film=FlatFilm(conditions=conditions, central=central, minimum=minimum),
         central=central,
         minimum=minimum,
-        moment=moment,
+        moment=own.moment,
+        uncertainty=own.error * central,
+        minimum_uncertainty=None if minimum is None else own.minimum_error * minimum,
+        scaled=False,
+        atlas=own.atlas,
+    )
+
+
+def _scaled_film(
+    contact: BearingContact,
+    pair: tuple[ContactConditions, tuple[float, float]],
+    own: FilmNumbers,
+    base: ContactSolution,
+    there: ContactConditions,
+) -> FormulaFilm:
+    """A film solved under other conditions, scaled by these numbers."""
+    conditions, axes = pair
+    other = film_numbers(there, axes)
+    solved = _known(base.film_minimum) / _known(base.film_central)
+    central = own.central * _known(base.film_central) / other.central
+    if solved_with_heat(base):
+        central /= film_heat(replace(contact, conditions=there)).value
+    central = min(central, MAX_FILM_OVER_RADIUS * conditions.radius_x)
+    ratio = solved
+    if own.ratio is not None and other.ratio is not None:
+        ratio = own.ratio * solved / other.ratio
+    minimum = min(ratio, 1.0) * central
+    way = log(there.entrainment_speed / conditions.entrainment_speed)
+    error = base.film_central_dimensionless.relative_uncertainty + WAY_ERROR * abs(way)
+    return FormulaFilm(
+        film=_scaled(base, conditions, central, minimum),
+        central=central,
+        minimum=minimum,
+        moment=own.moment * rolling_moment(base).value / other.moment,
         uncertainty=error * central,
-        minimum_uncertainty=None if minimum is None else least * minimum,
-        scaled=base is not None,
-        atlas=own.atlas and base is None,
+        minimum_uncertainty=error * minimum,
+        scaled=True,
     )
 
 

@@ -19,7 +19,7 @@ from ..contacts.film_heat import film_heat, solved_with_heat
 from ..supply.supply import InletFilm, Supply, supplied_shares
 from .asperities import Asperities
 from .flat_film import FlatFilm, with_gap
-from .formula_films import FormulaFilm, formula_film
+from .formula_films import FormulaFilm, formula_films
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -92,15 +92,19 @@ def running_films(
         if film is not None and not isinstance(film, FormulaFilm) and film.converged
     }
     solved = {name: _solved(film) for name, film in distinct.items()}
+    missing = [
+        None if isinstance(film, FormulaFilm) or (film is not None and film.converged) else contact
+        for contact, film in zip(contacts, films, strict=True)
+    ]
     heated = _Heated()
     found: list[RunningFilm | None] = []
-    for contact, film in zip(contacts, films, strict=True):
+    for contact, film, own in zip(contacts, films, formula_films(missing), strict=True):
         if isinstance(film, FormulaFilm):
             running = _by_formula(film)
         elif film is not None and film.converged:
             running = solved[id(film)]
         else:
-            running = _by_formula(formula_film(contact))
+            running = _by_formula(own)
         if running is not None:
             if supply is not None:
                 running = _supplied(running, contact, supply)

@@ -12,6 +12,7 @@ from ehl import Lubricant
 from ehl.units import MILLIMETRE, MILLION, RPM, from_si
 
 from ..contacts.contact import BearingContact
+from ..friction.balance import BalancedFriction
 from ..friction.coulomb import balanced_friction
 from ..friction.resistance import (
     churning_power,
@@ -99,11 +100,12 @@ def line_models(
     are compared with.
     """
     loaded = sliding.sliding_contacts(solution, contacts)
+    balance = balanced_friction(solution, contacts, mu, lines=True)
     lines = sliding.pure_rolling_line_torque
     houpert = sliding.houpert_torque(loaded, speed, mu)
     return {
         "pure_rolling_lines": summed(lines(loaded, speed, mu)._asdict()),
-        "balanced_lines": _balanced(solution, contacts, mu, speed),
+        "balanced_lines": _balanced(balance, speed),
         "houpert": summed(
             {
                 "spin": houpert.spin,
@@ -113,15 +115,12 @@ def line_models(
         ),
         "kakuta": summed(sliding.kakuta_torque(loaded, speed, mu)._asdict()),
         "constant_coulomb": summed(lines(loaded, speed, CONSTANT_COULOMB)._asdict()),
-        "coulomb": _coulomb(solution, contacts, mu, speed),
+        "coulomb": _coulomb(solution, contacts, mu, speed, balance),
     }
 
 
-def _balanced(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], mu: float, speed: float
-) -> ModelTorque:
+def _balanced(balance: BalancedFriction, speed: float) -> ModelTorque:
     """Lines in balance of force and moments on every ball."""
-    balance = balanced_friction(solution, contacts, mu, lines=True)
     if not balance.converged:
         residual = f"residual {balance.residual:.1e} of mu Q"
         return ModelTorque(note=f"no balance of the friction on the balls ({residual})")
@@ -134,10 +133,17 @@ def _balanced(
 
 
 def _coulomb(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], mu: float, speed: float
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    mu: float,
+    speed: float,
+    lines: BalancedFriction,
 ) -> ModelTorque:
-    """The whole ellipse in balance of force and moments, with the gyroscopic couple."""
-    balance = balanced_friction(solution, contacts, mu)
+    """The whole ellipse in balance of force and moments, with the gyroscopic couple, sought from
+    the balance of lines on.
+    """
+    near = lines if lines.converged else None
+    balance = balanced_friction(solution, contacts, mu, near=near)
     if not balance.converged:
         failure = f"does not hold the balls (residual {balance.residual:.1e} of mu Q)"
         return ModelTorque(note=f"Coulomb friction of {mu:.3g} {failure}")

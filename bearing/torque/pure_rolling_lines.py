@@ -14,8 +14,7 @@ friction paper of deep groove ball bearings, re-derived).
 
 from dataclasses import dataclass
 from functools import lru_cache
-
-from scipy.optimize import brentq
+from math import asin, sin, sqrt
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,15 +43,7 @@ def rolling_lines(spin_ratio: float, force: float = 0.0) -> RollingLines:
     if not -1.0 < force < 1.0:
         raise ValueError(f"force must lie between -1 and 1 times the friction, got {force!r}")
 
-    def net(second: float) -> float:
-        return line_force(second + spin_ratio, second) - force
-
-    # full sliding one way and the other: both lines outside the contact
-    second = (
-        brentq(net, -1.0 - min(spin_ratio, 2.0), 1.0, xtol=1e-15)
-        if spin_ratio < 1e6
-        else _single_line(force)
-    )
+    second = _second_line(spin_ratio, force)
     first = second + spin_ratio
     return RollingLines(
         first=first,
@@ -63,9 +54,21 @@ def rolling_lines(spin_ratio: float, force: float = 0.0) -> RollingLines:
     )
 
 
-def _single_line(force: float) -> float:
-    """c_2 where the spin leaves the other line at infinity."""
-    return float(brentq(lambda c: line_force(2.0, c) - force, -1.0, 1.0, xtol=1e-15))
+def _second_line(spin_ratio: float, force: float) -> float:
+    """c_2 at which `line_force` is the force [-].
+
+    With both lines in the contact m = (c_1 + c_2)/2 is a root of m^3 - 3 (1 - E^2/4) m + 1 - F;
+    with the first one beyond it c_2 is one of c^3 - 3 c - 2 F.
+    """
+    half = 0.5 * spin_ratio
+    room = 1.0 - half * half
+    if room > 0.0:
+        share = (1.0 - force) / (2.0 * room**1.5)
+        if share <= 1.0:
+            middle = 2.0 * sqrt(room) * sin(asin(share) / 3.0)
+            if middle + half <= 1.0:
+                return middle - half
+    return -2.0 * sin(asin(force) / 3.0)
 
 
 def _inside(first: float, second: float) -> tuple[float, float]:

@@ -12,18 +12,28 @@ int_{z^2}^inf dw/[(a^2 + w)^(3/2) (b^2 + w)^(1/2) w^(1/2)] = 2/3 R_D(b^2 + z^2, 
 its likes. Stresses are negative in compression; depth counts into the body.
 """
 
-from functools import lru_cache
 from math import atan, atanh, sqrt
 from typing import Any
 
 import numpy as np
-from scipy.optimize import brentq, minimize_scalar
+from numpy.typing import ArrayLike
+from scipy.optimize import minimize_scalar
 from scipy.special import elliprd
 
 from ..arrays import Array
 
 # the largest shear lies above this depth, in the smaller semi-axis: 0.48 (circle) to 0.79 (line)
 DEEPEST = 1.5
+SEARCHED_DEPTHS = 200  # in a row, between the surface and there [-]
+# Poisson's ratio from which on the stress across the shorter axis is the largest where the shear
+# is; with a smaller one that along the longer axis may be [-]
+ACROSS_POISSON = 0.25
+# depth of the largest shear in the smaller semi-axis, about [-]; where its search begins
+CIRCLE_DEPTH = 0.48
+LINE_DEPTH = 0.79
+SHEAR_STEPS = 30  # at most, of that search; 5 or 6 are taken
+SHEAR_ROUNDING = 1e-12  # step of the depth at which it ends [-]
+CUBIC_STEPS = 9  # to round-off, for any ellipse; 7 do
 SERIES = 1e-4  # e^2 of an ellipse below which its edge tension is expanded [-]
 
 
@@ -42,7 +52,7 @@ def hertz_axis_stress(
     return np.asarray(pressure * a * b * np.stack(_axis_stress(a, b, depth, poisson_ratio)))
 
 
-def _axis_stress(a: float, b: float, depth: Any, nu: float) -> tuple[Any, Any, Any]:
+def _axis_stress(a: float, b: Any, depth: Any, nu: Any) -> tuple[Any, Any, Any]:
     """Stresses of `hertz_axis_stress` over p_h a b [1/m^2], at one depth or many [m]."""
     z2 = depth * depth
     a2, b2 = a * a + z2, b * b + z2
@@ -59,50 +69,98 @@ def _axis_stress(a: float, b: float, depth: Any, nu: float) -> tuple[Any, Any, A
 
 
 def hertz_maximum_shear(
-    semi_axes: tuple[float, float], pressure: float, poisson_ratio: float
-) -> tuple[float, float]:
-    """Largest principal shear on the axis of a Hertz contact [Pa], half the difference of the
-    extreme stresses, and its depth [m]; semi-axes along x and y [m], p_h [Pa].
+    semi_axes: tuple[ArrayLike, ArrayLike], pressure: ArrayLike, poisson_ratio: ArrayLike
+) -> tuple[Array, Array]:
+    """Largest principal shear on the axis of Hertz contacts [Pa], half the difference of the
+    extreme stresses, and its depth [m]; semi-axes along x and y [m], p_h [Pa], numbers or arrays
+    of one shape.
 
     0.310 p_h for the circle and 0.300 p_h for the line with nu = 0.3.
     """
-    small = min(semi_axes)
-    shear, depth = _unit_shear(semi_axes[0] / small, semi_axes[1] / small, poisson_ratio)
-    return pressure * shear, small * depth
+    first, second, peak = (np.asarray(one, dtype=np.float64) for one in (*semi_axes, pressure))
+    small = np.minimum(first, second)
+    ratio, nu = np.broadcast_arrays(np.maximum(first, second) / small, poisson_ratio)
+    shear, depth = _shear_across(ratio, nu)
+    for n in np.ndindex(nu.shape):
+        if nu[n] < ACROSS_POISSON:
+            shear[n], depth[n] = _searched_shear(float(ratio[n]), float(nu[n]))
+    return np.asarray(peak * shear), np.asarray(small * depth)
 
 
-@lru_cache(maxsize=1024)
-def _unit_shear(a: float, b: float, poisson_ratio: float) -> tuple[float, float]:
-    """Largest shear and its depth of semi-axes over the smaller one, over p_h and that one [-]."""
+def _searched_shear(ratio: float, nu: float) -> tuple[float, float]:
+    """Largest shear and its depth of semi-axes 1 and `ratio` above it, over p_h [-]: of two
+    maxima the larger, from depths in a row.
+    """
 
-    def negative_shear(depth: float) -> float:
-        stress = _axis_stress(a, b, float(depth), poisson_ratio)
-        return -0.5 * a * b * float(max(stress) - min(stress))
+    def shear(depth: Any) -> Any:
+        stress = np.broadcast_arrays(*_axis_stress(1.0, ratio, depth, nu))
+        return 0.5 * ratio * (np.max(stress, axis=0) - np.min(stress, axis=0))
 
+    row = np.geomspace(1e-3, DEEPEST, SEARCHED_DEPTHS)
+    best = int(np.argmax(shear(row)))
+    ends = row[max(best - 1, 0)], row[min(best + 1, SEARCHED_DEPTHS - 1)]
     peak = minimize_scalar(
-        negative_shear, bounds=(1e-3, DEEPEST), method="bounded", options={"xatol": 1e-9}
+        lambda depth: -float(shear(depth)), bounds=ends, method="bounded", options={"xatol": 1e-9}
     )
     return -float(peak.fun), float(peak.x)
 
 
+def _shear_across(ratio: Array, nu: Array) -> tuple[Array, Array]:
+    """As `_searched_shear`, in arrays, where the stress across the shorter axis, here sigma_x, is
+    the largest at that depth: d(sigma_x - sigma_z)/dz = 0 with dI_x/dz = -2/(A^3 B) and dI_z/dz =
+    -2/(A B z^2), by secants.
+    """
+    last = CIRCLE_DEPTH + (LINE_DEPTH - CIRCLE_DEPTH) * (1.0 - 1.0 / ratio)
+    depth = 1.01 * last
+    old, slope = (_shear_slope(ratio, at, nu) for at in (last, depth))
+    for _ in range(SHEAR_STEPS):
+        way = slope - old
+        step = np.where(way == 0.0, 0.0, -slope * (depth - last) / np.where(way == 0.0, 1.0, way))
+        if np.all(np.abs(step) <= SHEAR_ROUNDING):
+            break
+        last, old = depth, slope
+        depth = depth + step
+        slope = _shear_slope(ratio, depth, nu)
+    stress = _axis_stress(1.0, ratio, depth, nu)
+    return np.asarray(0.5 * ratio * (stress[0] - stress[2])), np.asarray(depth)
+
+
+def _shear_slope(ratio: Any, depth: Any, nu: Any) -> Any:
+    """d(sigma_x - sigma_z)/dz of semi-axes 1 and `ratio` above it, over p_h times that [-]."""
+    z2 = depth * depth
+    a2 = 1.0 + z2
+    b2 = ratio * ratio + z2
+    root = np.sqrt(a2 * b2)
+    over = np.sqrt(b2 / a2)  # B/A
+    along_x = 2.0 / 3.0 * elliprd(b2, z2, a2)
+    along_z = 2.0 / 3.0 * elliprd(a2, b2, z2)
+    turn = over + 1.0 / over
+    inner = (
+        (1.0 - nu) * along_x - nu * along_z + 2.0 * (nu - (1.0 - nu) * z2 / a2) / (depth * root)
+    )
+    surface = (1.0 - 2.0 * nu) * depth * (2.0 + turn) / (a2 + root) ** 2
+    return inner + surface - depth * turn / (a2 * b2)
+
+
 def hertz_orthogonal_shear(
-    semi_axis_rolling: float, semi_axis_transverse: float, pressure: float
-) -> tuple[float, float]:
+    semi_axis_rolling: ArrayLike, semi_axis_transverse: ArrayLike, pressure: ArrayLike
+) -> tuple[Array, Array]:
     """Amplitude tau_0 [Pa] of the shear stress tau_xz of a point that the contact rolls over, and
     its depth z_0 [m], Lundberg and Palmgren (1947); semi-axes a along the rolling direction and b
-    [m], p_h [Pa].
+    [m], p_h [Pa], numbers or arrays of one shape.
 
     tau_0 = p_h sqrt(2 t - 1)/(2 t (t + 1)), z_0 = a/[(t + 1) sqrt(2 t - 1)], (t^2 - 1)(2 t - 1) =
     (a/b)^2. It swings between -tau_0 and +tau_0, whatever Poisson's ratio.
     """
-    ratio = (semi_axis_rolling / semi_axis_transverse) ** 2
-
-    def excess(t: float) -> float:
-        return (t * t - 1.0) * (2.0 * t - 1.0) - ratio
-
-    t = float(brentq(excess, 1.0, 2.0 + ratio ** (1.0 / 3.0), xtol=1e-14))
-    root = sqrt(2.0 * t - 1.0)
-    return pressure * root / (2.0 * t * (t + 1.0)), semi_axis_rolling / ((t + 1.0) * root)
+    given = (semi_axis_rolling, semi_axis_transverse, pressure)
+    along, across, peak = (np.asarray(one, dtype=np.float64) for one in given)
+    ratio = (along / across) ** 2
+    t = 2.0 + np.cbrt(ratio)
+    for _ in range(CUBIC_STEPS):  # Newton's, from above: the cubic is convex beyond its root
+        t = t - ((t * t - 1.0) * (2.0 * t - 1.0) - ratio) / (6.0 * t * t - 2.0 * t - 2.0)
+    root = np.sqrt(2.0 * t - 1.0)
+    amplitude = peak * root / (2.0 * t * (t + 1.0))
+    return np.asarray(amplitude), np.asarray(along / ((t + 1.0) * root))
 
 
 def hertz_edge_tension(

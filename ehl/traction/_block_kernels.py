@@ -78,7 +78,8 @@ def _compiled_logarithm(x):
 
 @compiled
 def _slide_block(room, node, surface):
-    """Sliding of a block's motions at a node, and its mean square times the area added up.
+    """Sliding of a block's motions at a node, s_y times g, and its mean size over the node's strip
+    as `film_quadrature` has both; area times the square of that added up.
 
     node: x, y, area and spread_x, spread_y, a twelfth of its squared size; surface: 1/(2R) over
     +-width across; y^2/(2R) does not grow beyond.
@@ -87,6 +88,7 @@ def _slide_block(room, node, surface):
     curvature, width = surface
     height = curvature * min(y * y, width * width)
     steep = 2.0 * curvature * y if abs(y) < width else 0.0
+    quarter = 3.0 * spread_y  # of the squared size
     for n in range(BLOCK):
         k = np.uint64(n)
         spin = room[k + np.uint64(SPIN)]
@@ -94,10 +96,15 @@ def _slide_block(room, node, surface):
         s_x = room[k + np.uint64(SLIDE_X)] - spin * y - rolling * height
         s_y = room[k + np.uint64(SLIDE_Y)] + spin * x
         slope = spin + rolling * steep
-        square = s_x * s_x + s_y * s_y + slope * slope * spread_y + spin * spin * spread_x
+        along = s_x * s_x
+        change = slope * slope * quarter
+        both = along + s_y * s_y + change + spin * spin * spread_x
+        square = max(0.5 * (both + np.sqrt(abs(both * both - 4.0 * along * change))), TINY)
         room[k + np.uint64(AT_X)] = s_x
-        room[k + np.uint64(AT_Y)] = s_y
-        room[k + np.uint64(SLIDE)] = np.sqrt(max(square, TINY))
+        room[k + np.uint64(AT_Y)] = (
+            s_y * (15.0 * square - 4.0 * change) / (15.0 * square - 9.0 * change)
+        )
+        room[k + np.uint64(SLIDE)] = np.sqrt(square)
         room[k + np.uint64(SQUARES)] += area * square
 
 

@@ -55,10 +55,12 @@ class OilAround:
         return without
 
     def moment_beyond_box(self) -> float:
-        """Integral of -X P of the far field from the edge of the box to the meniscus [-]."""
+        """Integral of -s P of the far field from the edge of the box to the meniscus, s the
+        distance along the entrainment [-].
+        """
 
         def arm(x: Array, y: Array, gap: Array) -> Array:
-            return self.field.strength(x, y) / gap**2 * x
+            return self.field.strength(x, y) / gap**2 * along_entrainment(self.contact, x, y)
 
         return 0.0 - self.integral_beyond_box(arm)
 
@@ -122,6 +124,11 @@ class OilAround:
         width = np.sqrt(1.0 - (across / contact.semi_axis_ratio) ** 2)
         along = np.clip(along, -width, width)
         return along * c + across * s, across * c - along * s
+
+
+def along_entrainment(contact: ScaledContact, x: Array, y: Array) -> Array:
+    """Distance along the entrainment at the centre of places in the frame of the grid [-]."""
+    return contact.velocity_x * x + contact.velocity_y * y
 
 
 class _Ray:

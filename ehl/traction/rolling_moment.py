@@ -12,8 +12,12 @@ The extent is the oil's, not the solver's box. On each ray from the centre oil c
 meniscus, where the gap is as wide as the layer that the bodies carry in
 (`Lubricant.flooded_layer`): in the box the solved pressure, beyond its edge that of the far field,
 which the solver has set on that edge (1.4 % more than Kapitza's moment for a sphere, 3.5 % for
-:math:`R_x/R_y = 1/45`). Farther out than 0.2 of the smaller radius of a ray's section the gap
-is that of two circles (`oil_extent`); the pressure goes with its square there.
+:math:`R_x/R_y = 1/45`). In the box the moment is that by which the surfaces turn as much power
+into heat as the flow does (`pressure_moment`). The lever of the pressure alone stays above it on
+every mesh on which the pressure behind the spike falls within two cells, by 5.1 % on 257 points
+and 2.7 % on 1025 (M 300, L 15, :math:`R_x/R_y = 2`); films solved with shear or heat have that
+one. Farther out than 0.2 of the smaller radius of a ray's section the gap is that of two circles
+(`oil_extent`); the pressure goes with its square there.
 
 What that leaves out. The film is solved without a meniscus: at one, where the pressure vanishes,
 mass conservation asks for a layer of 0.3675 of the gap under a sphere, and the moment is that of
@@ -23,7 +27,7 @@ square of the gap of circles is, up to 0.3 of the radius, 1.2 % above that of Re
 """
 
 from dataclasses import dataclass
-from math import hypot
+from math import hypot, inf, nan
 
 import numpy as np
 
@@ -31,14 +35,18 @@ from ..conditions import ContactConditions
 from ..multigrid.supply.oil_supply import pressure_moment
 from ..scaling import ScaledContact, scale_contact
 from ..solution import ContactSolution
-from .oil_around import OilAround
+from .oil_around import OilAround, along_entrainment
 from .shear import trapezoidal_weights
 
 SAME_ANGLE = 1e-9  # [rad]
-# Error of the lever arm of the load over the contact's half length, times (mesh/half length)^-1.5
-# [-]: 0.02 to 0.34 in the sixteen contacts of `benchmarks/uncertainty.py` on 65 to 513 points,
-# whose moments approach their limit with an order of 1.45 (median)
+# Error by the mesh over the sum of what the balance of power changes and the share of the step of
+# the central film from the finest grid to its limit [-]: 95 % of 71 random contacts are within
+# 0.16, 0.24, 0.32, 0.39 of it on 65, 129, 257, 513 points (`benchmarks/rolling_moment.py`)
 MESH_ERROR = 0.4
+# Of films solved with shear or heat, whose balance has more terms, the error of the lever arm of
+# the load over the contact's half length, times (mesh/half length)^-1.5 [-]: 0.02 to 0.34 in the
+# sixteen contacts of `benchmarks/rolling_moment.py`, without either, on 65 to 513 points
+LEVER_ERROR = 0.4
 # Relative error of the moment over the residual [-]: below 1 in most, some 10 at most in 30
 # contacts on 129 points and six on 257 and 513, cycled on until the residual had vanished
 RESIDUAL_ERROR = 10.0
@@ -52,8 +60,8 @@ FLOODED_DISTANCE = (3.06, 0.58)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RollingMoment:
-    """Moment of the pressure ahead of the centre about y, positive where it resists rolling along
-    x.
+    """Moment of the pressure ahead of the centre, positive where it resists rolling along the
+    entrainment.
     """
 
     value: float  # of the oil up to its meniscus [N m]
@@ -71,25 +79,28 @@ def rolling_moment(solution: ContactSolution, layer: float | None = None) -> Rol
 
     Kapitza (1955); his field holds far outside the ellipse, where the oil is isoviscous and the
     deflection small. In a box that was fixed the oil ends on the edge, without pressure there.
-    layer: at the inlet, both surfaces together [m]; None: that of the lubricant. ValueError where
-    conditions have no dimensions.
+    layer: at the inlet, both surfaces together [m]; None: that of the lubricant. Where the film
+    did not converge the moment is not a number. ValueError where conditions have no dimensions.
     """
     conditions, a = _dimensions(solution)
     layer = conditions.lubricant.flooded_layer if layer is None else layer
     if not layer > 0.0:
         raise ValueError(f"layer must be positive, got {layer!r}")
     scale = solution.hertz_pressure * a**3
-    moments = (
-        -trapezoidal_weights(solution.X, solution.Y) * solution.X[:, None] * solution.P * scale
-    )
-    box = float(moments.sum())
+    if not solution.converged:
+        return _unknown(layer, "the film did not converge")
     contact = scaled_as_solved(solution)
+    moments = -trapezoidal_weights(solution.X, solution.Y) * solution.P * scale
+    moments *= along_entrainment(contact, solution.X[:, None], solution.Y[None, :])
+    box = float(moments.sum())
     if solution.supply is not None:
         return _behind_layer(solution, conditions, contact, box)
+    change = 0.0 if solution.state else scale * pressure_moment(solution, contact)[1]
+    box += change
     if solution.options.domain is not None:
         return RollingMoment(
             value=box,
-            uncertainty=_solution_error(solution, contact, box),
+            uncertainty=_solution_error(solution, contact, (box, change)),
             box=box,
             layer=layer,
             extent=None,
@@ -98,15 +109,20 @@ def rolling_moment(solution: ContactSolution, layer: float | None = None) -> Rol
     oil = OilAround(solution, contact, conditions.ball_radius, layer)
     beyond = scale * oil.moment_beyond_box()
     value = box - float(np.sum(moments * oil.share_without())) + beyond
+    left = _solution_error(solution, contact, (value, change))
     extent = oil.meniscus_ahead()
     return RollingMoment(
         value=value,
-        uncertainty=_solution_error(solution, contact, value) + FAR_FIELD_ERROR * abs(beyond),
+        uncertainty=left + FAR_FIELD_ERROR * abs(beyond),
         box=box,
         layer=layer,
         extent=a * extent,
         note=_starved_note(solution, contact, extent),
     )
+
+
+def _unknown(layer: float, note: str) -> RollingMoment:
+    return RollingMoment(value=nan, uncertainty=inf, box=nan, layer=layer, extent=None, note=note)
 
 
 def _behind_layer(
@@ -116,8 +132,10 @@ def _behind_layer(
     an open box that the layer floods where the gap is as wide as it.
 
     box: by the integral of the pressure [N m]. The value is that by the heat of its flow; the
-    difference of both is the error bar: the value was off by up to 1.2 of it, mostly by less than
-    a half (five contacts, r of 0.2 to 2, on 129 and 257 points against 513).
+    difference of both is in the error bar whole, with the share of the film's step that a flooded
+    one has: the value was off by up to 1.2 of that difference, mostly by less than a half (five
+    contacts, r of 0.2 to 2, on 129 and 257 points against 513), and by more where it changes its
+    sign.
     """
     assert solution.supply is not None and conditions.inlet_layer is not None
     a = solution.semi_axis_x
@@ -139,7 +157,10 @@ def _behind_layer(
     value = box + change + beyond
     return RollingMoment(
         value=value,
-        uncertainty=abs(change) + _left_by_cycles(solution, value) + FAR_FIELD_ERROR * abs(beyond),
+        uncertainty=abs(change)
+        + MESH_ERROR * _film_step(solution) * abs(value)
+        + _left_by_cycles(solution, value)
+        + FAR_FIELD_ERROR * abs(beyond),
         box=box + change,
         layer=layer,
         extent=None if extent is None else -a * extent,
@@ -191,14 +212,27 @@ def scaled_as_solved(solution: ContactSolution) -> ScaledContact:
     raise ValueError(f"{frame} is none of the solver's")
 
 
-def _solution_error(solution: ContactSolution, contact: ScaledContact, moment: float) -> float:
-    """What mesh and residual of a solution leave open of its moment [N m]."""
+def _solution_error(
+    solution: ContactSolution, contact: ScaledContact, moment: tuple[float, float]
+) -> float:
+    """What mesh and residual of a solution leave open of its moment, of which the second is what
+    the balance of power changed [N m].
+    """
+    value, change = moment
+    cycles = _left_by_cycles(solution, value)
+    if solution.state is None:
+        return MESH_ERROR * (abs(change) + _film_step(solution) * abs(value)) + cycles
     conditions, a = _dimensions(solution)
     half_length = contact.half_extent_x
     centre = int(np.abs(solution.X).argmin())
     mesh = float(np.gradient(solution.X)[centre]) / half_length
-    lever = MESH_ERROR * mesh**1.5 * half_length * a
-    return lever * conditions.load + _left_by_cycles(solution, moment)
+    return LEVER_ERROR * mesh**1.5 * half_length * a * conditions.load + cycles
+
+
+def _film_step(solution: ContactSolution) -> float:
+    """Share of the step of the central film from the finest grid to its limit [-]."""
+    film = solution.film_central_dimensionless
+    return abs(film.value - film.finest) / abs(film.value)
 
 
 def _left_by_cycles(solution: ContactSolution, moment: float) -> float:

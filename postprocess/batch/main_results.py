@@ -39,6 +39,7 @@ THINNEST = (  # of a bearing's thinnest film
     *("film_central_uncertainty_um", "lambda_ratio"),
     *("film_central_mesh_uncertainty_um", "film_minimum_mesh_uncertainty_um"),
 )
+THINNER_LOAD = 0.5  # over another's, from which a contact may have the thinner film [-]
 LIVES = sorted(  # hours before revolutions, modified before basic ones
     (quantity.key for quantity in LIFE_RATING if "rating" in quantity.key),
     key=lambda key: (not key.endswith("_h"), "modified" not in key),
@@ -147,14 +148,19 @@ def point_error(numbers: dict[str, Any], head: str, unit: str) -> float | None:
 
 
 def thinnest_film(contacts: list[dict[str, Any]]) -> dict[str, Any] | None:
-    """The contact of a summary with the thinnest film; None where a film did not converge.
-
-    Its film is not known, and may be the thinnest.
+    """The contact of a summary with the thinnest film; None where a film is not known that may be
+    the thinnest: one that did not converge, or of a contact that has none, neither solved nor in
+    the film atlas, with more than `THINNER_LOAD` of the load of the one found.
     """
     if any(contact.get("converged") is False for contact in contacts):
         return None
     films = [contact for contact in contacts if contact.get("film_minimum_um") is not None]
-    return min(films, key=itemgetter("film_minimum_um"), default=None)
+    found = min(films, key=itemgetter("film_minimum_um"), default=None)
+    if found is None:
+        return None
+    least = THINNER_LOAD * found["load_N"]
+    others = (contact for contact in contacts if contact.get("film_minimum_um") is None)
+    return None if any(contact["load_N"] > least for contact in others) else found
 
 
 def _loads(summary: dict[str, Any]) -> dict[str, Any]:

@@ -16,9 +16,9 @@ from bearing.studies.slip import HIRANO_CAVEAT, HIRANO_LIMIT
 from bearing.supply.starved_films import StarvedFilm
 from ehl.units import to_si
 
-from ..contact.quantities import FILM_QUANTITIES, FilmRecord, film_values, formula_films
+from ..contact.quantities import ALL_FILM_QUANTITIES, FILM_QUANTITIES, FilmRecord, formula_films
 from ..quantities import by_key, quantities, values_of
-from .film_heat import HEAT_QUANTITIES, NO_FILM, NO_FILMS, HeatedFilms, heat_messages, heated_films
+from .film_heat import HEAT_QUANTITIES, NO_FILM, NO_FILMS, HeatedFilms, heat_messages
 from .finite_bodies import shoulder_messages
 from .quantities import CONTACT_CONDUCTANCE
 from .results import BearingResults, balls_text
@@ -184,6 +184,8 @@ CONTACT_QUANTITIES = (  # columns of contacts.csv
     *quantities("contact.", "", "note", words=True),
 )
 CONTACT_QUANTITY = by_key(CONTACT_QUANTITIES)
+# of the summary; those of the film are among both
+ALL_QUANTITIES = tuple(by_key((*CONTACT_QUANTITIES, *ALL_FILM_QUANTITIES)).values())
 TERMINAL_COLUMNS = {  # with the format of their numbers; films have that of their uncertainty
     "load_N": ".1f",
     "hertz_pressure_GPa": ".3f",
@@ -230,7 +232,7 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
             tension=tensions[i],
             formula=formulas[i],
             conductance=results.conductance(i),
-            heated=heated_films(contact, results.films[i]),
+            heated=results.heated[i],
         )
         for i, contact in enumerate(results.contacts)
     ]
@@ -251,8 +253,7 @@ def contact_values(record: ContactRecord) -> dict[str, Any]:
     formulas = formula_films(record.contact.conditions)
     by_formula = to_si("film_um", formulas[LAMBDA_FORMULA])
     return {
-        **values_of(record, CONTACT_QUANTITIES),
-        **film_values(record),
+        **values_of(record, ALL_QUANTITIES),
         **record.heated.keys,
         "film_origin": _origin(record),
         "lambda_ratio_formula": lambda_ratio(record.contact, by_formula, record.surface),
@@ -300,10 +301,9 @@ def contact_messages(results: BearingResults) -> Iterator[str]:
 
 def _of_formulas(results: BearingResults) -> list[HeatedFilms]:
     """Films with heat [m] that were not solved with it."""
-    pairs = zip(results.contacts, results.films, strict=True)
     return [
-        heated_films(contact, film)
-        for contact, film in pairs
+        heated
+        for heated, film in zip(results.heated, results.films, strict=True)
         if isinstance(film, FormulaFilm) or not solved_with_heat(film)
     ]
 
@@ -314,7 +314,11 @@ def _absent_films(results: BearingResults) -> Iterator[str]:
     absent: dict[tuple[str, str], list[str]] = {}
     formulas = results.formula_films or (None,) * len(results.contacts)
     for contact, solution in zip(results.contacts, results.films, strict=True):
-        reason = contact.note or "not asked for by [ehl] film_maps"
+        reason = contact.note or (
+            "neither asked for by [ehl] film_maps nor in the film atlas"
+            if results.formula_films
+            else "not asked for by [ehl] film_maps"
+        )
         if contact.conditions is not None and too_thick(contact.conditions):
             reason = "too light a contact for its speed: by formula the film is beyond 2 % of R_x"
         if contact.conditions is None or (solution is None and complete):

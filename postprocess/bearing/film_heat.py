@@ -62,9 +62,8 @@ NO_FILMS = HeatedFilms()
 
 def heated_films(contact: BearingContact, film: Film) -> HeatedFilms:
     """Films of a contact with heat [m]; none where it did not converge."""
-    return HeatedFilms(
-        *film_bars(contact, film), *_isothermal_films(contact, film), _heat_left(contact, film)
-    )
+    left = _heat_left(contact, film)
+    return HeatedFilms(*_bars(film, left), *_isothermal_films(contact, film), left)
 
 
 def heated_atlas_films(contact: BearingContact, films: AtlasFilms | None) -> HeatedFilms:
@@ -81,9 +80,13 @@ def film_bars(contact: BearingContact, film: Film) -> tuple[Bar, Bar]:
     """Central and minimum film of a contact with heat and their error bars [m]; None where there
     is none, or it did not converge.
     """
+    return _bars(film, _heat_left(contact, film))
+
+
+def _bars(film: Film, left: HeatShare | None) -> tuple[Bar, Bar]:
+    """The same by what heat leaves of the isothermal film [-]."""
     if film is None:
         return None, None
-    left = _heat_left(contact, film)
     if isinstance(film, FormulaFilm):
         minimum = _bar(film.minimum, film.minimum_uncertainty, left)
         return _bar(film.central, film.uncertainty, left), minimum

@@ -34,7 +34,7 @@ from ehl.units import from_si, notebook_html
 from ..contact.quantities import oil_permittivity
 from ..results import FILMS, OTHERS, Results
 from ..text import listed
-from .film_heat import film_bars
+from .film_heat import HeatedFilms, film_bars, heated_films
 
 
 @dataclass(frozen=True, kw_only=True)  # without slots, which would keep no cached property
@@ -69,11 +69,16 @@ class BearingResults(Results):
     conductances: Array | None = None
     reference_speed: float | None = None  # ISO 15312 [rad/s]; None: not known
 
-    @property
+    @cached_property
     def films(self) -> tuple[ContactSolution | FormulaFilm | None, ...]:
         """Of the contacts, solved ones or those of formulas in their place."""
         formulas = self.formula_films or (None,) * len(self.solutions)
         return tuple(a or b for a, b in zip(self.solutions, formulas, strict=True))
+
+    @cached_property
+    def heated(self) -> tuple[HeatedFilms, ...]:
+        """Films of the contacts with heat [m]."""
+        return tuple(map(heated_films, self.contacts, self.films))
 
     @cached_property
     def rolling_moments(self) -> tuple[RollingMoment | None, ...]:

@@ -155,7 +155,7 @@ def _films_text(results: BearingResults, shear: SolvedShear) -> str:
     if shear.by_atlas:
         parts.append(f"of the film atlas at {shear.by_atlas}")
     if by_formulas := shear.by_formula - shear.by_atlas:
-        error = "central film to 20 %, rolling moment to 10 % above M = 300 and 33 % at M = 50"
+        error = "central film to 20 %, rolling moment to 11 % above M = 30"
         parts.append(f"of formulas at {by_formulas} ({error})")
     return f", films {' and '.join(parts)} of {shear.lubricated} contacts{hint}"
 

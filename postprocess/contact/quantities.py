@@ -146,11 +146,12 @@ SUPPLY_QUANTITIES = (
         ("damping_ratio_uncertainty", "share of the damping, uncertainty", "damping.uncertainty"),
     ),
 )
+ALL_FILM_QUANTITIES = (*FILM_QUANTITIES, *FURTHER_QUANTITIES, *SUPPLY_QUANTITIES)
 
 
 def film_values(record: FilmRecord) -> dict[str, Any]:
     """Values of the film's quantities by key, in the units of the keys."""
-    return values_of(record, (*FILM_QUANTITIES, *FURTHER_QUANTITIES, *SUPPLY_QUANTITIES))
+    return values_of(record, ALL_FILM_QUANTITIES)
 
 
 def oil_permittivity(case: dict[str, Any]) -> float:

@@ -18,9 +18,7 @@ SEED = 20261126
 POINTS = 12
 SPEED = (4000.0, 7000.0)  # [r/min]
 AXIAL, RADIAL = (2400.0, 4000.0), (0.0, 300.0)  # [N]
-# what the moments that resist rolling of solved films of 257 points are too large by, measured against 513 points:
-# up to 1.9 % of contacts of these tables; the rest is sliding
-ROLLING, REST = 0.025, 0.003
+ROLLING, REST = 0.012, 0.003
 
 
 def case_at(speed, axial, radial):
@@ -49,7 +47,7 @@ def tables(sample):
 
 @pytest.mark.slow
 def test_torque_by_tables_of_the_atlas_is_that_by_tables_of_solved_films():
-    """All of it but the rolling moment within 0.3 %; that is 1.5 to 2.1 % less, by the mesh of the solved films."""
+    """The rolling moment within 1.2 %, on 257 points of the solved films, all others within 0.3 %."""
     solved, atlas = tables(film_sample), tables(atlas_sampler(film_sample))
     assert all("by the film atlas" in table.message and "solved" not in table.message for table in atlas.values())
     random = np.random.default_rng(SEED)

@@ -61,10 +61,25 @@ def test_largest_shear(semi_axes, shear, depth):
     assert found[1] == pytest.approx(depth, rel=2e-3)
 
 
+@pytest.mark.parametrize("nu", [0.1, 0.17, 0.22, 0.25, 0.45])
+def test_largest_shear_is_the_largest_on_the_axis(nu):
+    """Of ellipses of all ratios at once, against the stresses at many depths; with a small Poisson's ratio the
+    stress along the longer axis counts, and there may be two maxima.
+    """
+    ratios = np.geomspace(0.01, 100.0, 61)
+    shear, depth = hertz_maximum_shear((np.ones(61), ratios), 1.0, nu)
+    for ratio, own, at in zip(ratios, shear, depth, strict=True):
+        depths = min(ratio, 1.0) * np.linspace(1e-4, 1.5, 3000)
+        stress = hertz_axis_stress((1.0, ratio), 1.0, depths, nu)
+        along = 0.5 * (stress.max(axis=0) - stress.min(axis=0))
+        assert own == pytest.approx(along.max(), rel=1e-3)
+        assert at == pytest.approx(depths[along.argmax()], abs=2e-2 * min(ratio, 1.0))
+
+
 def test_orthogonal_shear():
     """Circle 0.214 p_h at 0.351 a, line 0.250 p_h at 0.500 a."""
-    assert hertz_orthogonal_shear(1.0, 1.0, 1.0) == pytest.approx((0.2139, 0.3509), rel=1e-3)
-    assert hertz_orthogonal_shear(1.0, 1e5, 1.0) == pytest.approx((0.25, 0.5), rel=1e-4)
+    assert tuple(map(float, hertz_orthogonal_shear(1.0, 1.0, 1.0))) == pytest.approx((0.2139, 0.3509), rel=1e-3)
+    assert tuple(map(float, hertz_orthogonal_shear(1.0, 1e5, 1.0))) == pytest.approx((0.25, 0.5), rel=1e-4)
 
 
 @pytest.mark.parametrize("semi_axes", [(1.0, 1.0), (1.0, 4.0), (2.0, 0.5)])

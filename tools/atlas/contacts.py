@@ -81,7 +81,13 @@ PARTS = {
     "held skew oil": Part(
         HELD_SKEW, (0.0, 30.0), HELD_SKEW_RATIO, any_oil=True, random=True, seed=HELD_OUT_SKEWED + 1, skewed=ACROSS
     ),
-    # light contacts with D above 1 where their film rises
+    # light contacts where their film rises
+    "held step": Part(
+        (4.9, 6.9), (10.0, 30.0), (0.01, 1.0), any_oil=False, random=True, seed=HELD_OUT_STEP + 2, step=True
+    ),
+    "held step oil": Part(
+        (4.9, 6.9), (10.0, 30.0), (0.01, 1.0), any_oil=True, random=True, seed=HELD_OUT_STEP + 3, step=True
+    ),
     "held step along": Part(
         (4.9, 6.9), (10.0, 30.0), (1.0, 5.0), any_oil=False, random=True, seed=HELD_OUT_STEP, step=True
     ),

@@ -41,7 +41,10 @@ def entries(wanted, path):
     path.parent.mkdir(exist_ok=True)
     for n, place in enumerate(wanted):
         if n < len(lines):
-            yield place, json.loads(lines[n])
+            entry = json.loads(lines[n])
+            if (entry["kind"], entry["number"]) != (place.kind, place.number):
+                sys.exit(f"{path}: line {n + 1} is of another draw; remove the file, or take another seed")
+            yield place, entry
             continue
         entry = rounded(solved(place))
         with path.open("a") as file:

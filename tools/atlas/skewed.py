@@ -11,7 +11,7 @@ import json
 from itertools import pairwise
 
 import numpy as np
-from fit import SOLVES, limit, robust_weights, table
+from fit import SOLVES, bar, in_order, limit, robust_weights, table
 from solves import SKEWED
 
 from ehl.traction.atlas.skewed import (
@@ -57,10 +57,9 @@ def labels():
             known.pop(place := (entry["kind"], str(entry["number"])), None)
             if row is not None:
                 known[place] = ",".join(c if isinstance(c, str) else f"{c:.7g}" for c in row)
-        ordered = sorted(known, key=lambda place: (place[0], int(place[1])))
-        text = "\n".join([",".join(COLUMNS), *(known[place] for place in ordered)])
+        text = "\n".join([",".join(COLUMNS), *(known[place] for place in sorted(known, key=in_order))])
         SKEWED.write_bytes(gzip.compress(text.encode(), mtime=0))
-    cells = [line.split(",") for line in known.values()]
+    cells = [known[place].split(",") for place in sorted(known, key=in_order)]
     return np.array([c[0] for c in cells]), np.array([[float(v) for v in c[2:]] for c in cells])
 
 
@@ -108,8 +107,10 @@ def main():
             own = error[(kinds == kind) & (ratio >= low) & (ratio < high)]
             if len(own):
                 table(f"  T/S<{high:g}", own)
-                bars[kind].append(np.quantile(np.abs(own), 0.95, axis=0))
-    np.savez_compressed(FILE, **known._replace(bars=np.array([bars[kind] for kind in JUDGES]))._asdict())
+                bars[kind].append(bar(own))
+    base, others = (np.array(bars[kind]) for kind in JUDGES)
+    # other oils have few contacts in each class
+    np.savez_compressed(FILE, **known._replace(bars=np.stack([base, np.maximum(base, others)]))._asdict())
 
 
 if __name__ == "__main__":

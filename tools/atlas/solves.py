@@ -20,9 +20,8 @@ import numpy as np
 from contacts import places
 
 from ehl import SolverOptions
-from ehl.multigrid.supply.oil_supply import pressure_moment
 from ehl.solver import solve_attempts
-from ehl.traction.rolling_moment import rolling_moment, scaled_as_solved
+from ehl.traction.rolling_moment import rolling_moment
 
 SOLVES = Path(__file__).parents[2] / "build" / "atlas_solves.jsonl"
 LABELS, SKEWED = (Path(__file__).with_name(name) for name in ("labels.csv.gz", "skewed.csv.gz"))
@@ -77,7 +76,6 @@ def straight(solution, layers):
         "line": centre,
         "side": side,
         "moments": [rolling_moment(solution, layer * solution.film_scale).value / scale for layer in layers],
-        "change": pressure_moment(solution, scaled_as_solved(solution))[1],
     }
 
 

@@ -141,6 +141,6 @@ def draw(points: dict[tuple[float, float, float | None], Point | None]) -> None:
 if __name__ == "__main__":
     grid = [(speed, load, flow) for speed in SPEEDS for load in LOADS for flow in (*FLOWS, None)]
     found = {key: point(*key) for key in grid}
-    text = TEMPLATE.read_text(encoding="utf-8")
-    PAGE.write_text(text.format(rows=rows(found)), encoding="utf-8")
+    page = TEMPLATE.read_text(encoding="utf-8")
+    PAGE.write_text(page.format(rows=rows(found)), encoding="utf-8")
     draw(found)

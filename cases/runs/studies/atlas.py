@@ -7,7 +7,7 @@ from time import perf_counter
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.contacts import contact_conditions
 from bearing.contacts.finite_bodies import finite_bodies, with_finite_bodies
-from bearing.friction.formula_films import FormulaFilm, formula_film
+from bearing.friction.formula_films import FormulaFilm, formula_films
 from bearing.friction.resolvable import too_thick
 from bearing.quasistatic.solver import solve_quasistatic
 from bearing.rows import SINGLE
@@ -83,14 +83,18 @@ def unasked_films(
     """Films in place of solved ones, with those of the atlas at the contacts whose films were not
     asked for and that it covers.
     """
-    found = []
-    for contact, own, film in zip(contacts, wanted, films, strict=True):
-        conditions = contact.conditions
-        if own is None and film is None and conditions is not None and not too_thick(conditions):
-            of_atlas = formula_film(contact)
-            film = of_atlas if of_atlas is not None and of_atlas.atlas else None
-        found.append(film)
-    return tuple(found)
+
+    def free(contact: BearingContact) -> bool:
+        return contact.conditions is not None and not too_thick(contact.conditions)
+
+    places = [
+        contact if own is None and film is None and free(contact) else None
+        for contact, own, film in zip(contacts, wanted, films, strict=True)
+    ]
+    of_atlas = [
+        film if film is not None and film.atlas else None for film in formula_films(places)
+    ]
+    return tuple(film or own for film, own in zip(films, of_atlas, strict=True))
 
 
 def _record(

@@ -101,8 +101,9 @@ def _moment(solution: ContactSolution, levels: Multigrid) -> float:
 
 
 def pressure_moment(solution: ContactSolution, contact: ScaledContact) -> tuple[float, float]:
-    """Moment of the pressure in the box about Y, and what makes it that by which the surfaces turn
-    as much power into heat as the flow does that the pressure drives [-].
+    """Moment of the pressure in the box that resists rolling along the entrainment, and what makes
+    it that by which the surfaces turn as much power into heat as the flow does that the pressure
+    drives [-].
 
     Reynolds' equation times the integral of dP/rho, summed over the box, is the balance of power
 
@@ -110,20 +111,20 @@ def pressure_moment(solution: ContactSolution, contact: ScaledContact) -> tuple[
 
     at a meniscus as at a rupture without terms of the edge, as P = 0 there. A half space pulls
     neither force nor torque out of its own deflection, so that H is the rigid gap on the left: the
-    moment and, where the entrainment turns, further ones. The right side is a sum of squares that
-    the scheme keeps with the squared mesh; the left one is a small difference of the load's two
-    halves, on 257 points off by up to a third where little oil flows.
+    moments about both axes. The right side is a sum of squares that the scheme keeps with the
+    squared mesh; the left one is a small difference of the load's two halves, which the mesh
+    shifts along the entrainment: on 257 points off by up to a third where little oil flows.
     """
     X = solution.X[:, None]
     Y = solution.Y[None, :]
     P = solution.P
-    cell = float((solution.X[1] - solution.X[0]) * (solution.Y[1] - solution.Y[0]))
-    moment = -float((X * P).sum()) * cell
-    # 1. power that the surfaces give by their motion over the rigid gap
     c = contact
-    along = (c.velocity_x - c.rotation * Y) * (c.curvature_x * X + c.curvature_xy * Y)
-    across = (c.velocity_y + c.rotation * X) * (c.curvature_y * Y + c.curvature_xy * X)
-    power = -float((P * (along + across)).sum()) * cell
+    u, v = c.velocity_x, c.velocity_y
+    moment = -_over_box(solution, (u * X + v * Y) * P)
+    # 1. power that the surfaces give by their motion over the rigid gap
+    along = (u - c.rotation * Y) * (c.curvature_x * X + c.curvature_xy * Y)
+    across = (v + c.rotation * X) * (c.curvature_y * Y + c.curvature_xy * X)
+    power = -_over_box(solution, P * (along + across))
     # 2. heat of the flow that the pressure drives, with what that flow takes over the edges
     eps = solution.H**3 * np.exp(-log_viscosity(c, P)) / c.speed
     heat = 0.0
@@ -132,8 +133,15 @@ def pressure_moment(solution: ContactSolution, contact: ScaledContact) -> tuple[
         (P.T, eps.T, solution.Y, solution.X),
     ):
         lines = _flow_heat(P_of, eps_of, float(X_of[1] - X_of[0]))
-        heat += float(lines.sum()) * float(Y_of[1] - Y_of[0])
-    return moment, (heat - power) / (c.velocity_x * c.curvature_x + c.velocity_y * c.curvature_xy)
+        heat += float(np.trapezoid(lines, Y_of))
+    # 3. the shift along (u, v), a unit vector, that closes the balance
+    rise = u * u * c.curvature_x + 2.0 * u * v * c.curvature_xy + v * v * c.curvature_y
+    return moment, (heat - power) / rise
+
+
+def _over_box(solution: ContactSolution, values: Array) -> float:
+    """Integral of values at the nodes over the box, with the trapezoidal rule."""
+    return float(np.trapezoid(np.trapezoid(values, solution.X, axis=0), solution.Y))
 
 
 def _flow_heat(P: Array, eps: Array, h: float) -> Array:

@@ -17,10 +17,11 @@ from ...arrays import Array
 from ...closed_form.film import MAX_FILM_OVER_RADIUS
 from ...closed_form.hertz import hertz_coefficients
 from . import _lookup_kernels
-from .films import LIGHT, RANGE, STIFFNESS_ERROR
+from .films import RANGE, STIFFNESS_ERROR
 from .table import (
     BASE_ALPHA,
     BASE_Z,
+    LIGHT,
     SEAM,
     Patch,
     bars_of,
@@ -101,7 +102,7 @@ def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
     found = _found(place)
     # 3. scales
     base = (place.alpha == BASE_ALPHA) & (place.z == BASE_Z)
-    bars = bars_of(np.exp(x[:, 0]), np.exp(x[:, 2]), base)
+    bars = bars_of(x, base)
     height = place.height
     heavy = x[:, 0] >= log(LIGHT)
     central, minimum = (np.exp(found[:, k] - x[:, 0]) * height for k in (0, 1))

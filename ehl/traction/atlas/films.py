@@ -6,9 +6,9 @@ stands (`oils`). Each value has the error within which nineteen of twenty contac
 solved to judge the table. What the table does not cover is refused.
 """
 
-from collections.abc import Mapping
-from dataclasses import dataclass, replace
-from math import exp, inf, log, pi, sin, sqrt
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import exp, isfinite, log, pi, sin, sqrt
 from typing import NamedTuple
 
 import numpy as np
@@ -22,7 +22,8 @@ from ...scaling import ScaledContact, scale_contact
 from ..kapitza import moment_lost_by_circles
 from .oils import LIGHT_DENSITY, by_density, density_excess, law_error, with_inlet_oil
 from .skewed import MIXED, SKEW_RANGE, Along, along_entrainment, mixed_functions, skew_bars
-from .table import BASE_ALPHA, BASE_Z, bars_of, functions
+from .table import BASE_ALPHA, BASE_Z, LIGHT, bars_of, functions
+from .turning import ROTATION, by_rotation, known_turning
 
 # of A, L, D, Roelands' z [-] and alpha [1/Pa] between which the table was judged
 RANGE = {
@@ -34,37 +35,9 @@ RANGE = {
 }
 CASE_KEYS = {"pressure_viscosity": ("pressure_viscosity_1_GPa", 1e-9)}  # and the key's unit
 ALIGNED = 1e-9  # sine of the angle between entrainment and x that counts as none
-# speed at the end of the ellipse by a rotation of the entrainment, over u_m, up to which the table
-# counts
-ROTATION = 0.02
-ROTATION_WIDE = 0.65  # what the minimum film's bar grows by over it, Rx/Ry above `SLIM`
-SLIM = 0.1  # Rx/Ry up to which ellipses are as those of ball bearings
-LIGHT = 7.0  # A below which contacts are light
-# There it lowers the minimum film by 1 - exp(-k t^2), and moves the central one by some t^2: 80
-# contacts solved with and without, k 0.5 to 2.4, seven light ones, k 0.03 to 1.3
-# (`docs/theory/film_atlas.md`)
-
-
-class _Turning(NamedTuple):
-    """What a rotation does to films in slim ellipses [-]."""
-
-    load: float  # A up to which it counts
-    ratio: float  # Rx/Ry up to which it counts
-    largest: float  # t up to which contacts were solved
-    minimum: float  # k
-    minimum_error: float  # of k
-    central_error: float  # over t^2
-
-
-TURNING = (
-    _Turning(LIGHT, SLIM, 0.15, 0.65, 0.65, 0.12),
-    _Turning(inf, 0.06, 0.42, 1.0, 0.65, 0.03),
-    _Turning(inf, SLIM, 0.42, 1.65, 0.85, 0.03),
-)
 LAYERS = (8.0, 25.0, 400.0)  # of the tabulated moments, over 1 + H_c [-]
 THINNEST_LAYER = 3.0  # over 1 + H_c, beyond which the moment is extrapolated no further
 MOES_LAYER = 25.0  # of Moes conditions, over a^2/Rx
-EDGE = 1e-9  # within a range [-]
 STEP = 0.02  # of ln A, over which H0 is differentiated
 # relative error of the stiffness below and above A = `LIGHT`: 70 contacts solved at 0.985 and
 # 1.015 of the load were within 6.9 % (A 2.2 to 6.5, others below 0.6 %) and 0.6 % [-]
@@ -120,29 +93,81 @@ def atlas_films(
     NotInAtlasError
         If the contact is none of those that the atlas covers; the message names the solver.
     """
-    given = conditions.lubricant
-    conditions = with_inlet_oil(conditions)
+    (found,) = atlas_films_of([conditions], layer)
+    if isinstance(found, NotInAtlasError):
+        raise found
+    return found
+
+
+def atlas_films_of(
+    contacts: Sequence[ContactConditions | MoesConditions], layer: float | None = None
+) -> list[AtlasFilms | NotInAtlasError]:
+    """As `atlas_films`, of many contacts in a fraction of the time; for one that is not covered
+    the error that says why; layer: [m] or in a^2/Rx, ValueError where it is none.
+    """
+    if layer is not None and not (isfinite(layer) and layer > 0.0):
+        raise ValueError(f"layer must be positive and finite, got {layer!r}")
+    found: list[AtlasFilms | NotInAtlasError | None] = [None] * len(contacts)
+    places: dict[int, _Place] = {}
+    for n, conditions in enumerate(contacts):
+        try:
+            places[n] = _place(conditions)
+        except NotInAtlasError as refusal:
+            found[n] = refusal
+    known = list(places.values())
+    for n, place, values, bars in zip(places, known, _functions(known), _bars(known), strict=True):
+        try:
+            found[n] = _films(place, values, bars, layer)
+        except NotInAtlasError as refusal:
+            found[n] = refusal
+    return [one for one in found if one is not None]
+
+
+class _Place(NamedTuple):
+    """A contact that the atlas covers, with the oil that stands for its own."""
+
+    conditions: ContactConditions | MoesConditions
+    own: Lubricant  # its own oil
+    contact: ScaledContact
+    along: Along
+    oil: tuple[float, float]  # alpha [1/Pa] and z of the one that stands for it
+
+
+def _place(given: ContactConditions | MoesConditions) -> _Place:
+    """Of a contact; NotInAtlasError where it is not covered, its film aside."""
+    conditions = with_inlet_oil(given)
     contact = scale_contact(conditions)
     own = atlas_load(contact)
     require_covered(conditions, contact, own)
     angle = conditions.entrainment_angle if skewed(conditions.entrainment_angle) else 0.0
     along = along_entrainment(own, contact.moes_lubricant, contact.radius_ratio, angle)
-    load, ratio = along.load, along.ratio
-    # 1. the six functions at the contact, and at A a little smaller and larger
-    x = np.tile(along.place, (3, 1))
-    x[1:, 0] += (-STEP, STEP)
-    found = _functions(x, along, contact, (conditions.lubricant, given))
-    bars = _bars(along, given)
+    alpha, z = oil_numbers(conditions.lubricant)
+    require_range((along.load, along.lubricant, along.ratio, z, alpha))
+    if along.mixed:
+        require_range(along.slimmer, SKEW_RANGE)
+    _require_density(given.lubricant, contact.hertz_pressure, along.load)
+    return _Place(conditions, given.lubricant, contact, along, (alpha, z))
+
+
+def _films(place: _Place, found: Array, bars: Array, layer: float | None) -> AtlasFilms:
+    """By the six functions at A, and at A a little smaller and larger, shape (3, 6), and their
+    errors, shape (6,) [-].
+    """
+    conditions, _, contact, along, _ = place
+    load = along.load
     central, minimum = (exp(found[0, k]) / load for k in (0, 1))
-    lowered, lobes, moved = _by_rotation(load, ratio, contact.turning)
+    lowered, lobes, moved = by_rotation(load, along.ratio, contact.turning)
     minimum = min(minimum, central) * lowered
     middle = float(bars[0]) + moved
-    # 2. k = -3/2 F/(a^2/Rx)/(H0 + dH0/dlnA), as a^2 goes with F^(2/3) where U is constant
-    approaches = np.exp(found[:, 0] - x[:, 0]) - found[:, 2]
-    approach = float(approaches[0])
-    stiffness = -1.5 / (approach + float(approaches[2] - approaches[1]) / (2.0 * STEP))
+    # 1. k = -3/2 F/(a^2/Rx)/(H0 + dH0/dlnA), as a^2 goes with F^(2/3) where U is constant
+    first = log(load)
+    approach, smaller, larger = (
+        exp(row[0] - x) - row[2]
+        for row, x in zip(found.tolist(), (first, first - STEP, first + STEP), strict=True)
+    )
+    stiffness = -1.5 / (approach + (larger - smaller) / (2.0 * STEP))
     approach_error = float(bars[2]) + middle * central
-    # 3. scales of the conditions
+    # 2. scales of the conditions
     unit = along.unit * (contact.film_scale or 1.0)
     force = 1.0
     if isinstance(conditions, ContactConditions):
@@ -190,70 +215,28 @@ def _rolling_moment(
     return rolling
 
 
-def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | None, float]:
-    """The same contact under the nearest load, and with the nearest pressure-viscosity and z, that
-    the atlas covers, and how far it is off, |ln(A/A')| + |ln(L/L')| + |z - z'| [-]; None where
-    these do not bring it into the range.
+def _functions(places: Sequence[_Place]) -> Array:
+    """The six functions of contacts at A, and at A a little smaller and larger, shape (n, 3, 6)
+    [-].
     """
-    standing = with_inlet_oil(conditions)
-    assert isinstance(standing, ContactConditions)
-    contact = scale_contact(standing)
-    if skewed(conditions.entrainment_angle):
-        return None, 0.0
-    own = atlas_load(contact)
-    wanted = _nearest("A = a^2/(Rx^2 sqrt(2U))", own)
-    slim = _slim(wanted, contact.radius_ratio)
-    if slim is not None and contact.turning > slim.largest:
-        wanted = max(wanted, LIGHT)
-    # 1. the oil; that of an isoviscous one does not count
-    alpha, z = _oil(standing.lubricant)
-    thick = _nearest("L", contact.moes_lubricant)
-    rise = _nearest("roelands_z", z)
-    way = abs(log(own / wanted)) + abs(z - rise)
-    oil = standing.lubricant
-    if rise != z:
-        oil = replace(oil, roelands_z=rise)
-    if thick != contact.moes_lubricant:
-        alpha *= thick / contact.moes_lubricant
-        oil = replace(oil, pressure_viscosity=alpha, roelands_z=rise)
-        way += abs(log(contact.moes_lubricant / thick))
-    # 2. whether that brings it into the range
-    near = replace(standing, load=conditions.load * (wanted / own) ** 1.5, lubricant=oil)
-    try:
-        require_covered(near, contact, wanted)
-        require_range((wanted, thick, contact.radius_ratio, rise, alpha))
-    except NotInAtlasError:
-        return None, 0.0
-    return (near, way) if way else (conditions, 0.0)
-
-
-def _nearest(name: str, value: float) -> float:
-    """Of the range; a little within where the value is not, so that rounding does not leave it."""
-    low, high = RANGE[name]
-    if low <= value <= high:
-        return value
-    return low * (1.0 + EDGE) if value < low else high * (1.0 - EDGE)
-
-
-def _functions(
-    x: Array, along: Along, contact: ScaledContact, oils: tuple[Lubricant, Lubricant]
-) -> Array:
-    """The six functions at x, shape (m, 4), of a contact with the oil that stands for its own and
-    its own, shape (m, 6) [-].
-    """
-    standing, own = oils
-    alpha, z = _oil(standing)
-    require_range((along.load, along.lubricant, along.ratio, z, alpha))
-    if along.mixed:
-        require_range(along.slimmer, SKEW_RANGE)
-    _require_density(own, contact.hertz_pressure, along.load)
-    oil = np.full(len(x), alpha), np.full(len(x), z)
-    found = functions(x[:, :3], *oil)
-    if along.mixed:
-        found[:, :MIXED] += mixed_functions(x, *oil)
-        found[:, MIXED - 1] += along.approach
-    added = by_density(own, contact.hertz_pressure, along.load)
-    return _with_density(found, x, added) if added.any() else found
+    if not places:
+        return np.empty((0, 3, 6))
+    x = np.repeat([place.along.place for place in places], 3, axis=0)
+    x[1::3, 0] -= STEP
+    x[2::3, 0] += STEP
+    alpha, z = np.repeat([place.oil for place in places], 3, axis=0).T
+    found = functions(x[:, :3], alpha, z)
+    mixed = x[:, 3] > 0.0
+    if mixed.any():
+        found[mixed, :MIXED] += mixed_functions(x[mixed], alpha[mixed], z[mixed])
+        turned = np.repeat([place.along.approach for place in places], 3)
+        found[mixed, MIXED - 1] += turned[mixed]
+    found = found.reshape(-1, 3, 6)
+    for n, place in enumerate(places):
+        added = by_density(place.own, place.contact.hertz_pressure, place.along.load)
+        if added.any():
+            found[n] = _with_density(found[n], x[3 * n : 3 * n + 3], added)
+    return found
 
 
 def _with_density(found: Array, x: Array, added: Array) -> Array:
@@ -263,7 +246,7 @@ def _with_density(found: Array, x: Array, added: Array) -> Array:
     return found + np.concatenate([np.tile(added[:3], (len(x), 1)), added[3:] * moments], axis=1)
 
 
-def _oil(oil: Lubricant) -> tuple[float, float]:
+def oil_numbers(oil: Lubricant) -> tuple[float, float]:
     """alpha [1/Pa] and z of a Roelands oil; of an isoviscous one, where they do not count, those
     of the base oil.
     """
@@ -272,30 +255,17 @@ def _oil(oil: Lubricant) -> tuple[float, float]:
     return oil.pressure_viscosity, oil.exponent
 
 
-def _bars(along: Along, oil: Lubricant) -> Array:
-    """Errors of the six functions of a contact with an oil, shape (6,) [-]."""
-    base = _oil(oil) == (BASE_ALPHA, BASE_Z)
-    own = bars_of(np.array([along.load]), np.array([along.ratio]), np.array([base]))[0]
-    if along.mixed:
-        own[:MIXED] = np.maximum(own[:MIXED], skew_bars(along.ratio, base))
-    return np.maximum(own, law_error(oil, along.load >= LIGHT))
-
-
-def _slim(load: float, ratio: float) -> _Turning | None:
-    """What is known of a rotation at A and Rx/Ry; None in wide ellipses."""
-    return next((own for own in TURNING if load < own.load and ratio <= own.ratio), None)
-
-
-def _by_rotation(load: float, ratio: float, turning: float) -> tuple[float, float, float]:
-    """What a rotation t of the entrainment leaves of the minimum film, its error and that of the
-    central film [-].
-    """
-    own = _slim(load, ratio)
-    if own is None:
-        return 1.0, ROTATION_WIDE * turning, TURNING[0].central_error * turning**2
-    square = turning**2
-    lowered = exp(-own.minimum * square)
-    return lowered, own.minimum_error * square, own.central_error * square
+def _bars(places: Sequence[_Place]) -> Array:
+    """Errors of the six functions of contacts, shape (n, 6) [-]."""
+    if not places:
+        return np.empty((0, 6))
+    base = np.array([oil_numbers(place.own) == (BASE_ALPHA, BASE_Z) for place in places])
+    bars = bars_of(np.array([place.along.place for place in places])[:, :3], base)
+    for n, (_, own, _, along, _) in enumerate(places):
+        if along.mixed:
+            bars[n, :MIXED] = np.maximum(bars[n, :MIXED], skew_bars(along.ratio, bool(base[n])))
+        bars[n] = np.maximum(bars[n], law_error(own, along.load >= LIGHT))
+    return bars
 
 
 def _moment(
@@ -351,7 +321,7 @@ def require_covered(
     conditions: ContactConditions | MoesConditions, contact: ScaledContact, load: float
 ) -> None:
     """NotInAtlasError unless the equations are those of the atlas; load: A [-]."""
-    slim = _slim(load, contact.radius_ratio)
+    slim = known_turning(load, contact.radius_ratio)
     turning = ROTATION if slim is None else slim.largest
     turns = skewed(conditions.entrainment_angle) and contact.turning > 0.0
     faults = {

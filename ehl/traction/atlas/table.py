@@ -17,6 +17,7 @@ scales is added. Over `SEAM` one patch gives way to the other.
 """
 
 from functools import cache
+from math import log
 from pathlib import Path
 from typing import NamedTuple
 
@@ -36,7 +37,8 @@ NO_STEP = np.array([0.0, 1.0, 0.0, 1.0, 1.0, 1.0])  # of a patch without a step 
 
 # of A, between which the patch of light contacts gives way to that of heavy ones [-]
 SEAM = (7.0, 9.0)
-STEP = 2.0  # A from which on light contacts with D above 1 may be at the step of their film [-]
+LIGHT = 7.0  # A below which contacts are light
+STEP = 0.2  # of the slanted ln A, up to which light contacts count to the step of their film [-]
 
 
 class Patch(NamedTuple):
@@ -67,8 +69,8 @@ class Table(NamedTuple):
     # contacts lie, below and above the beginning of the seam: of the base oil with D up to 1, of
     # that with D above 1, of other oils
     bars: Array
-    # (2, 6) likewise of light contacts with D above 1 that were drawn at the step of their film:
-    # of the base oil, of others
+    # (2, 2, 6) likewise of light contacts that were drawn at the step of their film, with D up to
+    # 1 and above: of the base oil, of others
     step_bars: Array
 
 
@@ -83,16 +85,19 @@ def table() -> Table:
         return Table(light=light, heavy=heavy, bars=file["bars"], step_bars=file["step_bars"])
 
 
-def bars_of(load: Array, ratio: Array, base: NDArray[np.bool_]) -> Array:
-    """Errors of the six functions at A and Rx/Ry of shape (m,), shape (m, 6) [-]; base: whether
-    the oil is that of the solves, shape (m,).
+def bars_of(x: Array, base: NDArray[np.bool_]) -> Array:
+    """Errors of the six functions at x of shape (m, 3), shape (m, 6) [-]; base: whether the oil is
+    that of the solves, shape (m,).
     """
-    known, wide = table()[2:]
-    heavy = (load >= SEAM[0]).astype(int)
-    own = known[heavy, (ratio > 1.0).astype(int)]
-    bars = np.where(base[:, None], own, np.maximum(own, known[heavy, 2]))
-    long = ((load > STEP) & (load < SEAM[0]) & (ratio > 1.0))[:, None]
-    return np.where(long, np.maximum(bars, wide[np.where(base, 0, 1)]), bars)
+    light, _, known, at_step = table()
+    heavy = (x[:, 0] >= log(SEAM[0])).astype(int)
+    wide = (x[:, 2] > 0.0).astype(int)
+    bars = np.where(
+        base[:, None], known[heavy, wide], np.maximum(known[heavy, wide], known[heavy, 2])
+    )
+    away = np.abs(slanted(x, light.slant)[:, 0] - light.step[0])
+    there = ((away < STEP) & (heavy == 0))[:, None]
+    return np.where(there, np.maximum(bars, at_step[wide, np.where(base, 0, 1)]), bars)
 
 
 def heavy_share(log_load: Array, seam: tuple[float, float] = SEAM) -> tuple[Array, Array]:

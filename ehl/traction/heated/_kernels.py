@@ -206,13 +206,10 @@ def first_weighted(weights):
 
 
 @compiled
-def factor_at(factors, weights, near, place):
-    """A line's factor at a place of the sliding speed counted in nodes: cubics through the four
-    nearest nodes, of the weighted sum over the responses.
-
-    factors, shape (R, S); weights, shape (R,), near: `first_weighted` of them.
+def cubic_weights(count, place):
+    """First of the four nodes nearest to a place counted in them, and the weights of the cubic
+    through these.
     """
-    count = factors.shape[1]
     place = min(max(place, 0.0), count - 1.0)
     i = min(max(int(place) - 1, 0), count - 4)
     t = place - i
@@ -220,6 +217,17 @@ def factor_at(factors, weights, near, place):
     w_1 = t * (t - 2.0) * (t - 3.0) / 2.0
     w_2 = -t * (t - 1.0) * (t - 3.0) / 2.0
     w_3 = t * (t - 1.0) * (t - 2.0) / 6.0
+    return i, w_0, w_1, w_2, w_3
+
+
+@compiled
+def factor_at(factors, weights, near, place):
+    """A line's factor at a place of the sliding speed counted in nodes: cubics, of the weighted
+    sum over the responses.
+
+    factors, shape (R, S); weights, shape (R,), near: `first_weighted` of them.
+    """
+    i, w_0, w_1, w_2, w_3 = cubic_weights(factors.shape[1], place)
     total = 0.0
     for r in range(near, near + NEAREST):
         row = factors[r]

@@ -25,7 +25,9 @@ from ..film_quadrature import (
     HertzZone,
     hertz_zone,
     low_pressure_blocks,
+    on_strips,
     sliding_forces,
+    strip_places,
     strongest_nodes,
     transverse_axis,
 )
@@ -74,13 +76,22 @@ class HeatedLines:
 
     @cached_property
     def nodes(self) -> Array:
-        """Rows of `FilmQuadrature.nodes` at the nodes of each line, shape (L, 8, N)."""
-        x, y, area, film, eta, pressure, temperature = np.moveaxis(self.lines[..., :7], -1, 0)
-        limit = np.broadcast_to(
-            limiting_stress(pressure, self.rheology, temperature), pressure.shape
-        )
-        spread = np.moveaxis(self.lines[..., 9:11], -1, 0)
-        return np.ascontiguousarray(np.stack([x, y, area, film, eta, limit, *spread], axis=1))
+        """Rows of `FilmQuadrature.nodes` at the nodes of each strip, shape (strips, 8, N)."""
+        x, y, _, film, eta, pressure, temperature = np.moveaxis(self.lines[..., :7], -1, 0)
+        size, width = np.sqrt(12.0 * np.moveaxis(self.lines[..., 9:11], -1, 0))
+        y, width = strip_places(y, width)
+        known = (x, np.log(film), np.log(eta), pressure, temperature, size)
+        x, film, eta, pressure, temperature, size = (on_strips(values) for values in known)
+        limit = limiting_stress(np.maximum(pressure, 0.0), self.rheology, temperature)
+        spread = (size**2 / 12.0, width**2 / 12.0)
+        rows = (x, y, size * width, np.exp(film), np.exp(eta), limit, *spread)
+        every = [np.broadcast_to(row, x.shape) for row in rows]
+        return np.ascontiguousarray(np.stack(every, axis=1))
+
+    @cached_property
+    def strip_factors(self) -> Array:
+        """`factors` of the strips, shape (strips, R, S) [-]."""
+        return np.ascontiguousarray(on_strips(self.factors))
 
     @cached_property
     def factors(self) -> Array:
@@ -242,7 +253,7 @@ def heated_forces(
     lines = film.lines
     surface = (curvature, film.low_pressure.half_width)
     _kernels.factored_sums(
-        (lines.nodes, lines.factors),
+        (lines.nodes, lines.strip_factors),
         kernel_rheology(lines.rheology)[:4],
         slide_axis(lines.speed),
         (*slide, rolling),

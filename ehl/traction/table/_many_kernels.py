@@ -16,7 +16,7 @@ from .._block_kernels import PULL as LAW_PULL
 from .._block_kernels import ROOM as LAW_ROOM
 from .._block_kernels import SLIDE, bits_of, pull_block
 from .._kernels import AREA, FILM, LIMIT, SPREAD_X, SPREAD_Y, TINY, VISCOSITY, X, Y
-from ..heated._kernels import factor_at, first_weighted
+from ..heated._kernels import NEAREST, cubic_weights, first_weighted
 
 BLOCK = 256  # motions of a block; of 64 and 128 the sums take 1.4 and 1.1 times as long
 # rows of a block's room: motions, sliding at a node, its square and then its pull, sums of forces,
@@ -24,13 +24,16 @@ BLOCK = 256  # motions of a block; of 64 and 128 the sums take 1.4 and 1.1 times
 ROWS = [np.uint64(BLOCK * row) for row in range(12)]
 SLIDE_X, SLIDE_Y, SPIN, ROLLING, AT_X, AT_Y, PULL, F_X, F_Y, M_N, M_Y, SQUARES = ROWS
 ROOM = 12 * BLOCK
+# further ones of films with heat: sums over all strips
+ALL_X, ALL_Y, ALL_N, ALL_R = (np.uint64(BLOCK * row) for row in range(12, 16))
+HEATED_ROOM = 16 * BLOCK
 SHIFT = 19  # bits of a mantissa of 23 that are not the first four
 STEP = 1 << SHIFT
 PART = np.int32(STEP - 1)
 BY_STEP = np.float32(1.0 / STEP)
 INSIDE = np.float32(1.0 - 1e-6)  # of the last square, so that one stands behind it
-TWO = np.float32(2.0)
-NONE = np.float32(0.0)
+NONE, HALF, TWO, THREE, FOUR = (np.float32(k) for k in (0.0, 0.5, 2.0, 3.0, 4.0))
+NINE, FIFTEEN = np.float32(9.0), np.float32(15.0)
 
 
 @compiled
@@ -52,8 +55,11 @@ def node_pulls(nodes, law, slides, out):
 
 @compiled
 def _slide_block(room, node, surface, ends):
-    """Sliding of a block's motions at a node, and its mean square between ends."""
-    x, y, spread_x, spread_y = node
+    """Sliding of a block's motions at a node, as `_block_kernels` has it, and the square of its
+    mean between ends; node: x, y, a twelfth of its squared size along x and a quarter of that
+    along y.
+    """
+    x, y, spread_x, quarter = node
     height, steep = surface
     lowest, highest = ends
     for n in range(BLOCK):
@@ -63,10 +69,15 @@ def _slide_block(room, node, surface, ends):
         s_x = room[k + SLIDE_X] - spin * y - rolling * height
         s_y = room[k + SLIDE_Y] + spin * x
         slope = spin + rolling * steep
-        square = s_x * s_x + s_y * s_y + slope * slope * spread_y + spin * spin * spread_x
+        along = s_x * s_x
+        change = slope * slope * quarter
+        both = along + s_y * s_y + change + spin * spin * spread_x
+        square = HALF * (both + np.sqrt(abs(both * both - FOUR * along * change)))
+        square = min(max(square, lowest), highest)
         room[k + AT_X] = s_x
-        room[k + AT_Y] = s_y
-        room[k + PULL] = min(max(square, lowest), highest)
+        most = FIFTEEN * square
+        room[k + AT_Y] = s_y * (most - FOUR * change) / (most - NINE * change)
+        room[k + PULL] = square
 
 
 @compiled
@@ -118,12 +129,12 @@ def _add_squares(room, area):
 def _block_sums(room, nodes, pulls, surface, ends, first):
     """Sums of a block's motions over nodes, into the room."""
     curvature, width = surface
-    room[F_X:] = NONE
+    room[F_X:ROOM] = NONE
     for n in range(nodes.shape[1]):
         x, y = nodes[X, n], nodes[Y, n]
         height = curvature * min(y * y, width * width)
         steep = TWO * curvature * y if abs(y) < width else NONE
-        node = (x, y, nodes[SPREAD_X, n], nodes[SPREAD_Y, n])
+        node = (x, y, nodes[SPREAD_X, n], THREE * nodes[SPREAD_Y, n])
         _slide_block(room, node, (height, steep), ends)
         _add_squares(room, nodes[AREA, n])
         _tabulated_pulls(room, pulls[n], first)
@@ -147,25 +158,69 @@ def tabulated_sums(nodes, pulls, squares, motions, surface, out):
 
 
 @compiled
-def tabulated_lines(lines, pulls, squares, axis, motions, weights, surface, out):
-    """As `heated._kernels.factored_sums` by pulls of `node_pulls`, shape (L, N, slides); nodes,
-    pulls, squares, motions and surface in single precision.
+def factor_table(factors, axis, slides, out):
+    """Factors of strips, shape (K, R, S), at sliding speeds [m/s] by cubics, into
+    out, shape (K, R, slides); axis as `factored_sums`.
+    """
+    for m in range(slides.size):
+        place = (np.log(slides[m]) - axis[0]) * axis[1]
+        i, w_0, w_1, w_2, w_3 = cubic_weights(factors.shape[2], place)
+        for k in range(factors.shape[0]):
+            for r in range(factors.shape[1]):
+                row = factors[k, r, i : i + 4]
+                out[k, r, m] = w_0 * row[0] + w_1 * row[1] + w_2 * row[2] + w_3 * row[3]
+
+
+@compiled
+def _load_weights(weights, start, count, near, own):
+    """Weights of a block's motions, and the first of the responses that they are of."""
+    for n in range(BLOCK):
+        at = start + min(n, count - 1)
+        near[n] = first_weighted(weights[at])
+        for r in range(NEAREST):
+            own[r, n] = weights[at, near[n] + r]
+
+
+@compiled
+def _add_heated(room, factors, by_area, ends, first, near, own):
+    """Add the sums of a strip, times its factors by its mean sliding."""
+    lowest, highest = ends
+    for n in range(BLOCK):
+        k = np.uint64(n)
+        square = min(max(by_area * room[k + SQUARES], lowest), highest)
+        code = bits_of(square)
+        place = np.uint64((code >> SHIFT) - first)
+        share = np.float32(code & PART) * BY_STEP
+        factor = NONE
+        for r in range(NEAREST):
+            row = factors[near[n] + r]
+            low = row[place]
+            factor += own[r, n] * (low + share * (row[place + np.uint64(1)] - low))
+        room[k + ALL_X] += factor * room[k + F_X]
+        room[k + ALL_Y] += factor * room[k + F_Y]
+        room[k + ALL_N] += factor * room[k + M_N]
+        room[k + ALL_R] += factor * room[k + M_Y]
+
+
+@compiled
+def tabulated_lines(lines, pulls, squares, motions, weights, surface, out):
+    """As `heated._kernels.factored_sums` by pulls of `node_pulls`, shape (K, N, slides), and
+    factors of `factor_table`; the numbers of all arrays but out in single precision.
     """
     nodes, factors = lines
     first = np.int32(bits_of(squares[0]) >> SHIFT)
     ends = (squares[0], squares[squares.size - 1] * INSIDE)
-    room = np.empty(ROOM, np.float32)
+    room = np.empty(HEATED_ROOM, np.float32)
     near = np.empty(BLOCK, dtype=np.int64)
+    own = np.empty((NEAREST, BLOCK), np.float32)
     for start in range(0, motions.shape[1], BLOCK):
         count = _load_block(room, motions, start)
-        for n in range(count):
-            near[n] = first_weighted(weights[start + n])
+        _load_weights(weights, start, count, near, own)
+        room[ALL_X:] = NONE
         for k in range(nodes.shape[0]):
             _block_sums(room, nodes[k], pulls[k], surface, ends, first)
-            by_area = 1.0 / max(np.float64(nodes[k, AREA].sum()), TINY)
-            for n in range(count):
-                square = by_area * room[np.uint64(n) + SQUARES]
-                place = (0.5 * np.log(max(square, TINY)) - axis[0]) * axis[1]
-                factor = factor_at(factors[k], weights[start + n], near[n], place)
-                for row in range(4):
-                    out[start + n, row] += factor * room[(7 + row) * BLOCK + n]
+            by_area = np.float32(1.0 / max(np.float64(nodes[k, AREA].sum()), TINY))
+            _add_heated(room, factors[k], by_area, ends, first, near, own)
+        for n in range(count):
+            for row in range(4):
+                out[start + n, row] += room[(12 + row) * BLOCK + n]

@@ -24,8 +24,8 @@ from .table import TableContact, TableError, TableRange, TractionTable, latin_hy
 
 # nodes of load, speed, slide_x, slide_y (its half above zero) and spin, of films without and with
 # heat, whose tractions bend more over the load and near a slide-roll ratio of 2
-START = (12, 4, 41, 15, 27)
-HEATED_START = (19, 4, 47, 15, 27)
+START = (12, 4, 55, 15, 35)
+HEATED_START = (19, 4, 59, 17, 37)
 SCALE_DEGREES = (3, 2)  # of the scales over load and speed, chosen by trial [-]
 GROWTH = 1.4  # of the nodes of a motion
 NARROW_LOADS = 6  # fewest nodes of a narrow range of loads
@@ -299,22 +299,25 @@ def _filled(values: Array) -> Array:
 
 def _values(study: _Study, film: FilmSample, axes: Array) -> Array:
     """Forces and moments of a film at the motions, shape (nX, nY, nS, 4) [N], [N m]."""
-    places = np.meshgrid(*(_axis_nodes(axis) for axis in axes[2:]), indexing="ij")
-    motions = _motions(study, film, places)
+    nodes = [_axis_nodes(axis) for axis in axes[2:]]
+    motions = _motions(study, film, np.ix_(*nodes))
     forces = relative_forces(study.contact, film.film, film.speed, motions, many=True)
-    return forces.reshape(*places[0].shape, 4)
+    return forces.reshape(*(one.size for one in nodes), 4)
 
 
 def _motions(study: _Study, film: FilmSample, places: Sequence[Array] | Array) -> list[Array]:
-    """Motions over u, u and u/R_x at places on a table's axes, flat [-]."""
-    x, y, n = (part.ravel() for part in places)
+    """Motions over u, u and u/R_x at places on a table's axes, arrays of shapes that fit each
+    other, flat [-].
+    """
+    x, y, n = places
     bounds = study.range.motions
     contact, load = study.contact, film.load
     spin = motion_of(n, film.scales[2], bounds[2], PLACE_PARTS[2])
     scale_x, scale_y = spinning_scales(film.scales[:2], spin, contact, load)
     top = motion_of(x, scale_x, bounds[0], PLACE_PARTS[0])
     slide_x = from_vertex(top, vertex_slide(spin, contact, load), bounds[0])
-    return [slide_x, motion_of(y, scale_y, bounds[1], PLACE_PARTS[1]), spin]
+    slide_y = motion_of(y, scale_y, bounds[1], PLACE_PARTS[1])
+    return [part.ravel() for part in np.broadcast_arrays(slide_x, slide_y, spin)]
 
 
 def straight_motions(
@@ -322,7 +325,7 @@ def straight_motions(
 ) -> list[Array]:
     """Motions over u, u and u/R_x of rolling without spin and with little, where traction turns
     most sharply: slides even in their logarithm, along from the vertex on, across, or both, each
-    sign; every third with a spin, flat [-].
+    sign; every third with a spin, every twelfth a spin alone, flat [-].
     """
     ends = np.log([[SMALLEST_SLIDE] * 2 + [SMALLEST_SPIN], limits.motions])
     drawn = np.exp(ends[0] + (ends[1] - ends[0]) * rng.random((count, 3)))
@@ -332,7 +335,9 @@ def straight_motions(
     drawn[order % 4 == 1, 1] = 0.0
     drawn[order % 3 != 0, 2] = 0.0
     top, slide_y, spin = drawn.T
-    return [from_vertex(top, vertex_slide(spin, contact, load), limits.slide_x), slide_y, spin]
+    slide_x = from_vertex(top, vertex_slide(spin, contact, load), limits.slide_x)
+    slide_x[order % 12 == 0] = slide_y[order % 12 == 0] = 0.0
+    return [slide_x, slide_y, spin]
 
 
 def _errors(
@@ -362,17 +367,20 @@ def _checked(study: _Study, table: TractionTable) -> TableError:
     n = study.options.check_motions
     errors = []
     straight = []
+    spun = []
     for film in study.checks:
         even = _motions(study, film, rng.uniform(-1.0, 1.0, (3, n)))
         errors.append(_errors(study, table, film, even))
         rolling = straight_motions(study.contact, study.range, film.load, others, n)
-        straight.append(_errors(study, table, film, rolling)[:, 0].max())
+        force, spin, _ = _errors(study, table, film, rolling).max(axis=0)
+        straight.append(force)
+        spun.append(spin)
     every = np.concatenate(errors)
     return TableError(
         largest=float(every[:, 0].max()),
         quantile=float(np.quantile(every[:, 0], 0.95)),
         rms=float(np.sqrt(np.mean(every[:, 0] ** 2))),
-        largest_spin=float(every[:, 1].max()),
+        largest_spin=float(max(every[:, 1].max(), *spun)),
         largest_rolling=float(every[:, 2].max()),
         largest_straight=float(max(straight)),
         films=len(study.checks),

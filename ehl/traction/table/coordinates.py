@@ -115,8 +115,8 @@ def place_of(motion: Array, scale: Array | float, limit: float, part: Part) -> A
 
 def motion_of(place: Array, scale: Array | float, limit: float, part: Part) -> Array:
     """S/u of a place in [-1, 1], inverse of `place_of`, by bisection [-]."""
-    low = np.zeros_like(place)
-    high = np.full_like(place, limit)
+    low = np.zeros(np.broadcast_shapes(np.shape(place), np.shape(scale)))
+    high = np.full_like(low, limit)
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
         beyond = place_of(middle, scale, limit, part) > np.abs(place)

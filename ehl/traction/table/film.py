@@ -20,7 +20,7 @@ from .many_motions import many_heated_forces, many_sliding_forces
 from .table import TableContact, TableRange
 
 # of the motion where the traction has risen by half, along, across and of spin: the scale there
-SCALE_SHARE = (0.02, 0.04, 0.8)
+SCALE_SHARE = (0.004, 0.006, 0.16)
 # motions over the largest ones, between which that one is interpolated
 SCALE_SAMPLES = np.geomspace(1e-7, 1.0, 57)
 RESPONSE_POINTS = 129  # of the films that stiffness and damping are taken from

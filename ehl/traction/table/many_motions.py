@@ -49,13 +49,15 @@ def many_heated_forces(
     squares, pulls = _pulls(every, _largest_sliding(every, slide, rolling, curvature))
     if squares.size:
         surface, motions = _single(every, slide, rolling, curvature)
+        factors = np.empty((*lines.strip_factors.shape[:2], squares.size), np.float32)
+        slides = np.sqrt(squares.astype(np.float64))
+        _many_kernels.factor_table(lines.strip_factors, slide_axis(lines.speed), slides, factors)
         _many_kernels.tabulated_lines(
-            (lines.nodes.astype(np.float32), lines.factors),
+            (lines.nodes.astype(np.float32), factors),
             pulls.reshape(*by_row.shape[1:], squares.size),
             squares,
-            slide_axis(lines.speed),
             motions,
-            lines.ratio_weights(slide[0]),
+            lines.ratio_weights(slide[0]).astype(np.float32),
             surface,
             out,
         )

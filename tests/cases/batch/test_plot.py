@@ -206,10 +206,18 @@ def test_lives_are_hours_without_powers_of_ten():
 
 
 def test_the_thinnest_film_is_unknown_where_one_failed():
-    thick = {"loaded": True, "converged": True, "film_minimum_um": 9.0}
-    failed = {"loaded": True, "converged": False, "film_minimum_um": None}
+    thick = {"loaded": True, "converged": True, "film_minimum_um": 9.0, "load_N": 50.0}
+    failed = {"loaded": True, "converged": False, "film_minimum_um": None, "load_N": 1.0}
     assert thinnest_film([thick, failed]) is None
     assert thinnest_film([thick, {**failed, "converged": None}]) == thick  # no film was asked for
+
+
+def test_the_thinnest_film_is_unknown_where_a_heavier_contact_has_none():
+    """Beyond the loads of the film atlas; that of the lightest contact would stand for the bearing."""
+    light = {"loaded": True, "converged": None, "film_minimum_um": 0.078, "load_N": 37.0}
+    heavy = {"loaded": True, "converged": None, "film_minimum_um": None, "load_N": 2030.0}
+    assert thinnest_film([heavy, light]) is None
+    assert thinnest_film([{**heavy, "film_minimum_um": 0.046}, light])["load_N"] == 2030.0
 
 
 def test_sizes_that_grow_together_are_one_key():

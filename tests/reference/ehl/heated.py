@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from ehl.oil.rheology import shear_stress
+from ehl.traction.film_quadrature import on_strips, strip_places
 from ehl.traction.heated.nahme import nahme
 
 from .traction import mean_sliding, sliding_forces, summed_forces
@@ -68,10 +71,24 @@ def heated_stress(film, slide, slide_x):
     return tau
 
 
+def strip_lines(lines):
+    """Lines in the middle of each strip."""
+    columns = np.moveaxis(lines.lines, -1, 0).copy()
+    positive = [3, 4, 7, 11]  # film, viscosity, softening, capacity
+    columns[positive] = np.log(columns[positive])
+    y, width = strip_places(columns[1], np.sqrt(12.0 * columns[10]))
+    size = on_strips(np.sqrt(12.0 * columns[9]))
+    found = np.stack([on_strips(column) for column in columns])
+    found[positive] = np.exp(found[positive])
+    found[1], found[2], found[9], found[10] = y, size * width, size**2 / 12.0, width**2 / 12.0
+    return replace(lines, lines=np.moveaxis(found, 0, -1), span=on_strips(lines.span))
+
+
 def heated_forces(film, kinematics):
-    """`heated.film.heated_forces` of one motion, shape (4,), [N] and [N m]."""
-    x, y, area, _, _, _, _, _, _, *spread, _ = np.moveaxis(film.lines.lines, -1, 0)
-    sliding = mean_sliding(kinematics, x, y, spread)
-    tau = heated_stress(film.lines, sliding[2], kinematics.sliding_x)
+    """`heated.film.heated_forces` of one motion, shape (4,), [N] and [N m], by the march along each strip."""
+    strips = strip_lines(film.lines)
+    x, y, area = np.moveaxis(strips.lines[..., :3], -1, 0)
+    sliding = mean_sliding(kinematics, x, y, np.moveaxis(strips.lines[..., 9:11], -1, 0))
+    tau = heated_stress(strips, sliding[2], kinematics.sliding_x)
     lines = summed_forces(kinematics, (x, y, area), tau, sliding)
     return lines + sliding_forces(film.low_pressure, kinematics)

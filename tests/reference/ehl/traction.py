@@ -24,11 +24,27 @@ def sliding_forces(film, kinematics):
 
 
 def mean_sliding(kinematics, x, y, spread):
-    """Sliding at nodes along x and y, and its root mean square [m/s]; spread: a twelfth of their squared size."""
+    """Sliding at nodes along x, across as its mean over the node's strip counts, and the mean of its size [m/s].
+
+    spread: a twelfth of the nodes' squared size along x and y.
+    """
     k = kinematics
     s_x, s_y = k.sliding(x, y)
     slope = k.spin + 2.0 * k.rolling * k.curvature * np.where(np.abs(y) < k.curvature_width, y, 0.0)
-    return s_x, s_y, np.sqrt(s_x**2 + s_y**2 + slope**2 * spread[1] + k.spin**2 * spread[0])
+    return s_x, *over_strip(s_x, s_y, slope * np.sqrt(12.0 * spread[1]), k.spin**2 * spread[0])
+
+
+def over_strip(s_x, s_y, change, further):
+    """Sliding across and size [m/s] of nodes whose s_x changes by so much over their strips; further: mean square of
+    the change of s_y along x.
+
+    The size is the mean of those on both sides, the mean of s_y/s of a constant stress s_y artanh(z)/(z size), z half
+    the change over the size; artanh(z)/z as the second convergent of its continued fraction.
+    """
+    sides = [np.sqrt((s_x + part * change) ** 2 + s_y**2 + further) for part in (-0.5, 0.5)]
+    size = 0.5 * (sides[0] + sides[1])
+    q = (0.5 * change / np.where(size > 0.0, size, 1.0)) ** 2
+    return s_y / (1.0 - q / (3.0 - 4.0 * q / 5.0)), size
 
 
 def summed_forces(kinematics, nodes, stress, sliding):

@@ -15,7 +15,8 @@ import ehl
 from ehl.closed_form.hertz import hertz_coefficients
 from ehl.scaling import scale_contact
 from ehl.solid.coating import Coating
-from ehl.traction.atlas.films import nearest_covered
+from ehl.traction.atlas.films import NotInAtlasError, atlas_films_of
+from ehl.traction.atlas.nearest import nearest_covered
 from ehl.traction.kapitza import moment_lost_by_circles
 from ehl.traction.rolling_moment import rolling_moment
 from verification.contacts import OIL, from_groups, moes
@@ -273,3 +274,37 @@ def test_entrainment_at_an_angle_beside_a_solve(swapped):
 
 def test_a_skewed_contact_is_near_none_that_is_straight():
     assert nearest_covered(replace(ball_and_race(), entrainment_angle=0.3)) == (None, 0.0)
+
+
+def test_films_of_many_contacts_are_those_of_each():
+    """Also at an angle, and with one that is refused among them."""
+    base = ball_and_race()
+    many = [base, replace(base, load=1e9), replace(base, entrainment_angle=0.3), replace(base, load=2.0 * base.load)]
+    found = atlas_films_of(many)
+    assert isinstance(found[1], NotInAtlasError)
+    for conditions, films in zip(many, found, strict=True):
+        if not isinstance(films, NotInAtlasError):
+            alone = ehl.atlas_films(conditions)
+            assert films.central.value == pytest.approx(alone.central.value, rel=1e-12)
+            assert films.stiffness.value == pytest.approx(alone.stiffness.value, rel=1e-9)
+    assert atlas_films_of([]) == []
+
+
+@pytest.mark.parametrize(("ratio", "L"), [(0.02, 20.0), (3.0, 20.0)])
+def test_bars_are_wide_at_the_step_alone(ratio, L):
+    """Where the central film of light contacts rises, `held step` of `tools/atlas/contacts.py`."""
+    step = np.exp(1.756 - np.dot((0.216, 0.046, 0.128, -0.0034), (np.log(ratio), np.log(ratio) ** 2, L**0.5, L)))
+    loads = step * np.array([0.75, 1.0, 1.3])
+    own = [
+        ehl.atlas_films(moes((A / hertz_coefficients(ratio)[0] ** 2) ** 1.5, L, ratio, oil=OIL)).central for A in loads
+    ]
+    below, there, above = (one.uncertainty / one.value for one in own)
+    assert there > 2.5 * max(below, above)
+
+
+@pytest.mark.parametrize("layer", [float("nan"), float("inf"), -1e-4, 0.0])
+def test_a_layer_that_is_none_is_refused(layer):
+    oil = ehl.Lubricant(viscosity=0.05, pressure_viscosity=22e-9)
+    groups = ehl.MoesConditions(load_parameter=200.0, lubricant_parameter=10.0, lubricant=oil)
+    with pytest.raises(ValueError, match="layer"):
+        ehl.atlas_films(groups, layer=layer)

@@ -57,6 +57,14 @@ def film():
     return table_film(CONTACT, LOAD, SPEED, 2.0 * SPEED, SolverOptions(points=65))
 
 
+def fewer_lines(film):
+    """Every fourth line, as wide as four."""
+    lines = film.lines.lines[1::4].copy()
+    lines[..., 2] *= 4.0
+    lines[..., 10] *= 16.0
+    return replace(film, lines=replace(film.lines, lines=lines, span=film.lines.span[1::4].copy()))
+
+
 def motions(count, seed):
     rng = np.random.default_rng(seed)
     slide = SPEED * 10.0 ** rng.uniform(-3.0, 0.2, (2, count)) * rng.choice([-1.0, 1.0], (2, count)) * [[1.0], [0.2]]
@@ -127,11 +135,9 @@ def test_stress_that_rises_across_the_film(stress):
 
 @pytest.mark.parametrize("rheology", [LIMITED, EYRING, Rheology(), CARREAU])
 def test_compiled_sums_agree_with_their_reference(rheology):
-    """The sliding of a line is its root mean square: with spin and slides across, 2 % of the forces at most."""
+    """The sliding of a strip is its mean square: with spin and slides across, 2 % of the forces at most."""
     contact = replace(CONTACT, rheology=rheology)
-    heated = table_film(contact, LOAD, SPEED, 2.0 * SPEED, SolverOptions(points=65)).quadrature
-    few = replace(heated.lines, lines=heated.lines.lines[4::10].copy(), span=heated.lines.span[4::10].copy())
-    heated = replace(heated, lines=few)
+    heated = fewer_lines(table_film(contact, LOAD, SPEED, 2.0 * SPEED, SolverOptions(points=65)).quadrature)
     slide_x, slide_y, spin = motions(3, 90127)
     rolling = np.full(3, SPEED / 8e-3)
     found = heated_forces(heated, (slide_x, slide_y, spin), rolling, 50.0)
@@ -153,11 +159,9 @@ def test_compiled_sums_agree_with_their_reference(rheology):
 def test_factors_of_lines_against_the_march_of_every_node(film, ratio):
     """Between the slide-roll ratios and speeds of the factors, also where one body stands still: 0.3 % of the force.
 
-    Beyond 2, which motions of a table reach with spin alone: 3 %, there a sixth of the largest force.
+    Beyond 2, which motions of a table reach with spin alone: 4 %, there a sixth of the largest force.
     """
-    lines = film.quadrature.lines
-    few = replace(lines, lines=lines.lines[4::10].copy(), span=lines.span[4::10].copy())
-    heated = replace(film.quadrature, lines=few)
+    heated = fewer_lines(film.quadrature)
     slide_x = ratio * SPEED
     found = heated_forces(heated, (np.array([slide_x]), np.zeros(1), np.zeros(1)), np.array([SPEED / 8e-3]), 50.0)
     motion = ContactKinematics(
@@ -167,7 +171,7 @@ def test_factors_of_lines_against_the_march_of_every_node(film, ratio):
         curvature_radius=0.01,
         curvature_width=heated.low_pressure.half_width,
     )
-    assert_allclose(found[0, 0], reference.heated_forces(heated, motion)[0], rtol=3e-3 if abs(ratio) <= 2.0 else 0.03)
+    assert_allclose(found[0, 0], reference.heated_forces(heated, motion)[0], rtol=3e-3 if abs(ratio) <= 2.0 else 0.04)
 
 
 def test_bodies_and_oil_that_take_all_heat_leave_the_film_of_rolling(film):
@@ -175,16 +179,14 @@ def test_bodies_and_oil_that_take_all_heat_leave_the_film_of_rolling(film):
     nodes = lines.lines.copy()
     nodes[..., _kernels.CONDUCTIVITY] = 1e9
     cold = replace(film.quadrature, lines=replace(lines, lines=nodes, solids=(endless, endless)))
-    x, y, area, gap, eta, pressure, warm, _, _, along, across, *_ = np.moveaxis(lines.lines, -1, 0).reshape(13, -1)
-    limit = 0.05 * pressure
-    rows = np.stack([x, y, area, gap, eta, np.maximum(limit, LIMITED.limiting_minimum), along, across])
+    rows = np.moveaxis(lines.nodes, 1, 0).reshape(8, -1)
     plain = FilmQuadrature(nodes=rows, half_width=film.quadrature.low_pressure.half_width, rheology=LIMITED)
     slide, rolling = motions(8, 41077), np.full(8, SPEED / 8e-3)
     both = sliding_forces(plain, slide, rolling, 50.0) + sliding_forces(
         film.quadrature.low_pressure, slide, rolling, 50.0
     )
     assert_allclose(heated_forces(cold, slide, rolling, 50.0), both, rtol=1e-5)
-    assert warm.max() > 315.0  # what rolling warmed stays
+    assert lines.lines[..., _kernels.TEMPERATURE].max() > 315.0  # what rolling warmed stays
 
 
 def test_heat_takes_more_friction_the_faster_it_slides(film):

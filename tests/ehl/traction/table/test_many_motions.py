@@ -2,11 +2,15 @@
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose
+from scipy.integrate import quad
 
 from ehl.oil._rheology_kernels import shear_stress
 from ehl.oil.rheology import Rheology, ShearLaw, kernel_rheology
 from ehl.traction.film_quadrature import FilmQuadrature, sliding_forces
 from ehl.traction.table.many_motions import many_sliding_forces
+
+from ....reference.ehl.traction import over_strip
 
 LAWS = {
     "newtonian": Rheology(),
@@ -55,12 +59,24 @@ def test_forces_by_blocks_are_plain_sums(name):
     for (slide_x, slide_y, spin), forces in zip(slide.T, found, strict=True):
         at_x, at_y = slide_x - spin * y - 1000.0 * height, slide_y + spin * x
         slope = spin + np.where(np.abs(y) < own.half_width, 2.0 * 1000.0 * 20.0 * y, 0.0)
-        size = np.sqrt(at_x**2 + at_y**2 + slope**2 * spread_y + spin**2 * spread_x)
+        at_y, size = over_strip(at_x, at_y, slope * np.sqrt(12.0 * spread_y), spin**2 * spread_x)
         tau = [shear_stress(*numbers, *law) for numbers in zip(size / gap, eta, limit, strict=True)]
         t_x, t_y = area * tau * at_x / size, area * tau * at_y / size
         wanted = np.array([-t_x.sum(), -t_y.sum(), (y * t_x - x * t_y).sum(), (height * t_x).sum()])
         parts = np.array([np.abs(part).sum() for part in (t_x, t_y, y * t_x - x * t_y, height * t_x)])
         assert np.all(np.abs(forces - wanted) <= 1e-8 * parts + 1e-300)
+
+
+@pytest.mark.parametrize("s_y", [1e-3, 0.3, 1.0])
+def test_a_limiting_stress_is_averaged_over_a_strip(s_y):
+    """Means of s_x/s and s_y/s where s_x changes by 2: the first exactly, the second to 8 % up to z = 0.9."""
+    for s_x in np.linspace(-3.0, 3.0, 13):
+        at_y, size = over_strip(s_x, s_y, 2.0, 0.0)
+        along = quad(lambda s: s / np.hypot(s, s_y), s_x - 1.0, s_x + 1.0, points=[0.0])[0] / 2.0
+        across = s_y * (np.arcsinh((s_x + 1.0) / s_y) - np.arcsinh((s_x - 1.0) / s_y)) / 2.0
+        assert_allclose(s_x / size, along, atol=1e-7)
+        assert 0.0 < at_y / size < across * (1.0 + 1e-9)
+        assert 1.0 / size > 0.9 or at_y / size > 0.92 * across
 
 
 def test_no_sliding_has_no_force():

@@ -329,9 +329,9 @@ def test_sums_over_a_film(solution):
     assert_allclose(found[:2], [whole.sliding_force_x, whole.sliding_force_y], atol=3e-3 * 0.047 * 500.0)
 
 
-@pytest.mark.parametrize(("spin", "limit"), [(0.0, 0.006), (0.01, 0.004), (0.1, 0.0015)])
-def test_lines_of_a_film_are_close_enough(solution, monkeypatch, spin, limit):
-    """64 lines across against 1024, near rolling: a line's sliding changes sign at once where balls hardly spin."""
+@pytest.mark.parametrize(("spin", "limit"), [(0.0, 0.0015), (0.01, 0.001), (0.1, 0.001)])
+def test_strips_of_a_film_are_close_enough(solution, monkeypatch, spin, limit):
+    """96 strips between 64 lines against 1024 lines, near rolling, where a strip's sliding changes its sign."""
     pair = replace(CIRCLE, radius_x=4.8e-3, radius_y=12e-3, curvature_radius=6.08e-3)
     limits = TableRange(load=(10.0, 1000.0), speed=(1.0, 20.0))
     slide_x, slide_y, _ = straight_motions(pair, limits, 500.0, np.random.default_rng(7), 120)
