@@ -1,4 +1,4 @@
-"""Rolling moment of contacts of the ceramic 6208 by open box, mesh and layer: `python benchmarks/rolling_moment.py`.
+"""Rolling moment of contacts of the ceramic 6208 by box, mesh and layer: `python benchmarks/rolling_moment.py [falls]`.
 
 The box is the solver's choice; it is replaced by boxes of our own, on one mesh and on finer ones. Last, the error bar
 of sixteen contacts and of random ones against the value extrapolated from 513 and 1025 points.
@@ -6,14 +6,17 @@ of sixteen contacts and of random ones against the value extrapolated from 513 a
 
 from __future__ import annotations
 
+import sys
 from dataclasses import replace
 from math import log
 from unittest.mock import patch
 
 import numpy as np
 
-from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
+from ehl import ContactConditions, DensityLaw, Lubricant, SolverOptions, solve_contact
+from ehl.generalized.solver import solve_generalized
 from ehl.multigrid.supply.oil_supply import pressure_moment
+from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.traction.rolling_moment import rolling_moment, scaled_as_solved
 from verification.contacts import race_6208
 
@@ -143,7 +146,33 @@ def random_bars(seed=271, number=71):
         print(count, len(values), np.round(np.quantile(values, (0.5, 0.9, 0.95, 1.0)), 2))
 
 
+def falls():
+    """Moments of the box over p_h a^3 by the lever of the pressure and by the balance where the pressure falls within
+    two cells; of an incompressible oil, and without balance of a sheared one."""
+    incompressible = replace(OIL, density_law=DensityLaw.INCOMPRESSIBLE)
+    for contact in ((300, 15, 2, 0), (620, 28, 0.022, 0)):
+        for oil in (OIL, incompressible):
+            conditions = replace(with_lengths(*contact), lubricant=oil)
+            films = (solve_contact(conditions, SolverOptions(points=points)) for points in POINTS[1:])
+            print(contact, oil.density_law.value, *(both_ways(film) for film in films))
+    race = race_6208(1000.0)
+    eyring = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5e6)
+    for points in POINTS[:3]:
+        sheared = solve_generalized(race, eyring, options=SolverOptions(points=points)).contact
+        newtonian = solve_contact(race, SolverOptions(points=points))
+        print(points, "sheared", both_ways(sheared)[0], "newtonian", both_ways(newtonian))
+
+
+def both_ways(film):
+    """Lever, balance and the share of their difference [%], of the box over p_h a^3."""
+    lever, change = pressure_moment(film, scaled_as_solved(film))
+    return f"{lever:.4g}", f"{lever + change:.4g}", f"{100 * lever / (lever + change) - 100:.1f} %"
+
+
 if __name__ == "__main__":
-    boxes_and_layers()
-    bars()
-    random_bars()
+    if sys.argv[1:] == ["falls"]:
+        falls()
+    else:
+        boxes_and_layers()
+        bars()
+        random_bars()
