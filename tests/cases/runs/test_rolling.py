@@ -63,9 +63,16 @@ def test_bearing_states_its_layer_and_the_torque_takes_it():
     assert heavy["rolling_extent_mm"] == pytest.approx((2.0 * 4.8 * 0.1) ** 0.5, rel=0.06)
     assert all(c["rolling_moment_N_mm"] is None for c in contacts if not c["loaded"])
     assert any(m.startswith("contacts.rolling_moment_N_mm: null") for m in document["messages"])
+
+
+def test_a_layer_that_decides_is_told():
+    """Where twice of it adds more than 5 % of the torque."""
+    document = document_of(TEXT.replace("density", "flooded_layer_um = 30\ndensity"))
+    extent = document["torque_N_mm"]["rolling_extent"]
+    assert extent["doubling"] > 0.05 * document["torque_N_mm"]["total"]
     told = [m for m in document["messages"] if "lubricant.flooded_layer_um" in m]
     assert len(told) == 1
-    assert f"{extent['within_extent']:.4g} N mm" in told[0] and "a layer of 100 um" in told[0]
+    assert f"{extent['within_extent']:.4g} N mm" in told[0] and "a layer of 30 um" in told[0]
 
 
 def test_a_thicker_layer_has_more_rolling_moment_in_the_torque():
