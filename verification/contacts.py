@@ -75,9 +75,9 @@ BALL_ON_DISC = ContactConditions(
 
 
 def from_groups(
-    groups: MoesConditions, rotation: float = 0.0, modulus: float = STEEL
+    groups: MoesConditions, rotation: float = 0.0, modulus: float = STEEL, radius: float = 0.01
 ) -> ContactConditions:
-    """The contact in SI: Rx 10 mm, E' given, the speed and the load that make its M and L.
+    """The contact in SI: Rx and E' given, the speed and the load that make its M and L.
 
     Parameters
     ----------
@@ -87,9 +87,10 @@ def from_groups(
         Speed of the entrainment's rotation at the end of the longer semi-axis over u_m [-].
     modulus : float
         E' [Pa].
+    radius : float
+        Rx [m].
     """
     oil = groups.lubricant
-    radius = 0.01
     double_speed = (groups.lubricant_parameter / (oil.pressure_viscosity * modulus)) ** 4  # 2U [-]
     load = groups.load_parameter * double_speed**0.75  # W [-]
     speed = 0.5 * double_speed * modulus * radius / oil.viscosity

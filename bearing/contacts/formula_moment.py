@@ -34,7 +34,7 @@ def flooded_moment(
     along rolling [m].
     """
     kapitza = kapitza_moment(conditions, film)
-    unit = _unit(conditions)
+    unit = moment_unit(conditions)
     heavy = rolling_moment(conditions, semi_axis_y, semi_axis_x) / unit
     return kapitza + unit * _beyond(heavy, conditions.radius_x / conditions.radius_y)
 
@@ -45,7 +45,7 @@ def _beyond(heavy: float, ratio: float) -> float:
     return 0.5 * (z + sqrt(z**2 + WIDTH**2))
 
 
-def _unit(conditions: ContactConditions) -> float:
+def moment_unit(conditions: ContactConditions) -> float:
     """M_0 [N m]."""
     c = conditions
     ratio = c.radius_x / c.radius_y

@@ -12,17 +12,17 @@ from math import log
 import numpy as np
 from scipy.optimize import least_squares
 
-from bearing.contacts.formula_moment import SLOPE, START, WIDTH, flooded_moment
+from bearing.contacts.formula_moment import SLOPE, START, WIDTH, flooded_moment, moment_unit
 from bearing.contacts.heavy_moment import rolling_moment as heavy_moment
-from ehl import ContactConditions, Lubricant, atlas_films
+from ehl import Lubricant, atlas_films
 from ehl.scaling import scale_contact
 from ehl.traction.atlas.films import NotInAtlasError
 from ehl.traction.kapitza import kapitza_moment
+from verification.contacts import from_groups, moes
 
-MODULUS, VISCOSITY = 226e9, 0.05  # E' [Pa], [Pa s]
 LAYERS = (50e-6, 100e-6, 400e-6)  # [m]
 ROBUST = 0.02  # error beyond which one counts less [-]
-LOADS = (1.0, 30.0, 300.0, 3000.0)  # M
+LOADS = ((1.0, 3000.0), (1.0, 30.0), (30.0, 300.0), (300.0, 3000.0))  # M
 
 
 def drawn(rng):
@@ -30,16 +30,8 @@ def drawn(rng):
     m, l = np.exp(rng.uniform(0.0, log(3000.0))), rng.uniform(5.0, 29.0)
     ratio, radius = np.exp(rng.uniform(log(0.02), 0.0)), rng.uniform(3e-3, 12e-3)
     alpha = rng.uniform(14e-9, 26e-9)
-    twice_speed = (l / (alpha * MODULUS)) ** 4
-    oil = Lubricant(viscosity=VISCOSITY, pressure_viscosity=alpha, flooded_layer=rng.choice(LAYERS))
-    return m, ContactConditions(
-        load=m * twice_speed**0.75 * MODULUS * radius**2,
-        radius_x=radius,
-        radius_y=radius / ratio,
-        reduced_modulus=MODULUS,
-        entrainment_speed=twice_speed * MODULUS * radius / (2.0 * VISCOSITY),
-        lubricant=oil,
-    )
+    oil = Lubricant(viscosity=0.05, pressure_viscosity=alpha, flooded_layer=rng.choice(LAYERS))
+    return m, from_groups(moes(m, l, ratio, oil=oil), radius=radius)
 
 
 def moments(seed, number):
@@ -55,15 +47,14 @@ def moments(seed, number):
             continue
         scaled = scale_contact(c)
         axes, film = (scaled.semi_axis_x * scaled.semi_axis_ratio, scaled.semi_axis_x), films.central.value
-        ratio = c.radius_x / c.radius_y
-        unit = 24.0 * np.pi * VISCOSITY * c.entrainment_speed * c.radius_x**2 / ((3.0 + 2.0 * ratio) * ratio**0.5)
+        unit = moment_unit(c)
         own = (
             films.rolling_moment.value,
             kapitza_moment(c, film),
             heavy_moment(c, *axes),
             flooded_moment(c, *axes, film),
         )
-        rows.append((m, ratio, *(moment / unit for moment in own)))
+        rows.append((m, c.radius_x / c.radius_y, *(moment / unit for moment in own)))
     return np.array(rows)
 
 
@@ -83,7 +74,7 @@ def main(seed, number):
     print("fitted: s, t over R_x/R_y:", np.round(found, 3))
     others = rows[1::2]
     off = others[:, 5] / others[:, 2] - 1.0
-    for low, high in zip((LOADS[0], *LOADS[:-1]), (LOADS[-1], *LOADS[1:]), strict=True):
+    for low, high in LOADS:
         own = np.abs(off[(others[:, 0] >= low) & (others[:, 0] < high)])
         print(
             f"M {low:g} to {high:g}: {len(own)} contacts, 50, 90 %, largest [%]:",
