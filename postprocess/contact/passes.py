@@ -1,15 +1,11 @@
-"""A track pass after pass: summary, message, netCDF group and figure."""
+"""A track pass after pass: summary, message and netCDF group."""
 
 from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
-from matplotlib.figure import Figure
-
-from ehl.units import MICROMETRE
 
 from ..netcdf.groups import Group, Variables
-from ..plot_style import INNER_COLOUR, PAGE_WIDTH, REFERENCE, colour_stops
 from ..quantities import quantities, values_of
 from .results import ContactResults
 
@@ -78,37 +74,3 @@ def pass_group(results: ContactResults) -> Group | None:
         "film_share": (("pass",), shares, {"units": "1"}),
     }
     return Group(variables=variables, attributes={})
-
-
-def draw_passes(figure: Figure, results: ContactResults) -> None:
-    """Film over the passes, and the layers that they leave over the track."""
-    figure.set_size_inches(PAGE_WIDTH, 3.0)
-    number = len(results.passes)
-    title = f"{results.title}\neach pass stands behind the layer that the last one left"
-    figure.suptitle(title, fontsize=8.5)
-    left, right = figure.subplots(1, 2)
-    films = [one for one in results.passes if one.solution.converged]
-    style: Any = {"color": INNER_COLOUR, "marker": "o", "markersize": 3, "linewidth": 1.0}
-    left.plot(range(1, len(films) + 1), [one.share for one in films], **style)
-    left.set_ylim(0.0, 1.05)
-    left.set_xlabel("pass [-]")
-    left.set_ylabel("central film over the flooded one [-]")
-    left.xaxis.get_major_locator().set_params(integer=True)
-    first = results.solution
-    scale = first.film_scale
-    unit = 1.0 if scale is None else scale / MICROMETRE
-    colours = colour_stops("film", number + 1)[:number]
-    for index, one in enumerate(results.passes, 1):
-        label = f"pass {index}" if index in (1, number) else None
-        y = one.solution.Y / first.semi_axis_ratio
-        style = {"color": colours[index - 1], "linewidth": 0.9, "label": label}
-        right.plot(y, one.outlet * unit, **style)
-    for side in (-1.0, 1.0):
-        right.axvline(side, color=REFERENCE, linestyle="--", linewidth=0.6)
-    right.set_xlabel("$y/b$ [-]; the contact ends at ±1")
-    right.set_ylabel(f"layer that leaves [{'a²/Rx' if scale is None else 'µm'}]")
-    right.set_yscale("log")
-    right.legend(loc="upper center")
-    for axes in (left, right):
-        axes.grid(linewidth=0.3, alpha=0.5)
-        axes.spines[["top", "right"]].set_visible(False)

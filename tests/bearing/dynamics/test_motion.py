@@ -245,7 +245,7 @@ def test_stiff_friction_over_the_ellipse_needs_no_lsoda(setup):
         ends.append((record.state[-1], int(sim.state.counters[0])))
     for part in (sim.layout.ball_speed, sim.layout.ball_turn):
         assert_allclose(ends[0][0][part], ends[1][0][part], atol=1e-3 * np.abs(ends[1][0][part]).max())
-    assert ends[0][1] < 0.02 * ends[1][1]  # LSODA takes 290 000
+    assert ends[0][1] < 0.5 * ends[1][1]  # LSODA takes 1643 with the Jacobian
 
 
 @pytest.mark.parametrize("failure", [1, 3])
