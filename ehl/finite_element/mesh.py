@@ -1,7 +1,6 @@
 """Lines of a rectangle mesh graded by halving."""
 
 from collections.abc import Callable
-from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,10 +26,13 @@ def graded_lines(
     first, last = ends
     smallest = float(size(np.linspace(first, last, 1025)).min())
     candidates = []
-    for roots, share in (*product(ROOTS, SHARES), *product(ROOTS[:1], COARSE_SHARES)):
+    for roots in ROOTS:
         unit = (last - first) / (roots * 2**HALVINGS)
-        factor = share * unit / smallest
-        candidates.append(_halved((first, unit), roots, size, factor))
+        shares = SHARES if roots > 1 else (*SHARES, *COARSE_SHARES)
+        found = [_halved((first, unit), roots, size, s * unit / smallest) for s in shares]
+        candidates += found
+        if min(map(len, found)) > 2 * cells:  # still more with more of the largest cells
+            break
     best = min(candidates, key=lambda lines: abs(len(lines) - 1 - cells))
     step = int(np.gcd.reduce(best))
     return best // step

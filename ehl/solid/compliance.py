@@ -7,6 +7,7 @@ integrated in closed form. Beyond the edge of the mesh the pressure falls to zer
 spacing of the lattice. A symmetric mesh holds y >= 0; the mirrored pressures are added in.
 """
 
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import product
 
@@ -80,26 +81,37 @@ def corner_integrals(x: Array, y: Array) -> tuple[Array, Array, Array, Array]:
     return x * along + y * across, *firsts, r**3 / 3.0
 
 
-def hat_compliance(
-    west: Array, x: Array, east: Array, south: Array, y: Array, north: Array
-) -> Array:
-    """Double integral at the origin of P/r, P the bilinear hat function of the node (x, y), zero
-    on the lines `west`, `east`, `south`, `north` around it; all of one shape [-].
+def hat_compliances(x: Sequence[Array], y: Sequence[Array]) -> Iterator[Array]:
+    """Double integrals at the origin of P/r, P the bilinear hat function of the node (x[a], y[b]),
+    zero on the lines x[a - 1], x[a + 1], y[b - 1], y[b + 1] around it [-]; one for each a and b
+    but the first and the last, b running faster.
     """
-    columns = (west, x, east)
-    rows = (south, y, north)
-    corners = {
-        (a, b): corner_integrals(columns[a], rows[b]) for a, b in product(range(3), repeat=2)
-    }
-    result = np.zeros(np.broadcast(x, y).shape)
-    for a, b in product((0, 1), repeat=2):
-        cell = (corners[a + 1, b + 1], corners[a, b + 1], corners[a + 1, b], corners[a, b])
-        one, first_x, first_y, mixed = (p - q - r + s for p, q, r, s in zip(*cell, strict=True))
-        # the hat is (x - x0)(y - y0)/area, (x0, y0) the opposite corner of the cell
-        x0, y0 = (west, east)[a], (south, north)[b]
-        area = (x - x0) * (y - y0)
-        result += (mixed - y0 * first_x - x0 * first_y + x0 * y0 * one) / area
-    return result
+    corners = [[corner_integrals(column, row) for row in y] for column in x[:2]]
+    for a in range(1, len(x) - 1):
+        corners.append([corner_integrals(x[a + 1], row) for row in y])
+        for b in range(1, len(y) - 1):
+            cells = product((0, 1), (0, 1))
+            yield np.sum([_quarter(x, y, corners, (a, b), cell) for cell in cells], axis=0)
+        del corners[0]
+
+
+def _quarter(
+    x: Sequence[Array],
+    y: Sequence[Array],
+    corners: Sequence[Sequence[tuple[Array, Array, Array, Array]]],
+    node: tuple[int, int],
+    cell: tuple[int, int],
+) -> Array:
+    """The part of a hat function's integral in one of the four cells around its node."""
+    a, b = node
+    i, j = cell
+    west, east = corners[i : i + 2]  # `corners` begins with the column a - 1
+    ends = (east[b + j], west[b + j], east[b - 1 + j], west[b - 1 + j])
+    one, first_x, first_y, mixed = (p - q - r + s for p, q, r, s in zip(*ends, strict=True))
+    # the hat is (x - x0)(y - y0)/area, (x0, y0) the opposite corner of the cell
+    x0, y0 = x[a - 1 + 2 * i], y[b - 1 + 2 * j]
+    area = (x[a] - x0) * (y[b] - y0)
+    return np.asarray((mixed - y0 * first_x - x0 * first_y + x0 * y0 * one) / area)
 
 
 def compliance(lattice: Lattice, factor: float, coating: ScaledCoating | None) -> Compliance:
@@ -136,7 +148,8 @@ def _kernel(x: Array, y: Array, hx: float, hy: float, coating: ScaledCoating | N
     near = FAR * max(hx, hy)
     X = X[x < near]
     Y = Y[:, y < near]
-    kernel[np.ix_(x < near, y < near)] = hat_compliance(X - hx, X, X + hx, Y - hy, Y, Y + hy)
+    values = next(hat_compliances((X - hx, X, X + hx), (Y - hy, Y, Y + hy)))
+    kernel[np.ix_(x < near, y < near)] = values
     if coating is not None:
         kernel += hx * hy * hat_mean(coating, x[:, None], y[None, :], hx, hy)
     return kernel
@@ -175,12 +188,15 @@ def near_field(
     y = _continued(lattice.y, ry, lattice.symmetric)
     i = np.arange(nx)[:, None]
     j = np.arange(ny)[None, :]
+    # distances of the lines around each node, its own in the middle
+    along = [x[i + k] - x[i + rx + 1] for k in range(2 * rx + 3)]
+    across = [y[j + k] - y[j + ry + 1] for k in range(2 * ry + 3)]
     blocks = []
-    for a, b in product(range(-rx, rx + 1), range(-ry, ry + 1)):
-        west, X, east = (x[i + a + rx + k] - x[i + rx + 1] for k in (0, 1, 2))
-        south, Y, north = (y[j + b + ry + k] - y[j + ry + 1] for k in (0, 1, 2))
-        values = hat_compliance(west, X, east, south, Y, north)
+    near = product(range(-rx, rx + 1), range(-ry, ry + 1))
+    for (a, b), values in zip(near, hat_compliances(along, across), strict=True):
         if coating is not None:
+            west, X, east = along[a + rx : a + rx + 3]
+            south, Y, north = across[b + ry : b + ry + 3]
             sides = (0.5 * (east - west), 0.5 * (north - south))
             values += sides[0] * sides[1] * hat_mean(coating, X, Y, *sides)
         column = j + b
