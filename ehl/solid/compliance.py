@@ -47,6 +47,7 @@ class Compliance:
 
     lattice: Lattice
     spectrum: NDArray[np.complex128]  # of the kernel
+    single: NDArray[np.complex64]  # the same
     size: tuple[int, int]  # of the transform
     to_x: sparse.csr_matrix  # from the lines of the mesh to those of the lattice
     to_y: sparse.csr_matrix
@@ -54,13 +55,21 @@ class Compliance:
 
     def __matmul__(self, P: Array) -> Array:
         """Deflection [-], shape (nodes,), of nodal pressures [-], shape (nodes,)."""
+        return self._deflected(P, self.spectrum)
+
+    def in_single_precision(self, P: Array) -> Array:
+        """The same to some 1e-6, in half the time: for the iterations of a linear system."""
+        return self._deflected(P, self.single)
+
+    def _deflected(self, P: Array, spectrum: NDArray[np.complexfloating]) -> Array:
         lattice = self.lattice
         lines = self.to_y @ P.reshape(len(lattice.x), len(lattice.y)).T
-        padded = np.zeros(self.size)
-        padded[: self.to_x.shape[0], : len(lines)] = self.to_x @ lines.T
+        padded = np.zeros((self.to_x.shape[0], self.size[1]), dtype=spectrum.real.dtype)
+        padded[:, : len(lines)] = self.to_x @ lines.T
         if lattice.symmetric:
             padded[:, self.size[1] - len(lines) + 1 :] = padded[:, len(lines) - 1 : 0 : -1]
-        transformed = fft.rfft2(padded, overwrite_x=True) * self.spectrum
+        transformed = fft.fft(fft.rfft(padded, axis=1), n=self.size[0], axis=0)
+        transformed *= spectrum
         deflection = fft.ifft(transformed, axis=0, overwrite_x=True)[lattice.i]
         return np.asarray(fft.irfft(deflection, n=self.size[1], axis=1)[:, lattice.j].ravel())
 
@@ -129,7 +138,7 @@ def compliance(lattice: Lattice, factor: float, coating: ScaledCoating | None) -
     spectrum = fft.rfft2(kernel[np.ix_(rows, columns)])
     to_lines = (_prolongation(lattice.i), _prolongation(lattice.j))
     own = near_field(lattice, (0, 0), factor, coating).diagonal()
-    return Compliance(lattice, spectrum, size, *to_lines, own)
+    return Compliance(lattice, spectrum, spectrum.astype(np.complex64), size, *to_lines, own)
 
 
 def _distances(size: int, farthest: int) -> NDArray[np.int_]:
