@@ -17,6 +17,7 @@ from bearing.files import is_disk_failure
 from ..format.problems import CaseError
 from ..runs.interrupt import finish_first, say
 from ..runs.output_lock import scratch_folder
+from ..runs.processes import POINTS, start_fork_server
 from .app import Json, Output, Quiet, app
 from .cost import batch_cost, tell_cost
 from .output import held_directory, report
@@ -107,6 +108,8 @@ def batch(  # noqa: PLR0913
     quiet: Quiet = False,
 ) -> int:
     """Run many points of one case: factorial, listed, sampled."""
+    if scheduler is None and executor is None and not collect:
+        start_fork_server(POINTS)  # loads while this process plans
     from ..batch.engine import Choice
     from ..batch.points import Limits
     from ..batch.results import collected
