@@ -8,12 +8,13 @@ tests/reference.
 
 import numpy as np
 
-from ehl.compiled import compiled
+from ehl.compiled import compiled, summing
 from ehl.oil._rheology_kernels import (
     FAR_BELOW,
     NEWTONIAN,
     REE_EYRING,
-    eyring_stress_slope,
+    eyring_slope,
+    limited_slope,
     shear_stress_slope,
 )
 from ehl.traction._kernels import hertz_friction, table_lookup
@@ -122,7 +123,9 @@ def stresses(oil, place, motion, law, least, speeds, tau, bent):
     if code == REE_EYRING:
         for k in range(x.size):
             rate = speeds[k] * opening[k]
-            tau[k], bent[k] = eyring_stress_slope(rate, eta[k], limit[k], stress)
+            tau[k], bent[k] = eyring_slope(rate, eta[k], stress)
+        for k in range(x.size):
+            tau[k], bent[k] = limited_slope(tau[k], bent[k], limit[k])
     else:
         for k in range(x.size):
             rate = speeds[k] * opening[k]
@@ -131,7 +134,7 @@ def stresses(oil, place, motion, law, least, speeds, tau, bent):
             )
 
 
-@compiled
+@summing
 def pull_sums(area, opening, place, motion, speeds, tau, bent):
     """Friction of nodes by their stress: its four parts, and of its slope the ten above and on the
     diagonal.
@@ -338,7 +341,7 @@ def _line_moment(u, power):
     return 0.75 * (u ** (power + 1) / (power + 1) - u ** (power + 3) / (power + 3))
 
 
-@compiled
+@summing
 def coulomb_sums(nodes, ellipses, motion, power, gradient, slope):
     """Power (n,), gradient (n, 4) and slope (n, 4, 4) of Coulomb friction at motions (n, 4).
 

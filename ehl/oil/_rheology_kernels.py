@@ -17,9 +17,12 @@ LARGEST_ARGUMENT = 300.0  # as in `rheology`
 LIMIT_POWER = 32
 LIMIT_ROOTS = 5
 SMALL_SINE = 2e-3  # below which the series of asinh is exact [-]
-SMALL_POWER = 1e-4  # below which the series of the m-th root is exact [-]
 FAR_BELOW = 0.25  # of a limit, whose m-th power is negligible [-]
 NEWTON_STEPS = 30
+ROOT_HALF = 0x3FE6A09E667F3BCD  # bits of sqrt(1/2)
+BITS_2_52 = 0x4330000000000000  # of 2^52
+LN2_HIGH = 6.93147180369123816490e-01  # ln 2 in two parts, the first of few digits
+LN2_LOW = 1.90821492927058770002e-10
 
 
 @compiled
@@ -34,6 +37,29 @@ def limiting_stress(
     if softening <= 0.0:
         return np.inf if pressure > 0.0 else limit_minimum
     return max(limit_stress + limit_coefficient * pressure / softening, limit_minimum)
+
+
+@compiled
+def logarithm(value):
+    """ln of a number from 1 on, to the last digit but one, without jumps: a loop over nodes takes
+    several at a time, six times as fast as the library's.
+
+    As `e_log.c` of fdlibm 5.3 (Sun Microsystems, 1993): value = 2^k (1 + f), s = f/(2 + f),
+    ln(1 + f) = f - f^2/2 + s (f^2/2 + R(s^2)).
+    """
+    bits = np.float64(value).view(np.int64)
+    exponent = (bits - ROOT_HALF) >> 52
+    f = np.int64(bits - (exponent << 52)).view(np.float64) - 1.0
+    s = f / (2.0 + f)
+    z = s * s
+    w = z * z
+    even = w * (0.3999999999940941908 + w * (0.2222219843214978396 + w * 0.1531383769920937332))
+    odd = 0.1818357216161805012 + w * 0.1479819860511658591
+    odd = z * (0.6666666666666735130 + w * (0.2857142874366239149 + w * odd))
+    half = 0.5 * f * f
+    # 2^52 + k has the digits of k behind its point
+    k = np.int64(exponent | BITS_2_52).view(np.float64) - 2.0**52
+    return k * LN2_HIGH - ((half - (s * (half + even + odd) + k * LN2_LOW)) - f)
 
 
 @compiled
@@ -55,12 +81,12 @@ def blend(ratio):
 
 @compiled
 def root_of(power):
-    """(1 + power)^(1/m), of a power up to 1 [-]."""
-    if power < SMALL_POWER:
-        return 1.0 + power / LIMIT_POWER * (
-            1.0 - 31.0 / 64.0 * power * (1.0 - 21.0 / 32.0 * power)
-        )
-    return np.exp(np.log(1.0 + power) / LIMIT_POWER)
+    """(1 + power)^(1/m), of a power up to 1 [-], without jumps: exp by its series, whose argument
+    is ln(2)/m at most.
+    """
+    t = logarithm(1.0 + power) / LIMIT_POWER
+    series = 1.0 + t / 4.0 * (1.0 + t / 5.0 * (1.0 + t / 6.0 * (1.0 + t / 7.0)))
+    return 1.0 + t * (1.0 + t / 2.0 * (1.0 + t / 3.0 * series))
 
 
 @compiled
@@ -118,33 +144,42 @@ def shear_stress_slope(rate, viscosity, limit, law, stress, exponent, breadth):
 
 @compiled
 def eyring_stress_slope(rate, viscosity, limit, stress):
-    """As `shear_stress_slope` of Ree and Eyring's law, without jumps, so that a loop over nodes
-    takes several at a time.
+    """As `shear_stress_slope` of Ree and Eyring's law."""
+    tau, slope = eyring_slope(rate, viscosity, stress)
+    return limited_slope(tau, slope, limit)
+
+
+@compiled
+def eyring_slope(rate, viscosity, stress):
+    """The same without a limit and without jumps, so that a loop over nodes takes several at a
+    time.
     """
     x = viscosity * rate / stress
     root = np.sqrt(x * x + 1.0)
-    tau = stress * np.log(x + root)
+    tau = stress * logarithm(x + root)
     if x < SMALL_SINE:
         tau = stress * x * (1.0 - x * x * (1.0 / 6.0 - 0.075 * x * x))
-    return limited_slope(tau, viscosity / root, limit)
+    return tau, viscosity / root
 
 
 @compiled
 def limited_slope(tau, slope, limit):
     """Stress of a base law other than Newton's and its derivative under a limiting stress, which
-    may be infinite.
+    may be infinite; without jumps, so that a loop over nodes takes several at a time.
     """
+    larger = max(tau, limit)
+    ratio = min(tau, limit) / larger
+    power = ratio * ratio
+    for _ in range(LIMIT_ROOTS - 1):
+        power *= power
+    over = 1.0 / (root_of(power) * (1.0 + power))
+    bent = slope * over
+    if tau > limit:
+        bent *= power * ratio
+    near = ratio * larger * over * (1.0 + power)
     if tau >= FAR_BELOW * limit:
-        larger = max(tau, limit)
-        ratio = min(tau, limit) / larger
-        power = ratio * ratio
-        for _ in range(LIMIT_ROOTS - 1):
-            power *= power
-        over = 1.0 / (root_of(power) * (1.0 + power))
-        slope *= over
-        if tau > limit:
-            slope *= power * ratio
-        tau = ratio * larger * over * (1.0 + power)
+        tau = near
+        slope = bent
     return tau, slope
 
 
