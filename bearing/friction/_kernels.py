@@ -253,7 +253,7 @@ def thin_sums(nodes, out):
 
 @compiled
 def flat_rows(films, nodes, inside, level, viscosity, limit, rows):
-    """First six rows of nodes of `film_frictions` in flat films, rows of shape (films, 7, m).
+    """First six rows of nodes of `film_frictions` in flat films, rows of shape (7, films, m).
 
     films, shape (n, 6): semi-axes along and across, Hertz' pressure, radius along rolling, gap
     around and in the contact; nodes, shape (4, m): x and y over the semi-axes, area over both,
@@ -268,12 +268,12 @@ def flat_rows(films, nodes, inside, level, viscosity, limit, rows):
             if not inside[k]:
                 height = around + a * a / radius * nodes[3, k]
                 share = min(gap / height, 1.0)
-            rows[n, 0, k] = a * b * nodes[2, k] * share
-            rows[n, 1, k] = 1.0 / height
-            rows[n, 2, k] = viscosity[n, level[k]]
-            rows[n, 3, k] = limit[n, level[k]]
-            rows[n, 4, k] = a * nodes[0, k]
-            rows[n, 5, k] = b * nodes[1, k]
+            rows[0, n, k] = a * b * nodes[2, k] * share
+            rows[1, n, k] = 1.0 / height
+            rows[2, n, k] = viscosity[n, level[k]]
+            rows[3, n, k] = limit[n, level[k]]
+            rows[4, n, k] = a * nodes[0, k]
+            rows[5, n, k] = b * nodes[1, k]
 
 
 @compiled
