@@ -7,6 +7,7 @@ The arguments law, stress, exponent, breadth and those of the limit are the fiel
 import numpy as np
 
 from ..compiled import compiled
+from ._elementary_kernels import logarithm_of
 
 # as `rheology.LAW_CODES`
 NEWTONIAN = 0
@@ -19,10 +20,6 @@ LIMIT_ROOTS = 5
 SMALL_SINE = 2e-3  # below which the series of asinh is exact [-]
 FAR_BELOW = 0.25  # of a limit, whose m-th power is negligible [-]
 NEWTON_STEPS = 30
-ROOT_HALF = 0x3FE6A09E667F3BCD  # bits of sqrt(1/2)
-BITS_2_52 = 0x4330000000000000  # of 2^52
-LN2_HIGH = 6.93147180369123816490e-01  # ln 2 in two parts, the first of few digits
-LN2_LOW = 1.90821492927058770002e-10
 
 
 @compiled
@@ -37,29 +34,6 @@ def limiting_stress(
     if softening <= 0.0:
         return np.inf if pressure > 0.0 else limit_minimum
     return max(limit_stress + limit_coefficient * pressure / softening, limit_minimum)
-
-
-@compiled
-def logarithm(value):
-    """ln of a number from 1 on, to the last digit but one, without jumps: a loop over nodes takes
-    several at a time, six times as fast as the library's.
-
-    As `e_log.c` of fdlibm 5.3 (Sun Microsystems, 1993): value = 2^k (1 + f), s = f/(2 + f),
-    ln(1 + f) = f - f^2/2 + s (f^2/2 + R(s^2)).
-    """
-    bits = np.float64(value).view(np.int64)
-    exponent = (bits - ROOT_HALF) >> 52
-    f = np.int64(bits - (exponent << 52)).view(np.float64) - 1.0
-    s = f / (2.0 + f)
-    z = s * s
-    w = z * z
-    even = w * (0.3999999999940941908 + w * (0.2222219843214978396 + w * 0.1531383769920937332))
-    odd = 0.1818357216161805012 + w * 0.1479819860511658591
-    odd = z * (0.6666666666666735130 + w * (0.2857142874366239149 + w * odd))
-    half = 0.5 * f * f
-    # 2^52 + k has the digits of k behind its point
-    k = np.int64(exponent | BITS_2_52).view(np.float64) - 2.0**52
-    return k * LN2_HIGH - ((half - (s * (half + even + odd) + k * LN2_LOW)) - f)
 
 
 @compiled
@@ -84,7 +58,7 @@ def root_of(power):
     """(1 + power)^(1/m), of a power up to 1 [-], without jumps: exp by its series, whose argument
     is ln(2)/m at most.
     """
-    t = logarithm(1.0 + power) / LIMIT_POWER
+    t = logarithm_of(1.0 + power) / LIMIT_POWER
     series = 1.0 + t / 4.0 * (1.0 + t / 5.0 * (1.0 + t / 6.0 * (1.0 + t / 7.0)))
     return 1.0 + t * (1.0 + t / 2.0 * (1.0 + t / 3.0 * series))
 
@@ -156,7 +130,7 @@ def eyring_slope(rate, viscosity, stress):
     """
     x = viscosity * rate / stress
     root = np.sqrt(x * x + 1.0)
-    tau = stress * logarithm(x + root)
+    tau = stress * logarithm_of(x + root)
     if x < SMALL_SINE:
         tau = stress * x * (1.0 - x * x * (1.0 / 6.0 - 0.075 * x * x))
     return tau, viscosity / root

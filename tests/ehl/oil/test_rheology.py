@@ -197,12 +197,6 @@ def test_bad_constants_are_named(field, value):
         Rheology(**(good | {field: value}))
 
 
-def test_the_logarithm_of_loops_is_that_of_the_library():
-    values = np.concatenate([1.0 + np.logspace(-16.0, 0.0, 200), np.logspace(0.0, 300.0, 2000), [1.0, 2.0**0.5]])
-    found = np.array([_kernels.logarithm(value) for value in values])
-    assert np.all(np.abs(found - np.log(values)) <= 2.0 * np.spacing(np.log(values)))
-
-
 def test_the_root_under_a_limit_is_that_of_the_library():
     powers = np.concatenate([[0.0], np.logspace(-20.0, 0.0, 400)])
     found = np.array([_kernels.root_of(power) for power in powers])
