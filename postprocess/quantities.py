@@ -12,7 +12,6 @@ from typing import Any
 
 from ehl.units import from_si, si_unit_of, unit_of, unit_symbol, without_unit
 
-
 # a part of a record by its path, what looks up several of its attributes, and their keys
 _Part = tuple[str, Callable[[Any], tuple[Any, ...]], tuple[str, ...]]
 
