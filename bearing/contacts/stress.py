@@ -17,7 +17,7 @@ from ehl.closed_form.hertz_stress import hertz_maximum_shear, hertz_orthogonal_s
 
 from ..geometry import Array, Race
 from ..quasistatic.solution import QuasistaticSolution
-from ._stress_kernels import largest_sliding_speeds
+from ._kernels import largest_sliding_speeds
 from .contact import BearingContact
 from .motion import ball_speeds, motion_map
 from .shape import groove_curvature_radius

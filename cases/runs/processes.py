@@ -5,7 +5,8 @@ import os
 import signal
 import sys
 import threading
-from collections.abc import Sequence, Set
+from collections.abc import Iterator, Sequence, Set
+from contextlib import contextmanager, suppress
 from multiprocessing import (
     active_children,
     connection,
@@ -73,6 +74,28 @@ def start_fork_server(modules: Sequence[str]) -> None:
                 del os.environ[name]
             else:
                 os.environ[name] = value
+
+
+@contextmanager
+def fork_server(modules: Sequence[str], *, wanted: bool = True) -> Iterator[None]:
+    """As `start_fork_server`, if it is wanted; the process ends with what is done inside."""
+    if wanted:
+        start_fork_server(modules)
+    try:
+        yield
+    finally:
+        if wanted:
+            _end_fork_server()
+
+
+def _end_fork_server() -> None:
+    """End the process, whatever it loads, so that nothing outlives the command."""
+    server: Any = getattr(forkserver, "_forkserver", None)
+    number = getattr(server, "_forkserver_pid", None)
+    if number is not None:
+        with suppress(ProcessLookupError):
+            os.kill(number, signal.SIGTERM)
+        server._stop()
 
 
 def prepare_worker() -> None:
