@@ -3,6 +3,8 @@
     python benchmarks/batch.py                     # 48 points with films, one worker and two
     python benchmarks/batch.py --points 96
     python benchmarks/batch.py --table FILE        # 1000 torque points on two workers, tables of 6208_five_terms
+    python benchmarks/batch.py --atlas 1000        # torque points of a 7012AC, films of the atlas
+    python benchmarks/batch.py --atlas 1000 --heated    # the same with temperatures solved
     python benchmarks/batch.py --records 200000    # planning, resuming and collecting, without computing
 
 `--records` computes one point, and stores its record under the names of all of them.
@@ -29,6 +31,7 @@ from cases.batch.engine import Choice, run_batch
 from cases.batch.pools import LocalPool
 from cases.batch.results import collected, gathered, write_batch
 from cases.batch.sweep import sweep_from_text
+from cases.runs.processes import POINTS, fork_server
 from postprocess.batch.parquet import write_batch_parquet
 from postprocess.batch.store import PointStore, StoredPoints
 from postprocess.batch.write import write_batch_csv
@@ -48,6 +51,36 @@ table = {table!r}
 "operation.inner_speed_rpm" = {speeds}
 "operation.radial_load_N" = {loads}
 """
+ATLAS = """
+case = {case!r}
+[latin_hypercube]
+samples = {points}
+seed = 7
+"operation.inner_speed_rpm" = [2000.0, {fastest}]
+"operation.axial_load_N" = [1000.0, 3000.0]
+"operation.radial_load_N" = [0.0, 1000.0]
+"""
+OPEN = """
+schema_version = 1
+title = "7012AC"
+bearing = {name = "7012AC"}
+lubricant = {name = "iso vg 32"}
+surface = {inner_ring_roughness_um = 0.05, outer_ring_roughness_um = 0.05, ball_roughness_um = 0.02}
+ehl = {film_maps = "none"}
+[operation]
+inner_speed_rpm = 6000.0
+axial_load_N = 2000.0
+temperature_C = 60.0
+%s
+[friction]
+lubrication = "oil jet"
+oil_fraction = 0.05
+%s
+"""
+HEAT = (
+    'temperature = "self-heated"',
+    "heat_transfer_W_K = 2.8\nambient_C = 25.0\ncooling_oil_mL_min = 900.0\ncooling_oil_C = 40.0",
+)
 
 
 RECORDS = """
@@ -72,9 +105,12 @@ class Cost:
 def cost(text: str, workers: int, folder: Path) -> Cost:
     """What a whole batch takes, planning and files included."""
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
-    results = gathered(run_batch(sweep_from_text(text, "sweep.toml"), folder, lambda: LocalPool(workers)))
-    write_batch(results, folder)
-    wall, after = time.perf_counter() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
+    with fork_server(POINTS):  # whose children the workers are
+        sweep = sweep_from_text(text, "sweep.toml")
+        results = gathered(run_batch(sweep, folder, lambda: LocalPool(workers)))
+        write_batch(results, folder)
+        wall = time.perf_counter() - start
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
     failed = [point.message for point in results.points if point.status != "done"]
     assert not failed, failed[0]
     spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
@@ -102,6 +138,21 @@ def torque(table: Path, folder: Path) -> None:
     text = TORQUE.format(table=str(table.resolve()), speeds=speeds, loads=loads)
     run = cost(text, 2, folder / "torque")
     print(f"1000 torque points: {run.wall:.1f} s, {run.processor:.1f} s of processors, {run.memory:.0f} MB a worker")
+
+
+def atlas(points: int, heated: bool, folder: Path) -> None:
+    """Torque points of a 7012AC with films of the atlas on two workers."""
+    case = folder / "7012AC.toml"
+    case.write_text(OPEN % (HEAT if heated else ("", "")), encoding="utf-8")
+    first, whole = (ATLAS.format(case=str(case), points=n, fastest=8000.0 if heated else 12000.0) for n in (2, points))
+    cost(first, 1, folder / "compiled")
+    begun = time.process_time()
+    run = cost(whole, 2, folder / "atlas")
+    spent = time.process_time() - begun
+    print(
+        f"{points} torque points: {run.wall:.1f} s, {run.processor:.1f} s of processors of workers and "
+        f"{spent:.1f} s of the main process, {run.memory:.0f} MB a worker"
+    )
 
 
 @contextmanager
@@ -154,11 +205,15 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("--points", type=int, default=48)
     parser.add_argument("--table", type=Path)
+    parser.add_argument("--atlas", type=int)
+    parser.add_argument("--heated", action="store_true")
     parser.add_argument("--records", type=int)
     chosen = parser.parse_args()
     with tempfile.TemporaryDirectory() as temporary:
         if chosen.records is not None:
             records(chosen.records, Path(temporary))
+        elif chosen.atlas is not None:
+            atlas(chosen.atlas, chosen.heated, Path(temporary))
         elif chosen.table is not None:
             torque(chosen.table, Path(temporary))
         else:

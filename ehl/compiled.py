@@ -21,8 +21,19 @@ def compiled(function: Callable[..., Any]) -> Any:
     has changed. But the code of kernels of other files that it calls is in there, too. Hence a
     change of any of `kernel_sources` makes all of that folder's kernels be compiled anew.
     """
+    return _kernel(function, fastmath=False)
+
+
+def summing(function: Callable[..., Any]) -> Any:
+    """A kernel as `compiled` whose sums over nodes are made of several sums side by side, which
+    takes a quarter of the time; results differ in rounding, and by the machine.
+    """
+    return _kernel(function, fastmath={"reassoc", "nsz"})
+
+
+def _kernel(function: Callable[..., Any], fastmath: bool | set[str]) -> Any:
     _log_compilations()
-    kernel = njit(cache=True, nogil=True, fastmath=False, error_model="numpy")(function)
+    kernel = njit(cache=True, nogil=True, fastmath=fastmath, error_model="numpy")(function)
     # not so where numba is told to compile nothing (NUMBA_DISABLE_JIT)
     if hasattr(kernel, "stats"):
         forget_old_kernels(Path(kernel.stats.cache_path), kernel_digest())

@@ -4,15 +4,19 @@ The last words of the key are the unit (`ehl.units`); summary, CSV, netCDF attri
 of terminal and report and the labels of pictures read the same declaration.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
+from operator import attrgetter
 from typing import Any
 
 from ehl.units import from_si, si_unit_of, unit_of, unit_symbol, without_unit
 
+# a part of a record by its path, what looks up several of its attributes, and their keys
+_Part = tuple[str, Callable[[Any], tuple[Any, ...]], tuple[str, ...]]
 
-@dataclass(frozen=True, slots=True)
+
+@dataclass(frozen=True, slots=True, eq=False)  # each is declared once, and known by where it is
 class Quantity:
     """One output quantity.
 
@@ -105,10 +109,36 @@ def by_key(declared: Iterable[Quantity]) -> dict[str, Quantity]:
 def values_of(record: Any, declared: Iterable[Quantity]) -> dict[str, Any]:
     """Values of a record by key, in the units of the keys."""
     known: dict[str, Any] = {}
-    return {
-        quantity.key: from_si(quantity.key, _attribute(record, quantity.source, known))
-        for quantity in declared
-    }
+    keys, parts = _parts(tuple(declared))
+    values: dict[str, Any] = dict.fromkeys(keys)
+    for owner, get, own in parts:
+        if owner and owner not in known:
+            known[owner] = _attribute(record, owner, known)
+        part = known[owner] if owner else record
+        if part is None:
+            continue
+        for key, value in zip(own, get(part), strict=True):
+            values[key] = from_si(key, value)
+    return values
+
+
+@lru_cache(maxsize=256)
+def _parts(declared: tuple[Quantity, ...]) -> tuple[tuple[str, ...], tuple[_Part, ...]]:
+    """Keys, and what is looked up of each part of a record at once."""
+    parts: dict[str, list[tuple[str, str]]] = {}
+    for quantity in declared:
+        owner, name = _names(quantity.source)
+        parts.setdefault(owner, []).append((quantity.key, name))
+    return tuple(quantity.key for quantity in declared), tuple(
+        (owner, _getter([name for _, name in own]), tuple(key for key, _ in own))
+        for owner, own in parts.items()
+    )
+
+
+def _getter(names: Sequence[str]) -> Callable[[Any], tuple[Any, ...]]:
+    """What has the attributes of these names, one, too, in a tuple."""
+    get = attrgetter(*names)
+    return get if len(names) > 1 else lambda part: (get(part),)
 
 
 def rows_of(columns: Mapping[str, Iterable[Any]]) -> list[dict[str, Any]]:

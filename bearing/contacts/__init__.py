@@ -1,5 +1,6 @@
 """The lubricated contacts that follow from an equilibrium: shape, motion, stress.
 
+_kernels      - search for the largest sliding in ellipses, compiled
 contact       - one contact of a ball with a race, placed in the bearing's frame
 contacts      - the contacts of a solved bearing as lubricated contacts
 electrical    - capacitance and breakdown voltage of a bearing between its rings

@@ -8,7 +8,7 @@ curved contact (Heathcote).
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cache
-from math import pi, sqrt
+from math import pi
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from ehl.closed_form.hertz_stress import hertz_maximum_shear, hertz_orthogonal_s
 
 from ..geometry import Array, Race
 from ..quasistatic.solution import QuasistaticSolution
+from ._kernels import largest_sliding_speeds
 from .contact import BearingContact
 from .motion import ball_speeds, motion_map
 from .shape import groove_curvature_radius
@@ -104,18 +105,10 @@ def largest_sliding(
     and w_r about the transverse direction [rad/s]; `radius`: R of the deformed surface across the
     rolling direction, 2 r D/(2 r + D) [m]; shape (n,). The product in [W/m^2].
     """
-    along, across, share = _places()
-    shapes = np.stack([*ellipses, spin, 0.5 * rolling / radius], axis=1)
+    shapes = np.stack([ellipses[0], ellipses[1], spin, 0.5 * rolling / radius], axis=1)
     found = np.empty((len(shapes), 2))
-    for (a, b, pressure, turn, curved), own in zip(shapes.tolist(), found, strict=True):
-        squares = b * across
-        squares *= curved * squares - turn
-        squares *= squares
-        squares += (a * turn * along) ** 2
-        own[0] = sqrt(squares.max())
-        squares *= share**2
-        own[1] = pressure * sqrt(squares.max())
-    return found[:, 0], found[:, 1]
+    largest_sliding_speeds(shapes, *_places(), found)
+    return found[:, 0], ellipses[2] * found[:, 1]
 
 
 @cache

@@ -8,12 +8,13 @@ tests/reference.
 
 import numpy as np
 
-from ehl.compiled import compiled
+from ehl.compiled import compiled, summing
 from ehl.oil._rheology_kernels import (
     FAR_BELOW,
     NEWTONIAN,
     REE_EYRING,
-    eyring_stress_slope,
+    eyring_slope,
+    limited_slope,
     shear_stress_slope,
 )
 from ehl.traction._kernels import hertz_friction, table_lookup
@@ -122,7 +123,9 @@ def stresses(oil, place, motion, law, least, speeds, tau, bent):
     if code == REE_EYRING:
         for k in range(x.size):
             rate = speeds[k] * opening[k]
-            tau[k], bent[k] = eyring_stress_slope(rate, eta[k], limit[k], stress)
+            tau[k], bent[k] = eyring_slope(rate, eta[k], stress)
+        for k in range(x.size):
+            tau[k], bent[k] = limited_slope(tau[k], bent[k], limit[k])
     else:
         for k in range(x.size):
             rate = speeds[k] * opening[k]
@@ -131,7 +134,7 @@ def stresses(oil, place, motion, law, least, speeds, tau, bent):
             )
 
 
-@compiled
+@summing
 def pull_sums(area, opening, place, motion, speeds, tau, bent):
     """Friction of nodes by their stress: its four parts, and of its slope the ten above and on the
     diagonal.
@@ -250,7 +253,7 @@ def thin_sums(nodes, out):
 
 @compiled
 def flat_rows(films, nodes, inside, level, viscosity, limit, rows):
-    """First six rows of nodes of `film_frictions` in flat films, rows of shape (films, 7, m).
+    """First six rows of nodes of `film_frictions` in flat films, rows of shape (7, films, m).
 
     films, shape (n, 6): semi-axes along and across, Hertz' pressure, radius along rolling, gap
     around and in the contact; nodes, shape (4, m): x and y over the semi-axes, area over both,
@@ -265,12 +268,12 @@ def flat_rows(films, nodes, inside, level, viscosity, limit, rows):
             if not inside[k]:
                 height = around + a * a / radius * nodes[3, k]
                 share = min(gap / height, 1.0)
-            rows[n, 0, k] = a * b * nodes[2, k] * share
-            rows[n, 1, k] = 1.0 / height
-            rows[n, 2, k] = viscosity[n, level[k]]
-            rows[n, 3, k] = limit[n, level[k]]
-            rows[n, 4, k] = a * nodes[0, k]
-            rows[n, 5, k] = b * nodes[1, k]
+            rows[0, n, k] = a * b * nodes[2, k] * share
+            rows[1, n, k] = 1.0 / height
+            rows[2, n, k] = viscosity[n, level[k]]
+            rows[3, n, k] = limit[n, level[k]]
+            rows[4, n, k] = a * nodes[0, k]
+            rows[5, n, k] = b * nodes[1, k]
 
 
 @compiled
@@ -338,7 +341,7 @@ def _line_moment(u, power):
     return 0.75 * (u ** (power + 1) / (power + 1) - u ** (power + 3) / (power + 3))
 
 
-@compiled
+@summing
 def coulomb_sums(nodes, ellipses, motion, power, gradient, slope):
     """Power (n,), gradient (n, 4) and slope (n, 4, 4) of Coulomb friction at motions (n, 4).
 

@@ -48,11 +48,13 @@ class FilmNodes(NamedTuple):
 
 
 class _Block(NamedTuple):
-    """Nodes of one film (7, n), those of oil at ambient pressure behind the others."""
+    """Nodes of films of equal size (7, films, n), those of oil at ambient pressure behind the
+    others.
+    """
 
     nodes: Array
-    pressed: int  # nodes under pressure [-]
-    law: Array  # (4,)
+    pressed: int  # nodes of each under pressure [-]
+    laws: Array  # (films, 4)
 
 
 class _Sheared(NamedTuple):
@@ -72,7 +74,7 @@ def film_nodes(
     """Nodes that shear in the films of contacts, None without one, in [m], [Pa], [Pa s]."""
     bearing = solution.bearing
     own = np.zeros(len(contacts), dtype=np.int64)
-    blocks = [_Block(np.empty((ROWS, 0)), 0, np.zeros(4))]
+    blocks = [_Block(np.empty((ROWS, 1, 0)), 0, np.zeros((1, 4)))]
     temperature = solution.operation.temperature
     # 1. solved films, one by one
     known: dict[tuple[int, float], int] = {}
@@ -91,25 +93,29 @@ def film_nodes(
         own[number] = known[key]
     # 2. flat ones, all at once
     places = [_sheared(bearing, contacts[n], film) for n in flat if (film := films[n])]
-    like, found = _flat_films(places, rheology, temperature)
-    own[flat] = len(blocks) + like
-    blocks += found
+    if places:
+        like, found = _flat_films(places, rheology, temperature)
+        own[flat] = len(blocks) + like
+        blocks.append(found)
     return _joined(blocks, own)
 
 
 def _joined(blocks: Sequence[_Block], own: NDArray[np.int64]) -> FilmNodes:
     """Films one after the other."""
-    ends = np.cumsum([block.nodes.shape[1] for block in blocks])
-    starts = np.concatenate([[0], ends[:-1]])
-    thin = np.empty((len(blocks), THIN))
-    for block, sums in zip(blocks, thin, strict=True):
-        thin_sums(block.nodes[:, block.pressed :], sums)
-    pressed = np.array([block.pressed for block in blocks])
+    counts = [block.nodes.shape[1] for block in blocks]
+    sizes = np.repeat([block.nodes.shape[2] for block in blocks], counts)
+    pressed = np.repeat([block.pressed for block in blocks], counts)
+    ends = np.cumsum(sizes)
+    thin = np.empty((len(sizes), THIN))
+    behind = (film for b in blocks for film in b.nodes[..., b.pressed :].swapaxes(0, 1))
+    for film, sums in zip(behind, thin, strict=True):
+        thin_sums(film, sums)
+    whole = [block.nodes.reshape(ROWS, -1) for block in blocks if block.nodes.size]
     return FilmNodes(
-        nodes=np.concatenate([block.nodes for block in blocks], axis=1),
-        parts=np.stack([starts, starts + pressed, ends], axis=1).astype(np.int64),
+        nodes=whole[0] if len(whole) == 1 else np.concatenate([blocks[0].nodes[:, 0], *whole], 1),
+        parts=np.stack([ends - sizes, ends - sizes + pressed, ends], axis=1).astype(np.int64),
         thin=thin,
-        laws=np.stack([block.law for block in blocks]),
+        laws=np.concatenate([block.laws for block in blocks]),
         own=own,
     )
 
@@ -146,15 +152,13 @@ def _solved_nodes(sheared: _Sheared, rheology: Rheology, temperature: float | No
     nodes = np.stack([*rows, x[chosen], y, surface])
     full = film.pressure[chosen] > 0.0
     nodes = np.concatenate([nodes[:, full], nodes[:, ~full]], axis=1)
-    return _Block(nodes, int(full.sum()), _law(rheology))
+    return _Block(nodes[:, None], int(full.sum()), _law(rheology)[None])
 
 
 def _flat_films(
     films: Sequence[_Sheared], rheology: Rheology, temperature: float | None
-) -> tuple[NDArray[np.int64], list[_Block]]:
-    """Which of the flat films that differ each one is, and these; all of one oil."""
-    if not films:
-        return np.zeros(0, dtype=np.int64), []
+) -> tuple[NDArray[np.int64], _Block]:
+    """Which of the flat films that differ each one is, and these; one at least, all of one oil."""
     flat = [one.film.film for one in films if isinstance(one.film.film, FlatFilm)]
     places = np.array([
         (*film.size, film.conditions.radius_x, film.central, film.gap, one.curvature, one.width)
@@ -170,10 +174,9 @@ def _flat_films(
     viscosity = bounded_viscosity(pressure, oil)
     limit = limiting_stress(pressure, rheology, temperature)
     # 2. gaps, and strips as wide as the oil that leaves the contact fills them
-    nodes = np.empty((first.size, ROWS, at.level.size))
+    nodes = np.empty((ROWS, first.size, at.level.size))
     own_places = np.stack([at.x, at.y, at.area, at.opening])
     flat_rows(places[first, :6], own_places, at.inside, at.level, viscosity, limit, nodes)
-    nodes[:, 6] = curvature_height(curvature, width, nodes[:, 5])
+    nodes[6] = curvature_height(curvature, width, nodes[5])
     laws = [_law(contact_rheology(rheology, oil, flat[n].mean_pressure)) for n in first]
-    pressed = int(at.inside.sum())
-    return like, [_Block(own, pressed, law) for own, law in zip(nodes, laws, strict=True)]
+    return like, _Block(nodes, int(at.inside.sum()), np.stack(laws))

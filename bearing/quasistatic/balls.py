@@ -215,5 +215,7 @@ def _smooth_step(value: Numbers, full: Numbers | float) -> Numbers:
     """3 t^2 - 2 t^3 of t = value/full, 1 where the value exceeds the full one [-]."""
     full = np.asarray(full)
     below = value.real < full.real
+    if not below.any():  # as with nearly all balls
+        return np.ones(below.shape)
     t = np.where(below, np.where(value.real > 0.0, value, 0.0) / np.where(below, full, 1.0), 1.0)
     return t * t * (3.0 - 2.0 * t)

@@ -6,7 +6,7 @@ import importlib
 from collections.abc import Callable
 from concurrent.futures import BrokenExecutor, Executor, Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
-from multiprocessing import active_children, get_context
+from multiprocessing import active_children
 from pathlib import Path
 from time import monotonic
 from typing import Any, Protocol
@@ -15,7 +15,7 @@ from postprocess.batch.records import DONE
 
 from ..format.problems import CaseError
 from ..runs.interrupt import say
-from ..runs.processes import end_workers, prepare_worker
+from ..runs.processes import POINTS, end_workers, prepare_worker, start_fork_server, worker_context
 from .points import Receipt, Task
 from .worker import compute_block
 
@@ -80,7 +80,8 @@ class LocalPool:
         self._executor = self._start()
 
     def _start(self) -> ProcessPoolExecutor:
-        context = get_context("spawn")
+        start_fork_server(POINTS)
+        context = worker_context()
         return ProcessPoolExecutor(self.workers, mp_context=context, initializer=prepare_worker)
 
     def capacity(self) -> int:

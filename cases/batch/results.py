@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from functools import lru_cache
+from io import BytesIO
 from itertools import islice
 from pathlib import Path
 from types import MappingProxyType
@@ -159,8 +160,7 @@ def collected(batch: Batch) -> Iterator[tuple[BatchResults, Columns]]:
     [sensitivity], which are few.
     """
     if len(batch.sweep.points) <= LARGE:
-        results = gathered(batch)
-        yield results, columns_of(InMemory(results))
+        yield gathered(batch), columns_of(Stored(batch, BytesIO()))
         return
     with tempfile.TemporaryFile(dir=batch.directory) as file:
         tally = _Tally(Stored(batch, file))

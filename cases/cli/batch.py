@@ -17,6 +17,7 @@ from bearing.files import is_disk_failure
 from ..format.problems import CaseError
 from ..runs.interrupt import finish_first, say
 from ..runs.output_lock import scratch_folder
+from ..runs.processes import POINTS, fork_server
 from .app import Json, Output, Quiet, app
 from .cost import batch_cost, tell_cost
 from .output import held_directory, report
@@ -107,39 +108,41 @@ def batch(  # noqa: PLR0913
     quiet: Quiet = False,
 ) -> int:
     """Run many points of one case: factorial, listed, sampled."""
-    from ..batch.engine import Choice
-    from ..batch.points import Limits
-    from ..batch.results import collected
-    from ..batch.shards import ALONE, shard_of
-    from ..batch.sweep import read_sweep
+    # loads while this process plans
+    with fork_server(POINTS, wanted=not (scheduler or executor or collect)):
+        from ..batch.engine import Choice
+        from ..batch.points import Limits
+        from ..batch.results import collected
+        from ..batch.shards import ALONE, shard_of
+        from ..batch.sweep import read_sweep
 
-    wanted = _Wanted(
-        workers=workers,
-        scheduler=scheduler,
-        executor=executor,
-        plot=plot,
-        parquet=parquet,
-        csv=csv,
-    )
-    limits = Limits(seconds=point_seconds, memory=point_memory)
-    _check(wanted, limits, alone=shard is None)
-    choice = Choice(
-        resume=resume or retry_failed or collect or shard is not None,
-        only_failed=retry_failed,
-        shard=ALONE if shard is None else shard_of(shard),
-        limits=limits,
-        keep_json=keep_json,
-    )
-    plan = read_sweep(sweep)
-    keep = output is not None or choice.resume or not as_json
-    directory = output or Path(f"{Path(sweep).stem}_results")
-    with _folder(directory, keep=keep, shared=shard is not None) as folder:
-        done = _computed(plan, folder, wanted, choice, _Told(keep, quiet, not collect))
-        if shard is not None:
-            return _report_shard(done, choice, as_json=as_json, quiet=quiet)
-        with kept(folder if keep else None), collected(done) as (results, columns):
-            _write(results, columns, folder, wanted)
-            return _report(results, columns, folder if keep else None, as_json, quiet)
+        wanted = _Wanted(
+            workers=workers,
+            scheduler=scheduler,
+            executor=executor,
+            plot=plot,
+            parquet=parquet,
+            csv=csv,
+        )
+        limits = Limits(seconds=point_seconds, memory=point_memory)
+        _check(wanted, limits, alone=shard is None)
+        choice = Choice(
+            resume=resume or retry_failed or collect or shard is not None,
+            only_failed=retry_failed,
+            shard=ALONE if shard is None else shard_of(shard),
+            limits=limits,
+            keep_json=keep_json,
+        )
+        plan = read_sweep(sweep)
+        keep = output is not None or choice.resume or not as_json
+        directory = output or Path(f"{Path(sweep).stem}_results")
+        with _folder(directory, keep=keep, shared=shard is not None) as folder:
+            done = _computed(plan, folder, wanted, choice, _Told(keep, quiet, not collect))
+            if shard is not None:
+                return _report_shard(done, choice, as_json=as_json, quiet=quiet)
+            with kept(folder if keep else None), collected(done) as (results, columns):
+                _write(results, columns, folder, wanted)
+                return _report(results, columns, folder if keep else None, as_json, quiet)
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,9 +9,6 @@ ABORTED = 130  # typer's own answer to an interrupt outside commands
 NOT_CONVERGED = 1  # also typer's answer to input that ends
 INTERRUPTED = 3
 FAILED = 4
-# new objects from which the collector looks for cycles: with Python's own 700 it takes a fifth of
-# the time in which a bearing case is loaded, with this a tenth, with half and double of it as much
-COLLECTED = 50_000
 
 
 def main() -> None:
@@ -20,8 +17,10 @@ def main() -> None:
     signal.signal(signal.SIGTERM, _leave)
     import gc
 
-    gc.set_threshold(COLLECTED)
     from ..runs.interrupt import end_now, end_unless_obeyed, interrupt, say
+    from ..runs.processes import COLLECTED
+
+    gc.set_threshold(COLLECTED)
     from .main import app
     from .streams import output_is_written, prepare_streams
     from .terminal import exit_code

@@ -15,7 +15,7 @@
 | traction_table | building of traction tables |
 | dynamics | time simulation |
 | drawing | pictures and VTK, made by processes |
-| processes | what worker processes do first |
+| processes | how worker processes begin, what they do first, and how they end |
 | export | meshes of results for other programs |
 | output_directory | folders of results: complete or not there |
 | integrity | whether files of results are as they were written |

@@ -1,22 +1,13 @@
 """Pictures and VTK of a run, made by processes while the numbers are written."""
 
-import gc
 import pickle
-import signal
 from collections.abc import Iterator, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import lru_cache, partial
-from multiprocessing import (
-    active_children,
-    forkserver,
-    get_all_start_methods,
-    get_context,
-    resource_tracker,
-    set_forkserver_preload,
-)
+from multiprocessing import active_children
 from pathlib import Path
 from shutil import copytree
 from tempfile import TemporaryDirectory
@@ -27,14 +18,13 @@ from ehl.multigrid.threads import cores
 from postprocess.files import attempt
 from postprocess.results import FILMS, OTHERS, PARAVIEW
 
-from .processes import end_workers, prepare_worker
+from .processes import end_workers, prepare_worker, start_fork_server, worker_context
 
 # each holds all fields; the dozen pictures of a bearing, of 0.3 s each, gain little by more
 MOST_PROCESSES = 4
 EXTRAS = "VTK and plots"
 LOOK = 0.1  # from one look for an interrupt to the next [s]
 TERMINATION = 0.3  # for processes to end that were told to [s]
-FORK_SERVER = "forkserver"  # loads the libraries once for all processes, where there is one
 LOADED = ["cases.runs.drawing", "postprocess.writer.extras"]
 
 
@@ -140,12 +130,11 @@ class Drawing:
 @contextmanager
 def drawing_processes(*, ahead: bool) -> Iterator[Drawing]:
     """Processes that draw; with `ahead` their libraries are loaded while the caller computes."""
-    forked = FORK_SERVER in get_all_start_methods()
-    if forked and ahead:
-        _start_fork_server()
-    context = get_context(FORK_SERVER if forked else "spawn")
+    if ahead:
+        start_fork_server(LOADED)
     workers = min(cores(), MOST_PROCESSES)
-    drawing = Drawing(ProcessPoolExecutor(workers, mp_context=context, initializer=_prepare))
+    pool = ProcessPoolExecutor(workers, mp_context=worker_context(), initializer=prepare_worker)
+    drawing = Drawing(pool)
     try:
         yield drawing
     except KeyboardInterrupt:
@@ -153,23 +142,6 @@ def drawing_processes(*, ahead: bool) -> Iterator[Drawing]:
         raise
     finally:
         drawing.close()
-
-
-def _start_fork_server() -> None:
-    """Begin to load the libraries; Ctrl-C is left to this process."""
-    set_forkserver_preload(LOADED)
-    resource_tracker.ensure_running()  # else it is begun below, and lets interrupts through again
-    signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
-    try:
-        forkserver.ensure_running()
-    finally:
-        signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
-
-
-def _prepare() -> None:
-    """In a new process; what was loaded is no garbage."""
-    prepare_worker()
-    gc.freeze()
 
 
 def _make(file: Path, folder: Path, part: tuple[str, int]) -> tuple[str, ...]:

@@ -7,6 +7,7 @@ The arguments law, stress, exponent, breadth and those of the limit are the fiel
 import numpy as np
 
 from ..compiled import compiled
+from ._elementary_kernels import logarithm_of
 
 # as `rheology.LAW_CODES`
 NEWTONIAN = 0
@@ -17,7 +18,6 @@ LARGEST_ARGUMENT = 300.0  # as in `rheology`
 LIMIT_POWER = 32
 LIMIT_ROOTS = 5
 SMALL_SINE = 2e-3  # below which the series of asinh is exact [-]
-SMALL_POWER = 1e-4  # below which the series of the m-th root is exact [-]
 FAR_BELOW = 0.25  # of a limit, whose m-th power is negligible [-]
 NEWTON_STEPS = 30
 
@@ -55,12 +55,12 @@ def blend(ratio):
 
 @compiled
 def root_of(power):
-    """(1 + power)^(1/m), of a power up to 1 [-]."""
-    if power < SMALL_POWER:
-        return 1.0 + power / LIMIT_POWER * (
-            1.0 - 31.0 / 64.0 * power * (1.0 - 21.0 / 32.0 * power)
-        )
-    return np.exp(np.log(1.0 + power) / LIMIT_POWER)
+    """(1 + power)^(1/m), of a power up to 1 [-], without jumps: exp by its series, whose argument
+    is ln(2)/m at most.
+    """
+    t = logarithm_of(1.0 + power) / LIMIT_POWER
+    series = 1.0 + t / 4.0 * (1.0 + t / 5.0 * (1.0 + t / 6.0 * (1.0 + t / 7.0)))
+    return 1.0 + t * (1.0 + t / 2.0 * (1.0 + t / 3.0 * series))
 
 
 @compiled
@@ -118,33 +118,42 @@ def shear_stress_slope(rate, viscosity, limit, law, stress, exponent, breadth):
 
 @compiled
 def eyring_stress_slope(rate, viscosity, limit, stress):
-    """As `shear_stress_slope` of Ree and Eyring's law, without jumps, so that a loop over nodes
-    takes several at a time.
+    """As `shear_stress_slope` of Ree and Eyring's law."""
+    tau, slope = eyring_slope(rate, viscosity, stress)
+    return limited_slope(tau, slope, limit)
+
+
+@compiled
+def eyring_slope(rate, viscosity, stress):
+    """The same without a limit and without jumps, so that a loop over nodes takes several at a
+    time.
     """
     x = viscosity * rate / stress
     root = np.sqrt(x * x + 1.0)
-    tau = stress * np.log(x + root)
+    tau = stress * logarithm_of(x + root)
     if x < SMALL_SINE:
         tau = stress * x * (1.0 - x * x * (1.0 / 6.0 - 0.075 * x * x))
-    return limited_slope(tau, viscosity / root, limit)
+    return tau, viscosity / root
 
 
 @compiled
 def limited_slope(tau, slope, limit):
     """Stress of a base law other than Newton's and its derivative under a limiting stress, which
-    may be infinite.
+    may be infinite; without jumps, so that a loop over nodes takes several at a time.
     """
+    larger = max(tau, limit)
+    ratio = min(tau, limit) / larger
+    power = ratio * ratio
+    for _ in range(LIMIT_ROOTS - 1):
+        power *= power
+    over = 1.0 / (root_of(power) * (1.0 + power))
+    bent = slope * over
+    if tau > limit:
+        bent *= power * ratio
+    near = ratio * larger * over * (1.0 + power)
     if tau >= FAR_BELOW * limit:
-        larger = max(tau, limit)
-        ratio = min(tau, limit) / larger
-        power = ratio * ratio
-        for _ in range(LIMIT_ROOTS - 1):
-            power *= power
-        over = 1.0 / (root_of(power) * (1.0 + power))
-        slope *= over
-        if tau > limit:
-            slope *= power * ratio
-        tau = ratio * larger * over * (1.0 + power)
+        tau = near
+        slope = bent
     return tau, slope
 
 

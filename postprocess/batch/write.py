@@ -17,6 +17,7 @@ from .records import BOOL, INTEGER, NOTHING
 from .results import BatchResults
 
 RACES = ("inner", "outer")
+NUMBERS = (bool, int, float, type(None))
 TYPES = {"bool": np.int8, "int": np.int64}
 
 
@@ -178,29 +179,33 @@ def _filled(
 ) -> dict[str, Any]:
     """An array for each key of numbers, NaN where a point has no value."""
     entries = [entry for row in rows for entry in row]
-    values = {
-        name: np.full(shape, np.nan) for name in _number_names(entries) if name not in left_out
-    }
     places = [(i, *place(entry)) for i, row in enumerate(rows) for entry in row]
-    for name, array in values.items():
-        numbers = [entry.get(name) for entry in entries]  # None is NaN
-        array[tuple(zip(*places, strict=True))] = np.array(numbers, dtype=float)
+    where = tuple(zip(*places, strict=True))
+    values: dict[str, Any] = {}
+    for name, numbers in _columns(entries):
+        if name not in left_out and _are_numbers(name, numbers):
+            values[name] = np.full(shape, np.nan)
+            values[name][where] = np.array(numbers, dtype=float)  # None is NaN
     return values
+
+
+def _are_numbers(name: str, values: Sequence[Any]) -> bool:
+    """Whether a key holds a number or null in every entry."""
+    return name != "note" and all(issubclass(kind, NUMBERS) for kind in set(map(type, values)))
+
+
+def _columns(entries: Sequence[dict[str, Any]]) -> Iterator[tuple[str, Sequence[Any]]]:
+    """Every key that stands in any entry, in their order, with its values; None where it stands
+    in no entry.
+    """
+    if len({tuple(entry) for entry in entries}) == 1:  # as nearly always: the quick way
+        yield from zip(entries[0], zip(*(e.values() for e in entries), strict=True), strict=True)
+        return
+    for name in dict.fromkeys(key for entry in entries for key in entry):
+        yield name, [entry.get(name) for entry in entries]
 
 
 def _named(part: str, over: tuple[str, ...], values: dict[str, Any]) -> Variables:
     """Variables of a part of the bearing, with their units."""
     units = {name: {"units": unit_of(name)} if unit_of(name) else {} for name in values}
     return {f"{part}.{name}": (over, value, units[name]) for name, value in values.items()}
-
-
-def _number_names(rows: Sequence[dict[str, Any]]) -> list[str]:
-    """Keys that hold a number or null in every row, in their order."""
-    names = dict.fromkeys(key for row in rows for key in row)
-    numbers = (bool, int, float, type(None))
-    return [
-        name
-        for name in names
-        if name != "note"
-        and all(issubclass(k, numbers) for k in {type(r.get(name)) for r in rows})
-    ]

@@ -26,20 +26,19 @@ def flow_properties(
     d(rho)/dP at every node of the lines from `first` to before `stop`.
     """
     rise = np.empty(P.shape[1])
-    scratch = np.empty(P.shape[1])
     for j in range(first, stop):
         # 1. ln of (1 + q P)^z
         for i in range(rise.size):
             rise[i] = 1.0 + pressure * max(P[j, i], 0.0)
-        logarithm(rise, scratch)
+        logarithm(rise)
         for i in range(rise.size):
             rise[i] = min(exponent * rise[i], EXPONENT_LIMIT)
         # 2. ln of eta_0/eta
-        exponential(rise, scratch)
+        exponential(rise)
         for i in range(rise.size):
             rise[i] = max(slope * (1.0 - rise[i]), -EXPONENT_LIMIT)
         # 3. density and flow coefficient
-        exponential(rise, scratch)
+        exponential(rise)
         _flow_of_line(P[j], H[j], rise, dense_1, dense_2, speed, eps[j], rho[j], rho_slope[j])
 
 

@@ -25,7 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...arrays import Array
-from ._table_kernels import add_near
+from ._table_kernels import near_functions
 
 FILE = Path(__file__).parent / "film_atlas.npz"
 BASE_Z = 0.68  # Roelands' z of the oil of the solves [-]
@@ -141,6 +141,13 @@ def near(x: Array, places: Array, scales: Array, step: Array) -> Array:
     return found
 
 
+def near_sums(x: Array, places: Array, scales: Array, step: Array, weights: Array) -> Array:
+    """The functions of `near` times weights (n, k) [-], shape (m, k), compiled."""
+    found = np.empty((len(x), len(places)))
+    near_functions(x, places, scales, step, found)
+    return np.asarray(found @ weights)
+
+
 def oil_features(x: Array, alpha: Array, z: Array) -> Array:
     """sqrt L/4 times {z', a, z' a/2, a^2/2, z'^2/2} at x of shape (m, 3), shape (m, 5) [-]; a =
     ln(alpha/alpha_0)/0.45, z' = (z - z_0)/0.2: zero for the oil of the solves, and at L = 0; alpha
@@ -164,7 +171,7 @@ def patch_base(patch: Patch, x: Array) -> Array:
     """
     own = slanted(x, patch.slant)
     base = patch.mean + trend_terms(own) @ patch.trend
-    add_near(own, patch.places, patch.scales, patch.step, patch.weights, base)
+    base += near_sums(own, patch.places, patch.scales, patch.step, patch.weights)
     return np.asarray(base)
 
 
@@ -173,8 +180,7 @@ def patch_oils(patch: Patch, x: Array) -> Array:
     line = np.concatenate([np.ones((len(x), 1)), x], axis=1)
     features, weights = patch.oil_features, patch.oil_weights
     products = (features[:, :, None] * weights[:, None, :]).reshape(len(weights), -1)
-    around = np.zeros((len(x), products.shape[1]))
-    add_near(x, patch.oil_places, patch.oil_scales, NO_STEP, products, around)
+    around = near_sums(x, patch.oil_places, patch.oil_scales, NO_STEP, products)
     trend = np.einsum("mc,fck->mfk", line, patch.oil_trend.reshape(-1, 4, weights.shape[1]))
     return np.asarray(trend + around.reshape(trend.shape))
 

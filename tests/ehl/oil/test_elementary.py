@@ -13,7 +13,7 @@ LAST_DIGITS = 4.0 * np.finfo(np.float64).eps  # two roundings of each side
 def test_exponential_over_the_range_of_viscosities():
     x = np.concatenate((np.random.default_rng(40127).uniform(-600.0, 600.0, 20000), [0.0, -0.0, 1.0]))
     ours = x.copy()
-    exponential(ours, np.empty_like(ours))
+    exponential(ours)
     assert_allclose(ours, np.exp(x), rtol=LAST_DIGITS)
 
 
@@ -28,5 +28,5 @@ def test_logarithm_of_normal_numbers():
         )
     )
     ours = x.copy()
-    logarithm(ours, np.empty_like(ours))
+    logarithm(ours)
     assert_allclose(ours, np.log(x), rtol=LAST_DIGITS, atol=0.0)

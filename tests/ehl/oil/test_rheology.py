@@ -195,3 +195,9 @@ def test_bad_constants_are_named(field, value):
     good = {"law": law, "eyring_stress": 5e6, "carreau_modulus": 1e6, "limiting_coefficient": 0.05}
     with pytest.raises(ValueError, match=field):
         Rheology(**(good | {field: value}))
+
+
+def test_the_root_under_a_limit_is_that_of_the_library():
+    powers = np.concatenate([[0.0], np.logspace(-20.0, 0.0, 400)])
+    found = np.array([_kernels.root_of(power) for power in powers])
+    assert_allclose(found, (1.0 + powers) ** (1.0 / _kernels.LIMIT_POWER), rtol=4e-16)
