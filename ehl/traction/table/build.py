@@ -299,10 +299,12 @@ def _filled(values: Array) -> Array:
 
 def _values(study: _Study, film: FilmSample, axes: Array) -> Array:
     """Forces and moments of a film at the motions, shape (nX, nY, nS, 4) [N], [N m]."""
-    nodes = [_axis_nodes(axis) for axis in axes[2:]]
-    motions = _motions(study, film, np.ix_(*nodes))
+    x, y, n = (_axis_nodes(axis) for axis in axes[2:])
+    # spin first: neighbours in the row of motions slide alike
+    places = (x[:, None], y, n[:, None, None])
+    motions = _motions(study, film, places)
     forces = relative_forces(study.contact, film.film, film.speed, motions, many=True)
-    return forces.reshape(*(one.size for one in nodes), 4)
+    return np.moveaxis(forces.astype(np.float32).reshape(n.size, x.size, y.size, 4), 0, 2)
 
 
 def _motions(study: _Study, film: FilmSample, places: Sequence[Array] | Array) -> list[Array]:

@@ -64,8 +64,9 @@ def stored_values(values: Array) -> Values:
     """
     seam = values[:, :, :, 0]
     mean = 0.5 * (seam + seam[:, :, :, ::-1] * np.array(MIRROR))
-    joined = np.concatenate([mean[:, :, :, None], values[:, :, :, 1:]], axis=3)
-    return _coefficients(np.rint(joined / VALUE_STEP).astype(np.int32))
+    numbers = np.rint(values * (1.0 / VALUE_STEP)).astype(np.int32)
+    numbers[:, :, :, 0] = np.rint(mean / VALUE_STEP)
+    return _coefficients(numbers)
 
 
 def _coefficients(numbers: Integers) -> Values:
@@ -75,12 +76,12 @@ def _coefficients(numbers: Integers) -> Values:
     both = spline_matrix(2 * count - 1)[count - 1 :] * VALUE_STEP
     below = np.zeros((count + 2, count))
     below[:, 1:] = both[:, count - 2 :: -1]
-    turned = numbers[:, :, :, :, ::-1] * np.array(MIRROR)
-    half = along_axis(both[:, count - 1 :], numbers.astype(np.float64), ACROSS)
+    turned = numbers[:, :, :, :, ::-1] * np.array(MIRROR, np.float32)
+    half = along_axis(both[:, count - 1 :], numbers.astype(np.float32), ACROSS)
     half += along_axis(below, turned, ACROSS)
     # 2. along the others, that of fewest nodes, which grows most, last
     coefficients = spline_coefficients(half, (4, 2, 0, 1))
-    return coefficients.astype(np.float32) + np.float32(0.0)  # no negative zero
+    return coefficients + np.float32(0.0)  # no negative zero
 
 
 def whole_numbers(values: Values) -> tuple[Numbers, float]:

@@ -13,6 +13,7 @@ import numpy as np
 from ...arrays import Array
 
 SMALLEST = 4  # nodes that the end conditions need
+FEW_INNER = 16  # numbers side by side behind an axis
 
 
 def spline_matrix(nodes: int) -> Array:
@@ -37,11 +38,19 @@ def spline_coefficients(values: Array, axes: tuple[int, ...]) -> Array:
 
 
 def along_axis(matrix: Array, values: Array, axis: int) -> Array:
-    """Values multiplied by a matrix along an axis, which stays where it is [same unit]."""
+    """Values multiplied by a matrix along an axis, which stays where it is, in their precision
+    [same unit].
+    """
+    matrix = matrix.astype(values.dtype, copy=False)
     before = values.shape[:axis]
     after = values.shape[axis + 1 :]
-    flat = values.reshape(prod(before), values.shape[axis], prod(after))
-    return np.asarray((matrix @ flat).reshape(*before, matrix.shape[0], *after))
+    inner = prod(after)
+    if inner < FEW_INNER:  # one product in place of many small ones
+        turned = np.kron(matrix.T, np.eye(inner, dtype=matrix.dtype))
+        product = values.reshape(prod(before), -1) @ turned
+    else:
+        product = matrix @ values.reshape(prod(before), values.shape[axis], inner)
+    return np.asarray(product.reshape(*before, matrix.shape[0], *after))
 
 
 def node_values(coefficients: Array, axes: tuple[int, ...]) -> Array:

@@ -1,0 +1,200 @@
+"""Patches of a film, whose sliding is taken at few places, for sums at thousands of motions.
+
+Where a motion slides much more than its sliding s(x, y) changes over a group of nodes, s is a
+smooth function there, and so is the traction tau_n(|s|) s/|s| of each node n: interpolated between
+few places j by polynomials l_j, the sum over the group is
+
+    sum_n A_n tau_n(s(x_n)) s(x_n)/|s(x_n)| = sum_j P_j(s(x_j)) s(x_j),
+    P_j(s) = sum_n l_j(x_n) A_n tau_n(s)/s,
+
+exact where s is the same all over the group, whatever the oil of its nodes. Where a motion slides
+little beside that change, at the pole of spin or where curvature slip turns, all nodes count. The
+places are Gauss' along the strips and across groups of them.
+
+Nodes of low pressure shear an oil that is nearly Newtonian, whose traction is a polynomial of the
+place wherever it slides: they have patches on either side of the ellipse and beside it.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...arrays import Array, lagrange_weights
+from .._kernels import AREA, SPREAD_X, SPREAD_Y, X, Y
+
+Singles = NDArray[np.float32]
+Integers = NDArray[np.int64]
+# numbers of 96 strips in groups, from edge to edge: few towards the edges, where strips are wide
+# and the oil's viscosity changes most
+GROUPS = (4, 4, 8, 8, 12, 12, 12, 12, 8, 8, 4, 4)
+# places along the strips and across those of a group, and along a strip alone
+ALONG, ACROSS, FEW = 3, 3, 6
+# sliding in the middle over its change from there to the end of a group and of a strip, from which
+# on patches count; chosen by trial, so that they change no force by more than 0.1 % of the largest
+FAR = (2.0, 1.0)
+# pull of a node at the largest change of sliding over the film, over that at rest, from which on
+# its oil is nearly Newtonian
+NEARLY_NEWTONIAN = 0.8
+LOW_ALONG = 3  # places along x of patches of low pressure
+LOW_ACROSS = (3, 5, 3)  # across, of those beyond the ellipse on one side, beside it, on the other
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Patches:
+    """Nodes of patches and of strips, and their pulls, as `_many_kernels.patch_sums` takes them.
+
+    Its rows of nodes: the patches of each group, nodes of low pressure, strips in few patches,
+    strips with all nodes.
+    """
+
+    nodes: Array  # shape (5, n), rows as `_many_kernels` names them
+    pulls: Singles  # shape (n, slides) [N s/m]
+    rows: Integers  # first and last node, shape (rows, 2)
+    groups: Integers  # columns as `_many_kernels` names them, shape (groups, 4)
+    boxes: Array  # of the groups: middle and half size along x, across, shape (groups, 4) [m]
+    strips: Array  # of the strips, shape (K, 4) [m]
+    starts: tuple[int, int]  # rows of the first strip, in patches and with all nodes
+    shares: Array  # of the strips in each of the first rows, shape (rows of groups, K) [-]
+
+
+@dataclass(slots=True)
+class _Rows:
+    """Rows of nodes as they are collected."""
+
+    nodes: list[Array]
+    pulls: list[Singles]
+
+    def add(self, columns: tuple[Array, ...], pulls: Singles) -> None:
+        """A row of nodes, the numbers of whose columns are one for all or one each."""
+        self.nodes.append(np.stack(np.broadcast_arrays(*columns)))
+        self.pulls.append(pulls)
+
+
+def patches(
+    strips: tuple[Array, Singles], low: tuple[Array, Singles], half_width: float, changed: int
+) -> Patches:
+    """Patches of strips, nodes as `FilmQuadrature.nodes` of shape (8, K, N), each strip's from one
+    edge to the other, pulls (K, N, slides), and of nodes of low pressure, (8, n) and (n, slides).
+
+    half_width: transverse semi-axis [m]; changed: index of the largest change of sliding.
+    """
+    rows = _Rows([], [])
+    count = strips[0].shape[1]
+    groups, boxes, shares = _add_groups(rows, *strips) if count else ([], [], [])
+    first = len(rows.nodes)
+    _add_low(rows, *low, half_width, changed)
+    groups.append((first, len(rows.nodes), 0, 0))
+    boxes.append((0.0, 0.0, 0.0, 0.0))
+    starts = _add_strips(rows, *strips)
+    ends = np.cumsum([0, *(row.shape[1] for row in rows.nodes)])
+    return Patches(
+        nodes=np.concatenate(rows.nodes, axis=1),
+        pulls=np.concatenate(rows.pulls),
+        rows=np.stack([ends[:-1], ends[1:]], axis=1),
+        groups=np.array(groups),
+        boxes=np.array(boxes),
+        strips=_strip_boxes(strips[0]),
+        starts=starts,
+        shares=np.array(shares).reshape(-1, count),
+    )
+
+
+def _gauss(low: float, high: float, count: int) -> Array:
+    """Places of Gauss' rule between two ends [same unit]."""
+    nodes = np.polynomial.legendre.leggauss(count)[0]
+    return np.asarray(0.5 * (low + high) + 0.5 * (high - low) * nodes)
+
+
+def _weights(places: Array, nodes: Array) -> Array:
+    """Lagrange's weights of n places at nodes, shape (nodes, n) [-]."""
+    known = np.broadcast_to(places, (nodes.size, places.size))
+    return lagrange_weights(known, nodes)
+
+
+def _along(nodes: Array, count: int) -> tuple[Array, Array]:
+    """Places on strips as shares from their first node to their last, shape (count,), and the
+    weights of these at the nodes, shape (N, count) [-]; nodes stand alike on all strips.
+    """
+    x = nodes[X, nodes.shape[1] // 2]
+    shares = _gauss(0.0, 1.0, count)
+    return shares, _weights(shares, (x - x[0]) / (x[-1] - x[0]))
+
+
+def _add_groups(
+    rows: _Rows, nodes: Array, pulls: Singles
+) -> tuple[list[tuple[int, int, int, int]], list[tuple[float, float, float, float]], list[Array]]:
+    """Rows of the patches of groups; the groups, their boxes, and shares of strips in rows."""
+    parts, along = _along(nodes, ALONG)
+    summed = along.T.astype(np.float32) @ pulls
+    area = nodes[AREA] @ along
+    y = nodes[Y, :, 0]
+    first, last = nodes[X, :, 0], nodes[X, :, -1]
+    groups, boxes, shares = [], [], []
+    ends = np.rint(np.cumsum(GROUPS) * (y.size / sum(GROUPS))).astype(int)
+    for own in np.split(np.arange(y.size), ends[:-1]):
+        few = own.size <= ACROSS + 1
+        places = y[own] if few else _gauss(y[own[0]], y[own[-1]], ACROSS)
+        across = _weights(places, y[own])
+        start = len(rows.nodes)
+        spread = (nodes[SPREAD_X][own].mean(), 3.0 * nodes[SPREAD_Y][own].mean())
+        for place, weights in zip(places, across.T, strict=True):
+            edge, end = np.interp(place, y, first), np.interp(place, y, last)
+            columns = (edge + (end - edge) * parts, place, weights @ area[own], *spread)
+            rows.add(columns, np.tensordot(weights.astype(np.float32), summed[own], axes=1))
+            shares.append(np.bincount(own, weights, minlength=y.size))
+        groups.append((start, len(rows.nodes), int(own[0]), int(own[-1]) + 1))
+        edge, end = float(first[own].min()), float(last[own].max())
+        middle, half = 0.5 * (y[own[0]] + y[own[-1]]), 0.5 * (y[own[-1]] - y[own[0]])
+        boxes.append((0.5 * (edge + end), 0.5 * (end - edge), float(middle), float(half)))
+    return groups, boxes, shares
+
+
+def _add_strips(rows: _Rows, nodes: Array, pulls: Singles) -> tuple[int, int]:
+    """Rows of strips in few patches and with all nodes, and the first row of either."""
+    first = len(rows.nodes)
+    count = nodes.shape[1]
+    if not count:
+        return first, first
+    shares, along = _along(nodes, FEW)
+    summed = along.T.astype(np.float32) @ pulls
+    for k in range(count):
+        x, y, area = nodes[[X, Y, AREA], k]
+        spread = (nodes[SPREAD_X, k].mean(), 3.0 * nodes[SPREAD_Y, k, 0])
+        rows.add((x[0] + (x[-1] - x[0]) * shares, y[0], area @ along, *spread), summed[k])
+    for k in range(count):
+        rows.add(_columns(nodes[:, k]), pulls[k])
+    return first, first + count
+
+
+def _columns(nodes: Array) -> tuple[Array, ...]:
+    """Of nodes as they are, shape (8, n)."""
+    return nodes[X], nodes[Y], nodes[AREA], nodes[SPREAD_X], 3.0 * nodes[SPREAD_Y]
+
+
+def _strip_boxes(nodes: Array) -> Array:
+    """Middle and half size along x, across, of strips, whose own sliding is a mean across."""
+    first, last, y = nodes[X, :, 0], nodes[X, :, -1], nodes[Y, :, 0]
+    return np.stack([0.5 * (first + last), 0.5 * (last - first), y, np.zeros_like(y)], axis=1)
+
+
+def _add_low(rows: _Rows, nodes: Array, pulls: Singles, half_width: float, changed: int) -> None:
+    """Rows of nodes of low pressure: patches of those that are nearly Newtonian, the others."""
+    plain = pulls[:, changed] >= NEARLY_NEWTONIAN * pulls[:, 0]
+    beside = np.sign(nodes[Y]) * (np.abs(nodes[Y]) >= half_width)
+    alone = ~plain
+    for side, across in zip((-1, 0, 1), LOW_ACROSS, strict=True):
+        own = np.flatnonzero(plain & (beside == side))
+        if own.size <= LOW_ALONG * across:
+            alone[own] = True
+            continue
+        x, y = nodes[X, own], nodes[Y, own]
+        along = _gauss(x.min(), x.max(), LOW_ALONG)
+        weights_x = _weights(along, x)
+        spread = (nodes[SPREAD_X, own].mean(), 3.0 * nodes[SPREAD_Y, own].mean())
+        places = _gauss(y.min(), y.max(), across)
+        for place, weights_y in zip(places, _weights(places, y).T, strict=True):
+            weights = weights_x * weights_y[:, None]
+            area = nodes[AREA, own] @ weights
+            rows.add((along, place, area, *spread), weights.T.astype(np.float32) @ pulls[own])
+    rows.add(_columns(nodes[:, alone]), pulls[alone])
