@@ -65,21 +65,20 @@ def node_pulls(nodes, law, slides, out):
 
 
 @compiled
-def refined_pulls(coarse, first, weights, out):
-    """Pulls at all squares, shape (nodes, squares), from those at each fourth, the first of which
-    stands `COARSE` or more of the others before theirs; weights, shape (FINE, 4): of the cubics.
-
-    first: of the squares, counted from that of one of the coarse ones, a power of two.
+def refined_pulls(coarse, weights, out):
+    """Pulls at all squares, shape (nodes, squares), from a power of two on, by cubics through
+    those at each fourth, of which one stands before the first of all and two behind the last;
+    weights, shape (4, FINE).
     """
     for n in range(out.shape[0]):
-        for k in range(out.shape[1]):
-            place = first + k
-            at = place // COARSE - 1
-            w = weights[place % FINE]
-            row = coarse[n]
-            out[n, k] = (
-                w[0] * row[at] + w[1] * row[at + 1] + w[2] * row[at + 2] + w[3] * row[at + 3]
-            )
+        row = coarse[n]
+        for c in range(out.shape[1] // COARSE):
+            start = COARSE * (c % (FINE // COARSE))
+            v_0, v_1, v_2, v_3 = row[c], row[c + 1], row[c + 2], row[c + 3]
+            for k in range(COARSE):
+                own = v_0 * weights[0, start + k] + v_1 * weights[1, start + k]
+                own += v_2 * weights[2, start + k] + v_3 * weights[3, start + k]
+                out[n, COARSE * c + k] = own
 
 
 @inlined

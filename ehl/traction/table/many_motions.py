@@ -85,17 +85,17 @@ class _Squares(NamedTuple):
 
     fine: Singles
     coarse: Singles  # each fourth, from before the first to beyond the last
-    first: int  # of the fine ones, counted from the first coarse one
 
 
 def _squares(smallest: float, largest: float) -> _Squares:
     """From the smallest sliding to beyond the largest [m/s]."""
     ends = np.array([smallest**2, largest**2], np.float32).view(np.int32) >> SHIFT
-    codes = np.arange(ends[0], ends[1] + 2, dtype=np.int32)
-    start = (codes[0] // FINE - 1) * FINE
-    every = np.arange(start, codes[-1] + 3 * COARSE, COARSE, dtype=np.int32)
+    start = ends[0] // FINE * FINE
+    count = -(-(ends[1] + 2 - start) // COARSE)
+    codes = start + np.arange(COARSE * count, dtype=np.int32)
+    every = start + COARSE * np.arange(-1, count + 2, dtype=np.int32)
     fine, coarse = ((numbers << SHIFT).view(np.float32) for numbers in (codes, every))
-    return _Squares(fine=fine, coarse=coarse, first=int(codes[0] - start))
+    return _Squares(fine=fine, coarse=coarse)
 
 
 def _pulls(nodes: Array, rheology: Rheology, squares: _Squares) -> Singles:
@@ -113,9 +113,9 @@ def _refined(pulls: Singles, squares: _Squares) -> Singles:
     every = 1.0 + np.arange(0, FINE, COARSE) / FINE
     known = np.log(np.concatenate([0.5 * every[-1:], every, 2.0 * every[:2]]))
     near = known[np.arange(FINE)[:, None] // COARSE + np.arange(4)]
-    weights = lagrange_weights(near, np.log(fine)).astype(np.float32)
+    weights = _single(lagrange_weights(near, np.log(fine)).T)
     out = np.empty((pulls.shape[0], squares.fine.size), np.float32)
-    _many_kernels.refined_pulls(pulls, squares.first, weights, out)
+    _many_kernels.refined_pulls(pulls, weights, out)
     return out
 
 

@@ -15,7 +15,9 @@ Nodes of low pressure shear an oil that is nearly Newtonian, whose traction is a
 place wherever it slides: they have patches on either side of the ellipse and beside it.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -58,17 +60,30 @@ class Patches:
     shares: Array  # of the strips in each of the first rows, shape (rows of groups, K) [-]
 
 
-@dataclass(slots=True)
 class _Rows:
     """Rows of nodes as they are collected."""
 
-    nodes: list[Array]
-    pulls: list[Singles]
+    def __init__(self) -> None:
+        self.nodes: list[Array] = []
+        self.pulls: list[Singles] = []
+        self.ends = [0]
 
-    def add(self, columns: tuple[Array, ...], pulls: Singles) -> None:
-        """A row of nodes, the numbers of whose columns are one for all or one each."""
-        self.nodes.append(np.stack(np.broadcast_arrays(*columns)))
-        self.pulls.append(pulls)
+    @property
+    def count(self) -> int:
+        """Of the rows."""
+        return len(self.ends) - 1
+
+    def add(self, columns: Sequence[Array | float], pulls: Singles) -> None:
+        """Rows of as many nodes each, pulls of shape (rows, nodes, slides), columns of shapes that
+        fit the first two.
+        """
+        rows, each = pulls.shape[:2]
+        nodes = np.empty((5, rows, each))
+        for k, column in enumerate(columns):
+            nodes[k] = column
+        self.nodes.append(nodes.reshape(5, -1))
+        self.pulls.append(pulls.reshape(rows * each, pulls.shape[2]))
+        self.ends += [self.ends[-1] + each * (k + 1) for k in range(rows)]
 
 
 def patches(
@@ -79,31 +94,35 @@ def patches(
 
     half_width: transverse semi-axis [m]; changed: index of the largest change of sliding.
     """
-    rows = _Rows([], [])
+    rows = _Rows()
     count = strips[0].shape[1]
     groups, boxes, shares = _add_groups(rows, *strips) if count else ([], [], [])
-    first = len(rows.nodes)
+    first = rows.count
     _add_low(rows, *low, half_width, changed)
-    groups.append((first, len(rows.nodes), 0, 0))
+    groups.append((first, rows.count, 0, 0))
     boxes.append((0.0, 0.0, 0.0, 0.0))
     starts = _add_strips(rows, *strips)
-    ends = np.cumsum([0, *(row.shape[1] for row in rows.nodes)])
     return Patches(
         nodes=np.concatenate(rows.nodes, axis=1),
         pulls=np.concatenate(rows.pulls),
-        rows=np.stack([ends[:-1], ends[1:]], axis=1),
+        rows=np.stack([rows.ends[:-1], rows.ends[1:]], axis=1),
         groups=np.array(groups),
         boxes=np.array(boxes),
         strips=_strip_boxes(strips[0]),
         starts=starts,
-        shares=np.array(shares).reshape(-1, count),
+        shares=np.concatenate(shares) if count else np.empty((0, 0)),
     )
+
+
+@cache
+def _gauss_nodes(count: int) -> Array:
+    """Places of Gauss' rule between -1 and 1 [-]."""
+    return np.asarray(np.polynomial.legendre.leggauss(count)[0])
 
 
 def _gauss(low: float, high: float, count: int) -> Array:
     """Places of Gauss' rule between two ends [same unit]."""
-    nodes = np.polynomial.legendre.leggauss(count)[0]
-    return np.asarray(0.5 * (low + high) + 0.5 * (high - low) * nodes)
+    return np.asarray(0.5 * (low + high) + 0.5 * (high - low) * _gauss_nodes(count))
 
 
 def _weights(places: Array, nodes: Array) -> Array:
@@ -123,7 +142,7 @@ def _along(nodes: Array, count: int) -> tuple[Array, Array]:
 
 def _add_groups(
     rows: _Rows, nodes: Array, pulls: Singles
-) -> tuple[list[tuple[int, int, int, int]], list[tuple[float, float, float, float]], list[Array]]:
+) -> tuple[list[tuple[int, ...]], list[tuple[float, ...]], list[Array]]:
     """Rows of the patches of groups; the groups, their boxes, and shares of strips in rows."""
     parts, along = _along(nodes, ALONG)
     summed = along.T.astype(np.float32) @ pulls
@@ -136,14 +155,16 @@ def _add_groups(
         few = own.size <= ACROSS + 1
         places = y[own] if few else _gauss(y[own[0]], y[own[-1]], ACROSS)
         across = _weights(places, y[own])
-        start = len(rows.nodes)
-        spread = (nodes[SPREAD_X][own].mean(), 3.0 * nodes[SPREAD_Y][own].mean())
-        for place, weights in zip(places, across.T, strict=True):
-            edge, end = np.interp(place, y, first), np.interp(place, y, last)
-            columns = (edge + (end - edge) * parts, place, weights @ area[own], *spread)
-            rows.add(columns, np.tensordot(weights.astype(np.float32), summed[own], axes=1))
-            shares.append(np.bincount(own, weights, minlength=y.size))
-        groups.append((start, len(rows.nodes), int(own[0]), int(own[-1]) + 1))
+        start = rows.count
+        spread = (nodes[SPREAD_X, own].mean(), 3.0 * nodes[SPREAD_Y, own].mean())
+        edge, end = np.interp(places, y, first)[:, None], np.interp(places, y, last)[:, None]
+        columns = (edge + (end - edge) * parts, places[:, None], across.T @ area[own], *spread)
+        flat = across.T.astype(np.float32) @ summed[own].reshape(own.size, -1)
+        rows.add(columns, flat.reshape(places.size, *summed.shape[1:]))
+        share = np.zeros((places.size, y.size))
+        share[:, own] = across.T
+        shares.append(share)
+        groups.append((start, rows.count, int(own[0]), int(own[-1]) + 1))
         edge, end = float(first[own].min()), float(last[own].max())
         middle, half = 0.5 * (y[own[0]] + y[own[-1]]), 0.5 * (y[own[-1]] - y[own[0]])
         boxes.append((0.5 * (edge + end), 0.5 * (end - edge), float(middle), float(half)))
@@ -152,23 +173,21 @@ def _add_groups(
 
 def _add_strips(rows: _Rows, nodes: Array, pulls: Singles) -> tuple[int, int]:
     """Rows of strips in few patches and with all nodes, and the first row of either."""
-    first = len(rows.nodes)
+    first = rows.count
     count = nodes.shape[1]
     if not count:
         return first, first
     shares, along = _along(nodes, FEW)
-    summed = along.T.astype(np.float32) @ pulls
-    for k in range(count):
-        x, y, area = nodes[[X, Y, AREA], k]
-        spread = (nodes[SPREAD_X, k].mean(), 3.0 * nodes[SPREAD_Y, k, 0])
-        rows.add((x[0] + (x[-1] - x[0]) * shares, y[0], area @ along, *spread), summed[k])
-    for k in range(count):
-        rows.add(_columns(nodes[:, k]), pulls[k])
+    x, y = nodes[X], nodes[Y, :, :1]
+    spread = (nodes[SPREAD_X].mean(axis=1)[:, None], 3.0 * nodes[SPREAD_Y, :, :1])
+    columns = (x[:, :1] + (x[:, -1:] - x[:, :1]) * shares, y, nodes[AREA] @ along, *spread)
+    rows.add(columns, along.T.astype(np.float32) @ pulls)
+    rows.add(_columns(nodes), pulls)
     return first, first + count
 
 
 def _columns(nodes: Array) -> tuple[Array, ...]:
-    """Of nodes as they are, shape (8, n)."""
+    """Of nodes as they are, shape (8, ...)."""
     return nodes[X], nodes[Y], nodes[AREA], nodes[SPREAD_X], 3.0 * nodes[SPREAD_Y]
 
 
@@ -193,8 +212,9 @@ def _add_low(rows: _Rows, nodes: Array, pulls: Singles, half_width: float, chang
         weights_x = _weights(along, x)
         spread = (nodes[SPREAD_X, own].mean(), 3.0 * nodes[SPREAD_Y, own].mean())
         places = _gauss(y.min(), y.max(), across)
-        for place, weights_y in zip(places, _weights(places, y).T, strict=True):
-            weights = weights_x * weights_y[:, None]
-            area = nodes[AREA, own] @ weights
-            rows.add((along, place, area, *spread), weights.T.astype(np.float32) @ pulls[own])
-    rows.add(_columns(nodes[:, alone]), pulls[alone])
+        weights = _weights(places, y)[:, :, None] * weights_x[:, None, :]
+        flat = weights.reshape(own.size, -1).T
+        area = (flat @ nodes[AREA, own]).reshape(weights.shape[1:])
+        summed = flat.astype(np.float32) @ pulls[own]
+        rows.add((along, places[:, None], area, *spread), summed.reshape(*weights.shape[1:], -1))
+    rows.add(_columns(nodes[:, None, alone]), pulls[None, alone])
