@@ -248,6 +248,7 @@ def _strip_weights(lines: int) -> Array:
     return np.asarray(scipy.interpolate.CubicSpline(places, np.eye(lines))(wanted))
 
 
+@cache
 def node_shares() -> tuple[Array, Array]:
     """Places of a line's nodes from edge to edge and their weights, each of shape (n,) [-]."""
     places: list[float] = []

@@ -19,10 +19,11 @@ from .._block_kernels import BLOCK as LAW_BLOCK
 from .._block_kernels import PULL as LAW_PULL
 from .._block_kernels import ROOM as LAW_ROOM
 from .._block_kernels import SLIDE, bits_of, pull_block
-from .._kernels import AREA, FILM, LIMIT, TINY, VISCOSITY
+from .._kernels import AREA, FILM, LIMIT, VISCOSITY
 from ..heated._kernels import NEAREST, cubic_weights, first_weighted
 
-BLOCK = 32  # motions of a block: of few more of a group's strips are needed
+BLOCK = 32  # motions of a block: of more, more of a group's strips are needed
+BLOCKS = 64  # blocks at a time
 # rows of a block's room: motions, sliding at a node, its square and then its pull, sums of forces,
 # moments, and area times squares; further ones of films with heat: sums over all rows of nodes
 ROWS = [np.uint64(BLOCK * row) for row in range(16)]
@@ -253,6 +254,24 @@ def _finish_row(room, heat, row, ends, first, near, own):
 
 
 @compiled
+def _add_group(room, film, tree, group, heat, surface, ends, first, near, own):
+    """Add the sums of a block's motions over a group of strips."""
+    groups, boxes, strips, least, starts = tree
+    hot = heat[0].shape[0] > 0
+    low, high = groups[group, FIRST_STRIP], groups[group, END_STRIP]
+    whole = low == high or _far(room, boxes[group], least[0], surface)
+    if whole:
+        low, high = groups[group, FIRST_ROW], groups[group, END_ROW]
+    for k in range(low, high):
+        row = k
+        if not whole:
+            row += starts[0] if _far(room, strips[k], least[1], surface) else starts[1]
+        _add_row(room, film, row, surface, ends, first)
+        if hot:
+            _finish_row(room, heat, row, ends, first, near, own)
+
+
+@compiled
 def patch_sums(film, tree, heat, squares, motions, weights, surface, out):
     """Forces and moments on body 1 by sliding for n motions, added to out, shape (n, 4), by pulls
     of `node_pulls`; the numbers of all arrays but out in single precision.
@@ -262,34 +281,28 @@ def patch_sums(film, tree, heat, squares, motions, weights, surface, out):
     of the first strip in patches and with all its nodes. heat: factors, shape (K, R, squares), the
     one of each row, one over its area; without heat none. motions: slide_x, slide_y, spin,
     rolling. weights, shape (n, R): of the responses. surface: 1/(2R) and the half width over which
-    it counts.
+    it counts. Blocks take a group one after the other, as long as its pulls are at hand.
     """
-    groups, boxes, strips, least, starts = tree
     first = np.int32(bits_of(squares[0]) >> SHIFT)
     ends = (squares[0], squares[squares.size - 1] * INSIDE)
-    room = np.empty(ROOM, np.float32)
-    near = np.empty(BLOCK, dtype=np.int64)
-    own = np.empty((NEAREST, BLOCK), np.float32)
+    rooms = np.empty((BLOCKS, ROOM), np.float32)
+    near = np.empty((BLOCKS, BLOCK), dtype=np.int64)
+    own = np.empty((BLOCKS, NEAREST, BLOCK), np.float32)
     hot = heat[0].shape[0] > 0
     sums = HOT_SUMS if hot else COLD_SUMS
-    for start in range(0, motions.shape[1], BLOCK):
-        count = _load_block(room, motions, start)
-        if hot:
-            _load_weights(weights, start, count, near, own)
-        room[F_X:] = NONE
-        for g in range(groups.shape[0]):
-            low, high = groups[g, FIRST_STRIP], groups[g, END_STRIP]
-            whole = low == high or _far(room, boxes[g], least[0], surface)
-            if whole:
-                low, high = groups[g, FIRST_ROW], groups[g, END_ROW]
-            for k in range(low, high):
-                row = k
-                if not whole:
-                    few = _far(room, strips[k], least[1], surface)
-                    row = k + (starts[0] if few else starts[1])
-                _add_row(room, film, row, surface, ends, first)
-                if hot:
-                    _finish_row(room, heat, row, ends, first, near, own)
+    for start in range(0, motions.shape[1], BLOCKS * BLOCK):
+        count = min(BLOCKS * BLOCK, motions.shape[1] - start)
+        blocks = (count + BLOCK - 1) // BLOCK
+        for b in range(blocks):
+            some = _load_block(rooms[b], motions, start + b * BLOCK)
+            rooms[b, F_X:] = NONE
+            if hot:
+                _load_weights(weights, start + b * BLOCK, some, near[b], own[b])
+        for g in range(tree[0].shape[0]):
+            for b in range(blocks):
+                _add_group(
+                    rooms[b], film, tree, g, heat, surface, ends, first, near[b], own[b]
+                )
         for n in range(count):
             for row in range(4):
-                out[start + n, row] += room[(sums + row) * BLOCK + n]
+                out[start + n, row] += rooms[n // BLOCK, (sums + row) * BLOCK + n % BLOCK]

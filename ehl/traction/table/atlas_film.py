@@ -4,8 +4,6 @@ from dataclasses import replace
 from itertools import product
 from math import exp, nan
 
-import numpy as np
-
 from ...conditions import ContactConditions
 from ...oil.rheology import ShearLaw, contact_rheology
 from ...scaling import scale_contact

@@ -16,7 +16,7 @@ from ._many_kernels import COARSE, FINE, NO_FACTOR, SHIFT
 from .patches import FAR, Patches, Singles, patches
 
 # smallest over largest sliding in the table of pulls, below which the drag goes with the sliding
-SMALLEST = 1e-8
+SMALLEST = 1e-9
 Slide = tuple[Array, Array, Array]
 
 
