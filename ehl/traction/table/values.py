@@ -36,7 +36,7 @@ def grid_values(
     nU, nX, nY, nS, 4), over the largest force and moments of each, shape (nQ, nU, 3) [N], [N m].
     """
     count = len(films)
-    full = _full_rows(count)
+    full = full_rows(count)
     between = [row for row in range(count) if row not in full]
     steps = [2 if one.size % 2 and one.size > 2 * SMALLEST else 1 for one in nodes]
     every = [(film, nodes) for row in full for film in films[row]]
@@ -63,7 +63,7 @@ def grid_values(
     return values, largest
 
 
-def _full_rows(count: int) -> list[int]:
+def full_rows(count: int) -> list[int]:
     """Loads whose films are sheared at all motions."""
     if count < FEWEST_LOADS:
         return list(range(count))
