@@ -123,9 +123,7 @@ def _friction(
 ) -> Array:
     """Of nodes that slide [m/s], shape (n,) [N]."""
     rate = slide / np.maximum(fields[3], SMALLEST_FILM)
-    return np.asarray(
-        fields[2] * shear_stress(rate, viscosity, fields[4], rheology, temperature)
-    )
+    return np.asarray(fields[2] * shear_stress(rate, viscosity, fields[4], rheology, temperature))
 
 
 def _node_rows(

@@ -300,9 +300,7 @@ def patch_sums(film, tree, heat, squares, motions, weights, surface, out):
                 _load_weights(weights, start + b * BLOCK, some, near[b], own[b])
         for g in range(tree[0].shape[0]):
             for b in range(blocks):
-                _add_group(
-                    rooms[b], film, tree, g, heat, surface, ends, first, near[b], own[b]
-                )
+                _add_group(rooms[b], film, tree, g, heat, surface, ends, first, near[b], own[b])
         for n in range(count):
             for row in range(4):
                 out[start + n, row] += rooms[n // BLOCK, (sums + row) * BLOCK + n % BLOCK]

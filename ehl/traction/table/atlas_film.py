@@ -117,6 +117,4 @@ def _quadrature(
     rheology = contact_rheology(contact.rheology, contact.lubricant, mean)
     width = scaled.semi_axis_x * scaled.semi_axis_ratio
     parts = (fields.zone, fields.cells)
-    return zone_quadrature(
-        width, parts, contact.lubricant, rheology, slide, contact.temperature
-    )
+    return zone_quadrature(width, parts, contact.lubricant, rheology, slide, contact.temperature)

@@ -9,11 +9,10 @@ nodes along load or speed are doubled.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
-from math import ceil, log, nan
+from math import ceil, log
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline
 
 from ...arrays import Array
 from ...multigrid.threads import film_threads
@@ -21,9 +20,9 @@ from .._kernels import LOAD_POWER
 from .coordinates import from_vertex, vertex_slide
 from .film import FilmSample, film_sample, relative_forces
 from .packing import mirrored, stored_values
-from .splines import SMALLEST, left_out_error, spline_coefficients
+from .splines import left_out_error, spline_coefficients
 from .table import TableContact, TableError, TableRange, TractionTable, latin_hypercube, load_place
-from .values import full_rows, grid_values, table_motions
+from .values import grid_values, table_motions
 
 # nodes of load, speed, slide_x, slide_y (its half above zero) and spin, of films without and with
 # heat, whose tractions bend more over the load and near a slide-roll ratio of 2
@@ -169,19 +168,13 @@ def _axis_loads(axis: Array) -> Array:
 
 
 def _grid_films(study: _Study, axes: Array) -> list[list[FilmSample]]:
-    """The films of all nodes of load and speed; those not known yet are solved, with stiffness and
-    damping at the loads of full rows, between which these are interpolated.
-    """
+    """The films of all nodes of load and speed; those not known yet are solved."""
     loads = np.log(_axis_loads(axes[0]))
     rows = [[(float(q), float(u)) for u in _axis_nodes(axes[1])] for q in loads]
     keys = {place: (round(place[0], 9), round(place[1], 9)) for row in rows for place in row}
-    full = full_rows(len(rows))
-    for response in (True, False):
-        chosen = [row for k, row in enumerate(rows) if (k in full) is response]
-        places = [place for row in chosen for place in row]
-        missing = [place for place in places if keys[place] not in study.films]
-        for film in _solve(study, missing, response):
-            study.films[keys[film.place]] = film
+    missing = [place for place, key in keys.items() if key not in study.films]
+    for film in _solve(study, missing):
+        study.films[keys[film.place]] = film
     return [[study.films[keys[place]] for place in row] for row in rows]
 
 
@@ -239,8 +232,7 @@ def _with_message(study: _Study, table: TractionTable) -> TractionTable:
     """Whether it converged, and what did not."""
     films = [*study.films.values(), *study.checks]
     bad = sum(not film.film.converged for film in films)
-    responses = [film.response for film in study.films.values() if film.response is not None]
-    filled = sum(not response.converged for response in responses)
+    filled = sum(not film.known_response.converged for film in study.films.values())
     error = table.error
     faults = []
     if not error.reached:
@@ -253,7 +245,7 @@ def _with_message(study: _Study, table: TractionTable) -> TractionTable:
         message += f"; near rolling without spin errors up to {near}"
     message += _of_atlas(films)
     if filled:
-        few = f"{filled} of {len(responses)} films"
+        few = f"{filled} of {len(films)} films"
         message += f"; stiffness and damping of {few} are those of neighbouring loads"
     return replace(table, converged=not faults, message=message)
 
@@ -271,7 +263,11 @@ def _of_atlas(films: Sequence[FilmSample]) -> str:
 def _scalars(films: list[list[FilmSample]]) -> Array:
     """Logarithms of scales, film, hydrodynamic moment, stiffness, damping, shape (nQ, nU, 7)."""
     known = [[(*film.scales, film.film.central, film.moment) for film in row] for row in films]
-    responses = np.array([[_response(film) for film in row] for row in films])
+    known_responses = [[film.known_response for film in row] for row in films]
+    responses = np.array(
+        [[(r.stiffness.value, r.damping.value) for r in row] for row in known_responses]
+    )
+    responses[np.array([[not r.converged for r in row] for row in known_responses])] = np.nan
     if np.min(known) <= 0.0:
         first = films[0][0]
         place = f"{first.load:.4g} N and {first.speed:.4g} m/s"
@@ -279,33 +275,16 @@ def _scalars(films: list[list[FilmSample]]) -> Array:
     return np.concatenate([np.log(known), _filled(np.log(responses))], axis=-1)
 
 
-def _response(film: FilmSample) -> tuple[float, float]:
-    """Stiffness [N/m] and damping [N s/m] of a film, NaN where it has none."""
-    if film.response is None or not film.response.converged:
-        return nan, nan
-    return film.response.stiffness.value, film.response.damping.value
-
-
 def _filled(values: Array) -> Array:
-    """Values with gaps along the first axis interpolated by cubic splines, constant beyond the
-    ends.
-    """
+    """Values with gaps along the first axis interpolated, constant beyond the ends."""
     nodes = np.arange(values.shape[0])
     for line in values.reshape(nodes.size, -1).T:
-        known = nodes[np.isfinite(line)]
-        if not known.size:
+        known = np.isfinite(line)
+        if not known.any():
             fault = "at one of the speeds no film has a stiffness and damping"
             raise ValueError(f"load: {fault}; take another range")
-        places = np.clip(nodes, known[0], known[-1])
-        few = known.size < SMALLEST
-        spline = np.interp if few else _through
-        line[:] = spline(places, known, line[known])
+        line[:] = np.interp(nodes, nodes[known], line[known])
     return values
-
-
-def _through(places: Array, known: Array, values: Array) -> Array:
-    """Values at places by the cubic spline through those known."""
-    return np.asarray(CubicSpline(known, values)(places))
 
 
 def straight_motions(

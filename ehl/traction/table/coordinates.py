@@ -115,9 +115,10 @@ def place_of(motion: Array, scale: Array | float, limit: float, part: Part) -> A
 
 
 def motion_of(place: Array, scale: Array | float, limit: float, part: Part) -> Array:
-    """S/u of a place in [-1, 1], inverse of `place_of` [-]: in asinh(S/(u s)), over which the place
-    is nearly a line, by the secant through two values on either side, of which one that stays
-    twice counts half.
+    """S/u of a place in [-1, 1], inverse of `place_of` [-].
+
+    In asinh(S/(u s)), over which the place is nearly a line, by the secant through two values on
+    either side, of which one that stays twice counts half.
     """
     place, scale = np.broadcast_arrays(np.asarray(place, dtype=np.float64), scale)
     wanted = np.minimum(np.abs(place), 1.0)

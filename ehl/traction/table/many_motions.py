@@ -29,9 +29,7 @@ def many_sliding_forces(
     return _forces(*film.parts(), film, None, (slide, rolling, curvature))
 
 
-def many_heated_forces(
-    film: HeatedFilm, slide: Slide, rolling: Array, curvature: float
-) -> Array:
+def many_heated_forces(film: HeatedFilm, slide: Slide, rolling: Array, curvature: float) -> Array:
     """As `heated.film.heated_forces` for thousands of motions, within 0.1 % of the largest
     force.
     """
