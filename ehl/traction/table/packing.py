@@ -81,6 +81,10 @@ def _coefficients(numbers: Integers) -> Values:
     half += along_axis(below, turned, ACROSS)
     # 2. along the others, that of fewest nodes, which grows most, last
     coefficients = spline_coefficients(half, (4, 2, 0, 1))
+    # 3. but for rounding the first are the mirror image of the third, the second their own
+    image = coefficients[:, :, :, 2::-1, ::-1] * np.array(MIRROR, np.float32)
+    coefficients[:, :, :, 0] = image[:, :, :, 0]
+    coefficients[:, :, :, 1] = 0.5 * (coefficients[:, :, :, 1] + image[:, :, :, 1])
     return coefficients + np.float32(0.0)  # no negative zero
 
 
