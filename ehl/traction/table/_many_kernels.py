@@ -30,7 +30,8 @@ ROWS = [np.uint64(BLOCK * row) for row in range(16)]
 SLIDE_X, SLIDE_Y, SPIN, ROLLING, AT_X, AT_Y, PULL, F_X, F_Y, M_N, M_Y, SQUARES = ROWS[:12]
 ALL_X, ALL_Y, ALL_N, ALL_R = ROWS[12:]
 ROOM = 16 * BLOCK
-COLD_SUMS, HOT_SUMS = 7, 12  # first row of the sums without heat and with it
+COLD_SUMS = 7  # first row of the sums without heat
+HOT_SUMS = 12  # with it
 # rows of a patch's node: place [m], area [m^2], a twelfth of the squared size along x and a
 # quarter of that along y [m^2]
 NODE_X, NODE_Y, NODE_AREA, NODE_SPREAD, NODE_QUARTER = range(5)
@@ -75,10 +76,9 @@ def refined_pulls(coarse, weights, out):
         row = coarse[n]
         for c in range(out.shape[1] // COARSE):
             start = COARSE * (c % (FINE // COARSE))
-            v_0, v_1, v_2, v_3 = row[c], row[c + 1], row[c + 2], row[c + 3]
             for k in range(COARSE):
-                own = v_0 * weights[0, start + k] + v_1 * weights[1, start + k]
-                own += v_2 * weights[2, start + k] + v_3 * weights[3, start + k]
+                own = row[c] * weights[0, start + k] + row[c + 1] * weights[1, start + k]
+                own += row[c + 2] * weights[2, start + k] + row[c + 3] * weights[3, start + k]
                 out[n, COARSE * c + k] = own
 
 
@@ -156,8 +156,8 @@ def _add_row(room, film, row, surface, ends, first):
         x, y = nodes[NODE_X, n], nodes[NODE_Y, n]
         height = curvature * min(y * y, width * width)
         steep = TWO * curvature * y if abs(y) < width else NONE
-        area, spread, quarter = nodes[NODE_AREA, n], nodes[NODE_SPREAD, n], nodes[NODE_QUARTER, n]
-        _slide_block(room, (x, y, area, spread, quarter), (height, steep), ends)
+        node = (x, y, nodes[NODE_AREA, n], nodes[NODE_SPREAD, n], nodes[NODE_QUARTER, n])
+        _slide_block(room, node, (height, steep), ends)
         _tabulated_pulls(room, pulls[n], first)
         _add_pulls(room, x, y, height)
 

@@ -129,7 +129,8 @@ def motion_of(place: Array, scale: Array | float, limit: float, part: Part) -> A
     for _ in range(STEPS):
         apart = off[1] - off[0]
         share = np.divide(-off[0], apart, out=np.zeros(place.shape), where=apart > 0.0)
-        last, at = at, ends[0] + share * (ends[1] - ends[0])
+        last = at
+        at = ends[0] + share * (ends[1] - ends[0])
         found = place_of(np.minimum(scale * np.sinh(at), limit), scale, limit, part) - wanted
         if np.all((np.abs(found) <= INVERTED) | (np.abs(at - last) <= INVERTED * at)):
             break

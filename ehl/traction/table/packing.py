@@ -10,11 +10,11 @@ single precision.
 
 import lzma
 import zlib
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...arrays import Array
 from .splines import along_axis, node_values, spline_coefficients, spline_matrix
 
 # of the largest force or moment of a film [-]: the rounding is 0.0075 of the tolerance of tables
@@ -47,14 +47,14 @@ FILTERS = [
 DAMAGED = (lzma.LZMAError, zlib.error)  # what bytes that were not packed so raise
 
 
-def mirrored(values: Array) -> Array:
+def mirrored(values: NDArray[Any]) -> NDArray[Any]:
     """Values at slide_y from zero on with their mirror image below: F_y and M_n change sign with
     slide_y and spin [-].
     """
     return np.concatenate([values[:, :, :, :0:-1, ::-1] * np.array(MIRROR), values], axis=3)
 
 
-def stored_values(values: Array) -> Values:
+def stored_values(values: NDArray[Any]) -> Values:
     """Spline coefficients of values at the nodes, shape (nQ, nU, nX, nY, nS, 4), each rounded to a
     whole number of `VALUE_STEP` [-].
 

@@ -30,8 +30,9 @@ Integers = NDArray[np.int64]
 # numbers of 96 strips in groups, from edge to edge: few towards the edges, where strips are wide
 # and the oil's viscosity changes most
 GROUPS = (4, 4, 8, 8, 12, 12, 12, 12, 8, 8, 4, 4)
-# places along the strips and across those of a group, and along a strip alone
-ALONG, ACROSS, FEW = 3, 3, 6
+ALONG = 3  # places along the strips of a group
+ACROSS = 3  # across them
+FEW = 6  # along a strip alone
 # sliding in the middle over its change from there to the end of a group and of a strip, from which
 # on patches count; chosen by trial, so that they change no force by more than 0.1 % of the largest
 FAR = (2.0, 1.0)
@@ -148,8 +149,11 @@ def _add_groups(
     summed = along.T.astype(np.float32) @ pulls
     area = nodes[AREA] @ along
     y = nodes[Y, :, 0]
-    first, last = nodes[X, :, 0], nodes[X, :, -1]
-    groups, boxes, shares = [], [], []
+    first = nodes[X, :, 0]
+    last = nodes[X, :, -1]
+    groups: list[tuple[int, ...]] = []
+    boxes: list[tuple[float, ...]] = []
+    shares: list[Array] = []
     ends = np.rint(np.cumsum(GROUPS) * (y.size / sum(GROUPS))).astype(int)
     for own in np.split(np.arange(y.size), ends[:-1]):
         few = own.size <= ACROSS + 1
@@ -157,7 +161,7 @@ def _add_groups(
         across = _weights(places, y[own])
         start = rows.count
         spread = (nodes[SPREAD_X, own].mean(), 3.0 * nodes[SPREAD_Y, own].mean())
-        edge, end = np.interp(places, y, first)[:, None], np.interp(places, y, last)[:, None]
+        edge, end = (np.interp(places, y, ends_of)[:, None] for ends_of in (first, last))
         columns = (edge + (end - edge) * parts, places[:, None], across.T @ area[own], *spread)
         flat = across.T.astype(np.float32) @ summed[own].reshape(own.size, -1)
         rows.add(columns, flat.reshape(places.size, *summed.shape[1:]))
@@ -165,9 +169,9 @@ def _add_groups(
         share[:, own] = across.T
         shares.append(share)
         groups.append((start, rows.count, int(own[0]), int(own[-1]) + 1))
-        edge, end = float(first[own].min()), float(last[own].max())
-        middle, half = 0.5 * (y[own[0]] + y[own[-1]]), 0.5 * (y[own[-1]] - y[own[0]])
-        boxes.append((0.5 * (edge + end), 0.5 * (end - edge), float(middle), float(half)))
+        low = np.array([first[own].min(), y[own[0]]])
+        high = np.array([last[own].max(), y[own[-1]]])
+        boxes.append(tuple(np.stack([0.5 * (low + high), 0.5 * (high - low)], axis=1).ravel()))
     return groups, boxes, shares
 
 
@@ -178,7 +182,8 @@ def _add_strips(rows: _Rows, nodes: Array, pulls: Singles) -> tuple[int, int]:
     if not count:
         return first, first
     shares, along = _along(nodes, FEW)
-    x, y = nodes[X], nodes[Y, :, :1]
+    x = nodes[X]
+    y = nodes[Y, :, :1]
     spread = (nodes[SPREAD_X].mean(axis=1)[:, None], 3.0 * nodes[SPREAD_Y, :, :1])
     columns = (x[:, :1] + (x[:, -1:] - x[:, :1]) * shares, y, nodes[AREA] @ along, *spread)
     rows.add(columns, along.T.astype(np.float32) @ pulls)
@@ -193,7 +198,9 @@ def _columns(nodes: Array) -> tuple[Array, ...]:
 
 def _strip_boxes(nodes: Array) -> Array:
     """Middle and half size along x, across, of strips, whose own sliding is a mean across."""
-    first, last, y = nodes[X, :, 0], nodes[X, :, -1], nodes[Y, :, 0]
+    first = nodes[X, :, 0]
+    last = nodes[X, :, -1]
+    y = nodes[Y, :, 0]
     return np.stack([0.5 * (first + last), 0.5 * (last - first), y, np.zeros_like(y)], axis=1)
 
 
