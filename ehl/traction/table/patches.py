@@ -34,7 +34,7 @@ ALONG = 3  # places along the strips of a group
 ACROSS = 3  # across them
 FEW = 6  # along a strip alone
 # sliding in the middle over its change from there to the end of a group and of a strip, from which
-# on patches count; chosen by trial, so that they change no force by more than 0.06 % of the largest
+# on patches count; by trial, so that no force changes by more than 0.06 % of the largest
 FAR = (5.0, 1.0)
 # pull of a node at the largest change of sliding over the film, over that at rest, from which on
 # its oil is nearly Newtonian
