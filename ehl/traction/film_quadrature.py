@@ -13,7 +13,7 @@ changes its sign passes from one direction to the other steadily. For g stands t
 convergent of its continued fraction, (15 - 4 z^2)/(15 - 9 z^2), finite where g is not, at z = 1.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 import numpy as np
@@ -21,6 +21,7 @@ import scipy
 from numpy.typing import NDArray
 
 from ..arrays import Array
+from ..oil.lubricant import Lubricant
 from ..oil.rheology import Rheology, kernel_rheology, limiting_stress, shear_stress
 from ..solution import ContactSolution
 from . import _block_kernels, _kernels
@@ -52,12 +53,20 @@ class FilmQuadrature:
     """Nodes of a film: place, area, film, viscosity, limiting stress.
 
     The rows of `nodes` are x, y [m], area times sheared width [m^2], film [m], viscosity [Pa s],
-    limiting stress [Pa], and a twelfth of the squared size along x and y [m^2].
+    limiting stress [Pa], and a twelfth of the squared size along x and y [m^2]. The first stand on
+    strips, along each from one edge to the other.
     """
 
     nodes: Array  # shape (8, n)
     half_width: float  # transverse semi-axis, beyond which curvature slip does not grow [m]
     rheology: Rheology
+    strips: int = 0  # strips of `node_shares` each, which the first nodes stand on
+
+    def parts(self) -> tuple[Array, Array]:
+        """Nodes of the strips, shape (8, strips, n), and all others, shape (8, m)."""
+        each = node_shares()[0].size
+        first, others = np.split(self.nodes, [self.strips * each], axis=1)
+        return first.reshape(first.shape[0], self.strips, each), others
 
 
 def film_quadrature(
@@ -67,23 +76,64 @@ def film_quadrature(
     *,
     temperature: float | None = None,
 ) -> FilmQuadrature:
-    """Nodes of a film of dimensional conditions, without the weakest ones.
+    """Nodes of a film of dimensional conditions, without the weakest of low pressure.
 
     The friction of each node is weighed at the sliding speed `largest_slide` [m/s]; temperature:
     for the limiting stress [K].
     """
     rheology = solution_rheology(solution, rheology)
-    zone = hertz_zone(solution)
-    blocks = low_pressure_blocks(with_outlet(solution))
-    fields = np.concatenate([strip_fields(zone.fields).reshape(7, -1), blocks], axis=1)
-    eta = bounded_viscosity(fields[4], dimensional_conditions(solution).lubricant)
-    width = transverse_axis(solution)
-    return strongest_nodes(width, fields, eta, rheology, largest_slide, temperature)
+    fields = hertz_zone(solution).fields, low_pressure_blocks(with_outlet(solution))
+    oil = dimensional_conditions(solution).lubricant
+    return zone_quadrature(
+        transverse_axis(solution), fields, oil, rheology, largest_slide, temperature
+    )
 
 
 def transverse_axis(solution: ContactSolution) -> float:
     """Transverse semi-axis of Hertz' ellipse [m]."""
     return float(solution.semi_axis_x or 0.0) * solution.semi_axis_ratio
+
+
+def zone_quadrature(
+    half_width: float,
+    fields: tuple[Array, Array],
+    oil: Lubricant,
+    rheology: Rheology,
+    largest_slide: float,
+    temperature: float | None,
+) -> FilmQuadrature:
+    """`film_quadrature` of `HertzZone.fields` and of nodes of low pressure, shape (7, n)."""
+    strips = strip_fields(fields[0])
+    zone = strips.reshape(7, -1)
+    eta, low_eta = (bounded_viscosity(rows[4], oil) for rows in (zone, fields[1]))
+    friction = _friction(zone, eta, rheology, largest_slide, temperature)
+    shared = (rheology, largest_slide, temperature, float(friction.sum()))
+    low = strongest_nodes(half_width, fields[1], low_eta, *shared)
+    rows = _node_rows(zone, eta, rheology, temperature)
+    nodes = np.ascontiguousarray(np.concatenate([rows, low.nodes], axis=1))
+    return replace(low, nodes=nodes, strips=strips.shape[1])
+
+
+def _friction(
+    fields: Array,
+    viscosity: Array,
+    rheology: Rheology,
+    slide: float,
+    temperature: Array | float | None,
+) -> Array:
+    """Of nodes that slide [m/s], shape (n,) [N]."""
+    rate = slide / np.maximum(fields[3], SMALLEST_FILM)
+    return np.asarray(fields[2] * shear_stress(rate, viscosity, fields[4], rheology, temperature))
+
+
+def _node_rows(
+    fields: Array, viscosity: Array, rheology: Rheology, temperature: Array | float | None
+) -> Array:
+    """Rows of `FilmQuadrature.nodes` of those of `HertzZone.fields`, shape (8, n)."""
+    x, y, area, gap, pressure, width, breadth = fields
+    film = np.maximum(gap, SMALLEST_FILM)
+    limit = np.broadcast_to(limiting_stress(pressure, rheology, temperature), x.shape)
+    return np.stack([x, y, area, film, viscosity, limit, width**2 / 12.0, breadth**2 / 12.0])
 
 
 def strongest_nodes(
@@ -99,16 +149,11 @@ def strongest_nodes(
     that of further nodes [N] is left out; transverse semi-axis [m], viscosity [Pa s], slide [m/s],
     temperature [K].
     """
-    x, y, area, gap, pressure, width, breadth = fields
-    film = np.maximum(gap, SMALLEST_FILM)
-    friction = area * shear_stress(
-        largest_slide / film, viscosity, pressure, rheology, temperature
-    )
+    friction = _friction(fields, viscosity, rheology, largest_slide, temperature)
     order = np.argsort(friction)
     left_out = SHARE_LEFT_OUT * (further + float(friction.sum()))
     chosen = order[np.cumsum(friction[order]) > left_out]
-    limit = np.broadcast_to(limiting_stress(pressure, rheology, temperature), x.shape)
-    rows = np.stack([x, y, area, film, viscosity, limit, width**2 / 12.0, breadth**2 / 12.0])
+    rows = _node_rows(fields, viscosity, rheology, temperature)
     return FilmQuadrature(
         nodes=np.ascontiguousarray(rows[:, chosen]), half_width=half_width, rheology=rheology
     )
@@ -201,6 +246,7 @@ def _strip_weights(lines: int) -> Array:
     return np.asarray(scipy.interpolate.CubicSpline(places, np.eye(lines))(wanted))
 
 
+@cache
 def node_shares() -> tuple[Array, Array]:
     """Places of a line's nodes from edge to edge and their weights, each of shape (n,) [-]."""
     places: list[float] = []

@@ -74,6 +74,11 @@ class HeatedLines:
         bodies = zip(speeds, self.solids, strict=True)
         return np.stack([response_factor(u, solid, self.semi_axis) for u, solid in bodies], axis=1)
 
+    @property
+    def slides(self) -> Array:
+        """Sliding speeds of the factors, shape (S,) [m/s]."""
+        return np.asarray(self.speed * np.geomspace(*SLIDES))
+
     @cached_property
     def nodes(self) -> Array:
         """Rows of `FilmQuadrature.nodes` at the nodes of each strip, shape (strips, 8, N)."""
@@ -98,7 +103,7 @@ class HeatedLines:
         """Friction of each line with the heat of its sliding over that without [-], shape (L, R,
         S), at the slide-roll ratios of `_ratio_nodes` and the sliding speeds of `SLIDES`.
         """
-        slides = self.speed * np.geomspace(*SLIDES)
+        slides = self.slides
         responses = self.wall_response(_ratio_nodes() * self.speed)
         # once where lines are mirror images of each other, and where both bodies are alike
         mirrored = _alike(self.lines[..., 2:], self.lines[::-1, :, 2:])

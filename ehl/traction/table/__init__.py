@@ -8,8 +8,10 @@ film          - the film that a table shears, and what it takes from it at a loa
 full_solves   - full solves beside a table: what its films leave out
 many_motions  - sliding forces of a film at thousands of motions
 packing       - values of a table as whole numbers, and those packed for a file
+patches       - patches of a film, for sums at thousands of motions
 splines       - uniform cubic B-splines through values on a grid
 storage       - traction tables on disk
 table         - a contact's traction over load, entrainment speed, sliding and spin
 temperature   - traction tables over the temperature of the oil at the inlet
+values        - values of a table at its nodes, some interpolated between films
 """

@@ -4,17 +4,14 @@ from dataclasses import replace
 from itertools import product
 from math import exp, nan
 
-import numpy as np
-
 from ...conditions import ContactConditions
 from ...oil.rheology import ShearLaw, contact_rheology
 from ...scaling import scale_contact
 from ...solution import MEAN_PRESSURE_RATIO
 from ..atlas.fields import ContactFields, contact_fields, require_fields
 from ..atlas.films import NotInAtlasError, atlas_films
-from ..film_quadrature import FilmQuadrature, strip_fields, strongest_nodes
+from ..film_quadrature import FilmQuadrature, zone_quadrature
 from ..response.normal import NormalResponse, ResponseValue
-from ..shear import bounded_viscosity
 from .build import FilmSampler
 from .film import FilmSample, TableFilm, motion_scales
 from .table import TableContact, TableRange
@@ -118,8 +115,6 @@ def _quadrature(
     assert scaled.semi_axis_x is not None
     mean = MEAN_PRESSURE_RATIO * scaled.hertz_pressure
     rheology = contact_rheology(contact.rheology, contact.lubricant, mean)
-    zone = strip_fields(fields.zone).reshape(7, -1)
-    rows = np.concatenate([zone, fields.cells], axis=1)
-    eta = bounded_viscosity(rows[4], contact.lubricant)
     width = scaled.semi_axis_x * scaled.semi_axis_ratio
-    return strongest_nodes(width, rows, eta, rheology, slide, contact.temperature)
+    parts = (fields.zone, fields.cells)
+    return zone_quadrature(width, parts, contact.lubricant, rheology, slide, contact.temperature)

@@ -12,15 +12,17 @@ from dataclasses import dataclass, field, replace
 from math import ceil, log
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...multigrid.threads import film_threads
 from .._kernels import LOAD_POWER
-from .coordinates import PLACE_PARTS, from_vertex, motion_of, spinning_scales, vertex_slide
+from .coordinates import from_vertex, vertex_slide
 from .film import FilmSample, film_sample, relative_forces
 from .packing import mirrored, stored_values
 from .splines import left_out_error, spline_coefficients
 from .table import TableContact, TableError, TableRange, TractionTable, latin_hypercube, load_place
+from .values import grid_values, table_motions
 
 # nodes of load, speed, slide_x, slide_y (its half above zero) and spin, of films without and with
 # heat, whose tractions bend more over the load and near a slide-roll ratio of 2
@@ -196,20 +198,16 @@ def _with_smooth_scales(films: list[list[FilmSample]], axes: Array) -> list[list
     ]
 
 
-def _table(study: _Study) -> tuple[TractionTable, Array]:
+def _table(study: _Study) -> tuple[TractionTable, NDArray[np.float32]]:
     """The table of the present nodes with its error, and its values at the nodes."""
     # 1. forces and moments of all films at all motions
     axes = _axes(study)
     films = _with_smooth_scales(_grid_films(study, axes), axes)
     study.progress(len(study.films), len(study.films), "shear")
-    every = [film for row in films for film in row]
-    with film_threads(study.options.workers) as pool:
-        blocks = list(pool.map(lambda film: _values(study, film, axes), every))
-    raw = np.array(blocks).reshape(len(films), len(films[0]), *blocks[0].shape)
+    nodes = [_axis_nodes(axis) for axis in axes[2:]]
+    raw, largest = grid_values(study.contact, study.range, films, nodes, study.options.workers)
     # 2. splines: values over their largest, logarithms of what depends on load and speed alone
-    largest = _largest(raw)
     scalars = np.concatenate([_scalars(films), np.log(largest)], axis=-1)
-    raw = raw / largest[..., None, None, None, [0, 0, 1, 2]]
     unchecked = TableError(
         **dict.fromkeys(ERRORS, np.inf), films=0, motions=0, tolerance=study.options.tolerance
     )
@@ -228,14 +226,6 @@ def _table(study: _Study) -> tuple[TractionTable, Array]:
     )
     # 3. check
     return _with_message(study, replace(table, error=_checked(study, table))), raw
-
-
-def _largest(raw: Array) -> Array:
-    """Largest force and moments about n, y of each film, shape (nQ, nU, 3) [N], [N m]."""
-    motions = (2, 3, 4)
-    parts = (np.hypot(raw[..., 0], raw[..., 1]), np.abs(raw[..., 2]), np.abs(raw[..., 3]))
-    largest = np.stack([part.max(axis=motions) for part in parts], axis=-1)
-    return np.maximum(largest, np.finfo(np.float64).tiny)
 
 
 def _with_message(study: _Study, table: TractionTable) -> TractionTable:
@@ -297,29 +287,6 @@ def _filled(values: Array) -> Array:
     return values
 
 
-def _values(study: _Study, film: FilmSample, axes: Array) -> Array:
-    """Forces and moments of a film at the motions, shape (nX, nY, nS, 4) [N], [N m]."""
-    nodes = [_axis_nodes(axis) for axis in axes[2:]]
-    motions = _motions(study, film, np.ix_(*nodes))
-    forces = relative_forces(study.contact, film.film, film.speed, motions, many=True)
-    return forces.reshape(*(one.size for one in nodes), 4)
-
-
-def _motions(study: _Study, film: FilmSample, places: Sequence[Array] | Array) -> list[Array]:
-    """Motions over u, u and u/R_x at places on a table's axes, arrays of shapes that fit each
-    other, flat [-].
-    """
-    x, y, n = places
-    bounds = study.range.motions
-    contact, load = study.contact, film.load
-    spin = motion_of(n, film.scales[2], bounds[2], PLACE_PARTS[2])
-    scale_x, scale_y = spinning_scales(film.scales[:2], spin, contact, load)
-    top = motion_of(x, scale_x, bounds[0], PLACE_PARTS[0])
-    slide_x = from_vertex(top, vertex_slide(spin, contact, load), bounds[0])
-    slide_y = motion_of(y, scale_y, bounds[1], PLACE_PARTS[1])
-    return [part.ravel() for part in np.broadcast_arrays(slide_x, slide_y, spin)]
-
-
 def straight_motions(
     contact: TableContact, limits: TableRange, load: float, rng: np.random.Generator, count: int
 ) -> list[Array]:
@@ -369,7 +336,8 @@ def _checked(study: _Study, table: TractionTable) -> TableError:
     straight = []
     spun = []
     for film in study.checks:
-        even = _motions(study, film, rng.uniform(-1.0, 1.0, (3, n)))
+        places = rng.uniform(-1.0, 1.0, (3, n))
+        even = table_motions(study.contact, study.range, film, places)
         errors.append(_errors(study, table, film, even))
         rolling = straight_motions(study.contact, study.range, film.load, others, n)
         force, spin, _ = _errors(study, table, film, rolling).max(axis=0)

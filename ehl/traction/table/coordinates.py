@@ -20,7 +20,8 @@ from .._kernels import LIMIT_SHARE, SHIFT_MARGIN, SPIN_SHARE, SPIN_SHARE_Y, STAN
 from .table import TableContact
 
 Part = Callable[[Array | float], Array]
-HALVINGS = 52  # of the limit in an inversion: as many as a number has digits
+STEPS = 60  # of an inversion at most; some ten are needed
+INVERTED = 1e-14  # of a place that is inverted, or of the last step to it
 
 
 def vertex_slide(spin: Array, contact: TableContact, load: float) -> Array:
@@ -114,12 +115,30 @@ def place_of(motion: Array, scale: Array | float, limit: float, part: Part) -> A
 
 
 def motion_of(place: Array, scale: Array | float, limit: float, part: Part) -> Array:
-    """S/u of a place in [-1, 1], inverse of `place_of`, by bisection [-]."""
-    low = np.zeros(np.broadcast_shapes(np.shape(place), np.shape(scale)))
-    high = np.full_like(low, limit)
-    for _ in range(HALVINGS):
-        middle = 0.5 * (low + high)
-        beyond = place_of(middle, scale, limit, part) > np.abs(place)
-        low = np.where(beyond, low, middle)
-        high = np.where(beyond, middle, high)
-    return np.copysign(0.5 * (low + high), place)
+    """S/u of a place in [-1, 1], inverse of `place_of` [-].
+
+    In asinh(S/(u s)), over which the place is nearly a line, by the secant through two values on
+    either side, of which one that stays twice counts half.
+    """
+    place, scale = np.broadcast_arrays(np.asarray(place, dtype=np.float64), scale)
+    wanted = np.minimum(np.abs(place), 1.0)
+    ends = [np.zeros(place.shape), np.arcsinh(limit / scale) * np.ones(place.shape)]
+    off = [-wanted, 1.0 - wanted]
+    side = np.zeros(place.shape)
+    at = ends[0]
+    for _ in range(STEPS):
+        apart = off[1] - off[0]
+        share = np.divide(-off[0], apart, out=np.zeros(place.shape), where=apart > 0.0)
+        last = at
+        at = ends[0] + share * (ends[1] - ends[0])
+        found = place_of(np.minimum(scale * np.sinh(at), limit), scale, limit, part) - wanted
+        if np.all((np.abs(found) <= INVERTED) | (np.abs(at - last) <= INVERTED * at)):
+            break
+        below = found < 0.0
+        off = [
+            np.where(below, found, np.where(side > 0.0, 0.5, 1.0) * off[0]),
+            np.where(below, np.where(side < 0.0, 0.5, 1.0) * off[1], found),
+        ]
+        ends = [np.where(below, at, ends[0]), np.where(below, ends[1], at)]
+        side = np.where(below, -1.0, 1.0)
+    return np.copysign(np.minimum(scale * np.sinh(at), limit), place)

@@ -22,7 +22,7 @@ from .table import TableContact, TableRange
 # of the motion where the traction has risen by half, along, across and of spin: the scale there
 SCALE_SHARE = (0.004, 0.006, 0.16)
 # motions over the largest ones, between which that one is interpolated
-SCALE_SAMPLES = np.geomspace(1e-7, 1.0, 57)
+SCALE_SAMPLES = np.geomspace(1e-7, 1.0, 29)
 RESPONSE_POINTS = 129  # of the films that stiffness and damping are taken from
 
 

@@ -10,11 +10,11 @@ single precision.
 
 import lzma
 import zlib
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...arrays import Array
 from .splines import along_axis, node_values, spline_coefficients, spline_matrix
 
 # of the largest force or moment of a film [-]: the rounding is 0.0075 of the tolerance of tables
@@ -47,14 +47,14 @@ FILTERS = [
 DAMAGED = (lzma.LZMAError, zlib.error)  # what bytes that were not packed so raise
 
 
-def mirrored(values: Array) -> Array:
+def mirrored(values: NDArray[Any]) -> NDArray[Any]:
     """Values at slide_y from zero on with their mirror image below: F_y and M_n change sign with
     slide_y and spin [-].
     """
     return np.concatenate([values[:, :, :, :0:-1, ::-1] * np.array(MIRROR), values], axis=3)
 
 
-def stored_values(values: Array) -> Values:
+def stored_values(values: NDArray[Any]) -> Values:
     """Spline coefficients of values at the nodes, shape (nQ, nU, nX, nY, nS, 4), each rounded to a
     whole number of `VALUE_STEP` [-].
 
@@ -64,8 +64,9 @@ def stored_values(values: Array) -> Values:
     """
     seam = values[:, :, :, 0]
     mean = 0.5 * (seam + seam[:, :, :, ::-1] * np.array(MIRROR))
-    joined = np.concatenate([mean[:, :, :, None], values[:, :, :, 1:]], axis=3)
-    return _coefficients(np.rint(joined / VALUE_STEP).astype(np.int32))
+    numbers = np.rint(values * (1.0 / VALUE_STEP)).astype(np.int32)
+    numbers[:, :, :, 0] = np.rint(mean / VALUE_STEP)
+    return _coefficients(numbers)
 
 
 def _coefficients(numbers: Integers) -> Values:
@@ -75,12 +76,16 @@ def _coefficients(numbers: Integers) -> Values:
     both = spline_matrix(2 * count - 1)[count - 1 :] * VALUE_STEP
     below = np.zeros((count + 2, count))
     below[:, 1:] = both[:, count - 2 :: -1]
-    turned = numbers[:, :, :, :, ::-1] * np.array(MIRROR)
-    half = along_axis(both[:, count - 1 :], numbers.astype(np.float64), ACROSS)
+    turned = numbers[:, :, :, :, ::-1] * np.array(MIRROR, np.float32)
+    half = along_axis(both[:, count - 1 :], numbers.astype(np.float32), ACROSS)
     half += along_axis(below, turned, ACROSS)
     # 2. along the others, that of fewest nodes, which grows most, last
     coefficients = spline_coefficients(half, (4, 2, 0, 1))
-    return coefficients.astype(np.float32) + np.float32(0.0)  # no negative zero
+    # 3. but for rounding the first are the mirror image of the third, the second their own
+    image = coefficients[:, :, :, 2::-1, ::-1] * np.array(MIRROR, np.float32)
+    coefficients[:, :, :, 0] = image[:, :, :, 0]
+    coefficients[:, :, :, 1] = 0.5 * (coefficients[:, :, :, 1] + image[:, :, :, 1])
+    return coefficients + np.float32(0.0)  # no negative zero
 
 
 def whole_numbers(values: Values) -> tuple[Numbers, float]:

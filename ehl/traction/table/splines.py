@@ -7,12 +7,16 @@ continuity of the third derivative at the second and the last but one node.
 """
 
 from math import prod
+from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...arrays import Array
 
 SMALLEST = 4  # nodes that the end conditions need
+FEW_INNER = 16  # numbers side by side behind an axis
+Numbers = NDArray[Any]  # of single or double precision
 
 
 def spline_matrix(nodes: int) -> Array:
@@ -29,19 +33,27 @@ def spline_matrix(nodes: int) -> Array:
     return np.asarray(np.linalg.solve(system, np.eye(nodes + 2)[:, :nodes]), dtype=np.float64)
 
 
-def spline_coefficients(values: Array, axes: tuple[int, ...]) -> Array:
+def spline_coefficients(values: Numbers, axes: tuple[int, ...]) -> Numbers:
     """Coefficients of values [same unit] along the given axes, each of which grows by two."""
     for axis in axes:
         values = along_axis(spline_matrix(values.shape[axis]), values, axis)
     return np.ascontiguousarray(values)
 
 
-def along_axis(matrix: Array, values: Array, axis: int) -> Array:
-    """Values multiplied by a matrix along an axis, which stays where it is [same unit]."""
+def along_axis(matrix: Array, values: Numbers, axis: int) -> Numbers:
+    """Values multiplied by a matrix along an axis, which stays where it is, in their precision
+    [same unit].
+    """
+    own: Numbers = matrix.astype(values.dtype, copy=False)
     before = values.shape[:axis]
     after = values.shape[axis + 1 :]
-    flat = values.reshape(prod(before), values.shape[axis], prod(after))
-    return np.asarray((matrix @ flat).reshape(*before, matrix.shape[0], *after))
+    inner = prod(after)
+    if inner < FEW_INNER:  # one product in place of many small ones
+        turned = np.kron(own.T, np.eye(inner, dtype=own.dtype))
+        product = values.reshape(prod(before), -1) @ turned
+    else:
+        product = own @ values.reshape(prod(before), values.shape[axis], inner)
+    return np.asarray(product.reshape(*before, matrix.shape[0], *after))
 
 
 def node_values(coefficients: Array, axes: tuple[int, ...]) -> Array:
@@ -61,7 +73,7 @@ def spline_weights(place: float, nodes: int) -> tuple[int, Array]:
     return i, np.array([r**3, inner, outer, t**3]) / 6.0
 
 
-def left_out_error(values: Array, axis: int) -> float:
+def left_out_error(values: Numbers, axis: int) -> float:
     """How well cubics through the four nearest other nodes predict each inner node [same unit]:
     the largest over all, 64/9 times the error of a cubic half-way between its inner nodes.
     """
