@@ -99,36 +99,40 @@ class Progress:
     deflected_nodes: int = 0  # by FFT, of all meshes together
 
 
+@dataclass(frozen=True, slots=True)
+class _Change:
+    """One step of Newton's method [-]."""
+
+    pressure: Array
+    approach: float
+    size: float  # of the largest change of pressure at a node
+    time: float  # step of a transient; infinite: to the steady state
+
+
 def newton(level: Level, progress: Progress) -> tuple[bool, str]:
     """Newton's method on one mesh, in place; whether it converged, and a message.
 
     Film and pressure are both unknowns, so that a film may stay positive where the start is not a
-    solution of the film equation, which holds after one full step. Where a step would change the
-    pressure by more than `PRESSURE_STEP`, it is tried again as one of a transient (backward
-    Euler), so short that it does not; the transient grows into the steady state. A part of a step
-    that is too large, made instead, leads away: at M 50, L 28 the spike of a coarser mesh, a cell
-    from its place, grew to 8 p_h in 100 steps; the transient takes 23.
+    solution of the film equation, which holds after one full step.
     """
     time_step = inf
     at_rest = 0
     size = inf
     before = np.zeros_like(level.P)
-    for _ in range(STEPS):
+    first = len(progress.residual)
+    while len(progress.residual) < first + STEPS:
         miss = level.film - level.H
         try:
-            change, rise = _step(level, miss, progress, 1.0 / time_step)
+            step = _short_enough(level, miss, progress, time_step)
         except LinearSolverError as error:
             return False, f"the linear system was not solved: {error}; {ADVICE} or a smaller load"
-        last, size = size, float(np.abs(change).max())
-        if size > PRESSURE_STEP and time_step > SMALLEST_TIME_STEP:
-            time_step = min(time_step / SHORTER, TIME_STEP)
-            continue
-        share = share_of_step(before, change)
-        _advance(level, share * change, share * rise, miss, progress)
-        before = change
-        made, time_step = time_step, next_time_step(time_step, size)
+        last, size = size, step.size
+        share = share_of_step(before, step.pressure)
+        _advance(level, share * step.pressure, share * step.approach, miss, progress)
+        before = step.pressure
+        time_step = next_time_step(step.time, size)
         tolerance = ALTERNATING if size > 0.5 * last else TOLERANCE
-        if size < tolerance and made == inf:
+        if size < tolerance and step.time == inf:
             overlap = float(np.abs(miss).max())
             at_rest += 1
             if overlap < TOLERANCE * level.contact.film_guess:
@@ -137,6 +141,24 @@ def newton(level: Level, progress: Progress) -> tuple[bool, str]:
                 return False, f"not converged: the bodies overlap between nodes; {ADVICE}"
     steps = f"in the last of {STEPS} Newton steps"
     return False, f"not converged: pressure changed by {size:.1e} {steps}; {ADVICE}"
+
+
+def _short_enough(level: Level, miss: Array, progress: Progress, time_step: float) -> _Change:
+    """Where a step would change a pressure by more than `PRESSURE_STEP`, it is tried again as one
+    of a transient (backward Euler), so short that it does not; the transient grows into the steady
+    state. Where a shorter time makes the change larger, as one of films that the bodies do not
+    allow, a part of the longer step is made.
+
+    Such parts made straight away lead astray: at M 50, L 28 the spike of a coarser mesh, a cell
+    from its place, grew to 8 p_h in 100 steps; the transient takes 23.
+    """
+    step = _step(level, miss, progress, time_step)
+    while step.size > PRESSURE_STEP and step.time > SMALLEST_TIME_STEP:
+        shorter = _step(level, miss, progress, min(step.time / SHORTER, TIME_STEP))
+        if shorter.size > step.size:
+            break
+        step = shorter
+    return step
 
 
 def share_of_step(before: Array, change: Array) -> float:
@@ -169,14 +191,14 @@ def _advance(level: Level, change: Array, rise: float, miss: Array, progress: Pr
     progress.change.append(float(np.abs(level.H / before - 1.0)[level.origin]))
 
 
-def _step(level: Level, miss: Array, progress: Progress, rate: float) -> tuple[Array, float]:
+def _step(level: Level, miss: Array, progress: Progress, time_step: float) -> _Change:
     """Newton change of pressure and of H0 [-]; `miss` is what the film of the pressure exceeds the
-    film by, `rate` the reciprocal of the time step.
+    film by.
     """
     # 1. Reynolds' equation and its derivatives
     k = coefficients(level.contact, level.P, level.H)
     residual = reynolds_residual(level.flow, k)
-    squeeze = sparse.diags(rate * level.areas)
+    squeeze = sparse.diags(level.areas / time_step)
     wedge = level.flow.wedge - squeeze
     by_pressure = poiseuille_by_pressure(level.flow, k) + wedge @ sparse.diags(k.q_P)
     by_film = poiseuille_by_film(level.flow, k) + wedge @ sparse.diags(k.q_H)
@@ -211,7 +233,7 @@ def _step(level: Level, miss: Array, progress: Progress, rate: float) -> tuple[A
     given[free], rise = solve_bordered(operator, border, factors, right, LINEAR_TOLERANCE)
     progress.iterations.append(calls)
     progress.deflected_nodes += (calls + OTHER_DEFLECTIONS) * len(level.P)
-    return given, rise
+    return _Change(given, rise, float(np.abs(given).max()), time_step)
 
 
 def _near(

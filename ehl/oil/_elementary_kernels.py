@@ -55,7 +55,8 @@ def exponential_of(x):
 @compiled
 def logarithm_of(x):
     """Ln(x) of a normal positive number: x = 2^k m, m from sqrt(1/2) to sqrt(2), ln m = 2 artanh
-    s, s = (m - 1)/(m + 1), by its series, whose next term is below 1e-17 of it.
+    s, s = (m - 1)/(m + 1), by its series, whose next term is below 1e-17 of it; what is not a
+    finite number gives none.
     """
     above = np.float64(x).view(np.int64) - ROOT_HALF_BITS
     m = np.int64((above & FRACTION) + ROOT_HALF_BITS).view(np.float64)
@@ -72,7 +73,7 @@ def logarithm_of(x):
     total = total * q + 1.0 / 7.0
     total = total * q + 1.0 / 5.0
     total = total * q + 1.0 / 3.0
-    return k * LN2_HIGH + (2.0 * s + (2.0 * s * (q * total) + k * LN2_LOW))
+    return k * LN2_HIGH + (2.0 * s + (2.0 * s * (q * total) + k * LN2_LOW)) + (x - x)
 
 
 @compiled
