@@ -1,29 +1,33 @@
 """Ranges of input values; an error names the field."""
 
+from collections.abc import Iterable
 from math import isfinite
 from typing import Any
 
 
-def _values(owner: Any, names: tuple[str, ...]) -> dict[str, float]:
-    return owner if isinstance(owner, dict) else {name: getattr(owner, name) for name in names}
+def _values(owner: Any, names: tuple[str, ...]) -> Iterable[tuple[str, float]]:
+    """Names and values, of many objects a batch: pairs without a dictionary."""
+    if isinstance(owner, dict):
+        return owner.items()
+    return zip(names, [getattr(owner, name) for name in names], strict=True)
 
 
 def require_finite(owner: Any, *names: str) -> None:
     """Raise ValueError unless the attributes, or the values of a dict, are finite."""
-    for name, value in _values(owner, names).items():
+    for name, value in _values(owner, names):
         if not isfinite(value):
             raise ValueError(f"{name} must be finite, got {value!r}")
 
 
 def require_positive(owner: Any, *names: str) -> None:
     """Raise ValueError unless the attributes, or the values of a dict, are positive and finite."""
-    for name, value in _values(owner, names).items():
+    for name, value in _values(owner, names):
         if not (isfinite(value) and value > 0.0):
             raise ValueError(f"{name} must be positive and finite, got {value!r}")
 
 
 def require_not_negative(owner: Any, *names: str) -> None:
     """Raise ValueError unless the attributes are zero or positive, and finite."""
-    for name, value in _values(owner, names).items():
+    for name, value in _values(owner, names):
         if not (isfinite(value) and value >= 0.0):
             raise ValueError(f"{name} must be zero or positive and finite, got {value!r}")

@@ -182,6 +182,12 @@ def from_si(key: str, value: Any) -> Any:
     return (value - own.zero) / own.si if own.zero or own.si != 1.0 else value
 
 
+def is_si(key: str) -> bool:
+    """Whether the unit of a key is that of SI, so that nothing is converted."""
+    own = unit(key)
+    return own.text != "deg" and not own.zero and own.si == 1.0
+
+
 def to_si(key: str, value: Any) -> Any:
     """A number or an array in the unit of its key, in SI; None stays None.
 

@@ -2,6 +2,7 @@
 
 import csv
 import json
+import sys
 from collections.abc import Callable, Iterable
 from math import isfinite
 from pathlib import Path
@@ -12,6 +13,7 @@ from bearing.files import atomic_path, is_disk_failure, write_bytes
 Table = tuple[Iterable[str], Iterable[Iterable[Any]]]  # header and rows
 # types whose values are of JSON as they are, as finite floats are; the paths of others are built
 PLAIN = frozenset((str, int, bool, type(None)))
+LARGEST = sys.float_info.max
 SUMMARY_FILE = "summary.json"
 CONTACTS_FILE = "contacts.csv"
 
@@ -56,14 +58,19 @@ def plain_document(document: dict[str, Any]) -> dict[str, Any]:
 def plain(value: Any, path: str = "", lost: list[str] | None = None) -> Any:
     """Plain JSON types; a number that is not finite becomes None, its path is added to `lost`."""
     if isinstance(value, dict):
+        # what is of JSON as it is, as nearly all is, costs no call and no path
         return {
-            key: v if _is_plain(v) else plain(v, f"{path}.{key}".lstrip("."), lost)
+            key: v
+            if (kind := type(v)) in PLAIN or (kind is float and -LARGEST <= v <= LARGEST)
+            else plain(v, f"{path}.{key}" if path else key, lost)
             for key, v in value.items()
         }
     if isinstance(value, list | tuple):
         return [
-            item if _is_plain(item) else plain(item, f"{path}[{i}]", lost)
-            for i, item in enumerate(value)
+            v
+            if (kind := type(v)) in PLAIN or (kind is float and -LARGEST <= v <= LARGEST)
+            else plain(v, f"{path}[{i}]", lost)
+            for i, v in enumerate(value)
         ]
     if hasattr(value, "tolist"):  # arrays and scalars of NumPy
         return plain(value.tolist(), path, lost)
@@ -72,12 +79,6 @@ def plain(value: Any, path: str = "", lost: list[str] | None = None) -> Any:
             lost.append(path)
         return None
     return value
-
-
-def _is_plain(value: Any) -> bool:
-    """Whether a value is one of JSON as it is, as most are; the paths of others are built."""
-    kind = type(value)
-    return kind in PLAIN or (kind is float and isfinite(value))
 
 
 def write_csv(

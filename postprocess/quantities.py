@@ -10,10 +10,11 @@ from functools import cache, lru_cache
 from operator import attrgetter
 from typing import Any
 
-from ehl.units import from_si, si_unit_of, unit_of, unit_symbol, without_unit
+from ehl.units import from_si, is_si, si_unit_of, unit_of, unit_symbol, without_unit
 
-# a part of a record by its path, what looks up several of its attributes, and their keys
-_Part = tuple[str, Callable[[Any], tuple[Any, ...]], tuple[str, ...]]
+# a part of a record by its path, what looks up several of its attributes, their keys, and which
+# of these have another unit than in SI
+_Part = tuple[str, Callable[[Any], tuple[Any, ...]], tuple[str, ...], tuple[str, ...]]
 
 
 @dataclass(frozen=True, slots=True, eq=False)  # each is declared once, and known by where it is
@@ -111,14 +112,15 @@ def values_of(record: Any, declared: Iterable[Quantity]) -> dict[str, Any]:
     known: dict[str, Any] = {}
     keys, parts = _parts(tuple(declared))
     values: dict[str, Any] = dict.fromkeys(keys)
-    for owner, get, own in parts:
+    for owner, get, own, scaled in parts:
         if owner and owner not in known:
             known[owner] = _attribute(record, owner, known)
         part = known[owner] if owner else record
         if part is None:
             continue
-        for key, value in zip(own, get(part), strict=True):
-            values[key] = from_si(key, value)
+        values.update(zip(own, get(part), strict=True))
+        for key in scaled:
+            values[key] = from_si(key, values[key])
     return values
 
 
@@ -130,7 +132,12 @@ def _parts(declared: tuple[Quantity, ...]) -> tuple[tuple[str, ...], tuple[_Part
         owner, name = _names(quantity.source)
         parts.setdefault(owner, []).append((quantity.key, name))
     return tuple(quantity.key for quantity in declared), tuple(
-        (owner, _getter([name for _, name in own]), tuple(key for key, _ in own))
+        (
+            owner,
+            _getter([name for _, name in own]),
+            tuple(key for key, _ in own),
+            tuple(key for key, _ in own if not is_si(key)),
+        )
         for owner, own in parts.items()
     )
 

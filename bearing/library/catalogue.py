@@ -9,7 +9,7 @@ ratings takes the balls of one of its size with another contact angle, or else t
 
 import csv
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from importlib import resources
 from math import radians
 from typing import Any
@@ -129,6 +129,7 @@ def clearance_class(bore: float, name: str) -> tuple[float, float]:
     raise ValueError(f"bore must lie between 2.5 and 120 mm, got {bore!r} mm")
 
 
+@lru_cache(maxsize=256)
 def catalogue_entry(designation: Designation) -> dict[str, Any] | None:
     """Keys of a case's [bearing] table for a designation, with `source`, `estimated`, `range`;
     None if there is no such size.

@@ -8,6 +8,7 @@ and marking have no effect and are left aside; what is not known makes the desig
 
 import re
 from dataclasses import dataclass, replace
+from functools import lru_cache
 
 # series and its synonyms: dimension series of ISO 15, and whether of angular contact
 SERIES = {
@@ -151,6 +152,7 @@ def read_designation(text: str) -> Designation | None:
     return None if rest else read
 
 
+@lru_cache(maxsize=256)
 def _read(text: str) -> tuple[Designation | None, str]:
     """What a designation says, and what of its end is not known; None if it is none of the
     series here.

@@ -14,6 +14,7 @@
 | limits | time and memory of one point |
 | store | the folder of a batch |
 | worker | points computed in a worker |
+| quick_json | summaries of points as JSON and back |
 | pools | processes of this machine, a Dask cluster, an executor of the user's |
 | engine | execution: hand out, keep, resume |
 | results | finished points gathered and written |

@@ -27,6 +27,7 @@ from ..version import version
 from .engine import Batch
 from .keys import value_in
 from .points import Point
+from .quick_json import document_of
 from .shards import Shard
 from .store import DATA, POINTS, SUMMARY, TABLE
 
@@ -110,7 +111,7 @@ def _values(point: Point, record: Record) -> dict[str, Any]:
     run = json.loads(record.values)
     if all(key in run for key in point.keys):
         return {key: run[key] for key in point.keys}
-    summary = summary_of(record)
+    summary = summary_of(record, document_of)
     document = point.document if summary is None else summary["case"]
     return {key: value_in(document, key) for key in point.keys}
 
@@ -138,7 +139,7 @@ def gathered(batch: Batch, only: Sequence[int] | None = None) -> BatchResults:
 
 
 def _in_memory(batch: Batch, point: Point, record: Record) -> BatchPoint:
-    summary = summary_of(record)
+    summary = summary_of(record, document_of)
     return BatchPoint(
         number=point.number,
         block=point.block,

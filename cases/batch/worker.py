@@ -15,6 +15,7 @@ from .keys import digest, value_in
 from .limits import limited
 from .points import Receipt, Task
 from .program import program_digest
+from .quick_json import json_of
 from .shared.contact_cache import ContactCache
 from .store import CONTACTS, write_file, write_files
 
@@ -41,7 +42,7 @@ def compute_point(task: Task, tables: bytes | None = None) -> Receipt:
             summary, files = _computed(task, folder, tables)
         values = {key: value_in(summary["case"], key) for key in task.keys}
         named = {name: digest(data) for name, data in files.items()}
-        record = record_of(task.key, summary, values, named)
+        record = record_of(task.key, summary, values, named, json_of(summary))
     except MemoryError:
         return failure(task.key, FAILED, _beyond_memory(task))
     except Exception as error:  # one point must not stop the others

@@ -322,13 +322,16 @@ def _schema_of(model: type[BearingFile | ContactFile]) -> dict[str, Any]:
 
 def _assumed(values: CaseValues) -> Iterator[CaseFault]:
     """Names under `assumed` that are no keys of a case file."""
+    assumed = values.get("assumed")
+    if not assumed:
+        return
     schema = _schema_of(ContactFile if "contact" in values.document else BearingFile)
     tables = {
         table: resolved(schema, node).get("properties", ())
         for table, node in schema["properties"].items()
     }
     known = {f"{table}.{key}" for table, keys in tables.items() for key in keys}
-    for name in values.get("assumed") or ():
+    for name in assumed:
         if not isinstance(name, str) or name in known:
             continue
         table, _, rest = name.partition(".")

@@ -58,6 +58,8 @@ def name_in_si(key: str) -> str:
 
 
 def _si(key: str, value: Any) -> Any:
+    if value is None or isinstance(value, str):  # as most keys
+        return value
     if isinstance(value, tuple) and value and isinstance(value[0], tuple):  # rows over time
         return tuple((row[0], *_si(key, row[1:])) for row in value)
     if isinstance(value, tuple):

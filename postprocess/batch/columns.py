@@ -46,30 +46,30 @@ class Source(Protocol):
 
 
 class InMemory:
-    """The points of results that are in memory."""
+    """The points of results that are in memory, their numbers packed once."""
 
     def __init__(self, results: BatchResults) -> None:
         self.keys = results.keys
-        self.points = results.points
+        self._rows = [
+            Row(
+                number=point.number,
+                block=point.block,
+                status=point.status,
+                message=point.message,
+                converged=point.converged,
+                values=point.values,
+                **_packed(point.summary),
+            )
+            for point in results.points
+        ]
 
     def __len__(self) -> int:
-        return len(self.points)
+        return len(self._rows)
 
     def chunks(self) -> Iterator[Sequence[Row]]:
         """All rows."""
-        for start in range(0, len(self.points), CHUNK):
-            yield [
-                Row(
-                    number=point.number,
-                    block=point.block,
-                    status=point.status,
-                    message=point.message,
-                    converged=point.converged,
-                    values=point.values,
-                    **_packed(point.summary),
-                )
-                for point in self.points[start : start + CHUNK]
-            ]
+        for start in range(0, len(self._rows), CHUNK):
+            yield self._rows[start : start + CHUNK]
 
 
 def _packed(summary: dict[str, Any] | None) -> dict[str, Any]:

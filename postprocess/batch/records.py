@@ -2,7 +2,7 @@
 
 import json
 import zlib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from hashlib import blake2b
@@ -75,12 +75,14 @@ def record_of(
     summary: dict[str, Any],
     values: Mapping[str, Any] = NO_VALUES,
     files: Mapping[str, str] = NO_FILES,
+    text: bytes = b"",
 ) -> Record:
     """The record of a computed point; ValueError if its summary is no JSON.
 
-    `values`: of the varied keys; `files`: digests of other files of the point, by suffix.
+    `values`: of the varied keys; `files`: digests of other files of the point, by suffix; `text`:
+    the summary as JSON where it was written before.
     """
-    text = json.dumps(summary, ensure_ascii=False, allow_nan=False)
+    text = text or json.dumps(summary, ensure_ascii=False, allow_nan=False).encode()
     layout, numbers = packed_numbers(summary)
     return Record(
         key=key,
@@ -88,17 +90,16 @@ def record_of(
         values=json.dumps(dict(values), ensure_ascii=False),
         layout=layout,
         numbers=numbers,
-        summary=zlib.compress(text.encode(), LEVEL),
+        summary=zlib.compress(text, LEVEL),
         files=json.dumps(dict(files)),
     )
 
 
-def summary_of(record: Record) -> dict[str, Any] | None:
-    """The summary of a point; None of one without a result."""
-    if not record.summary:
-        return None
-    document: dict[str, Any] = json.loads(zlib.decompress(record.summary))
-    return document
+def summary_of(
+    record: Record, read: Callable[[bytes], dict[str, Any]] = json.loads
+) -> dict[str, Any] | None:
+    """The summary of a point; None of one without a result. `read`: what reads JSON."""
+    return read(zlib.decompress(record.summary)) if record.summary else None
 
 
 def packed_numbers(summary: dict[str, Any]) -> tuple[str, bytes]:

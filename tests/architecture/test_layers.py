@@ -29,7 +29,7 @@ HOMES = {
     "h5py": ("postprocess/netcdf/groups.py", "postprocess/*/history.py"),
     "typer": ("cases/cli/*.py", "cases/cli/over_time/*.py"),
     "pydantic": ("cases/format/*.py", "cases/batch/*.py", "cases/batch/planning/*.py", "cases/optimise/*.py"),
-    "pydantic_core": ("cases/format/*.py",),
+    "pydantic_core": ("cases/format/*.py", "cases/batch/quick_json.py"),
     "rich": ("cases/cli/*.py", "postprocess/*table.py", "postprocess/*/*.py"),
     "PIL": ("postprocess/scene/*.py",),
     "trame_pyvista": ("postprocess/scene/*.py",),
