@@ -243,9 +243,9 @@ def _with_message(study: _Study, table: TractionTable) -> TractionTable:
     if error.largest_straight > error.tolerance:
         near = f"{error.largest_straight:.2%} of kappa_max Q, above {error.tolerance:.2%}"
         message += f"; near rolling without spin errors up to {near}"
+    message += _of_atlas(films)
     if error.largest_spin > error.tolerance:
         message += f"; moments of spin are off by up to {error.largest_spin:.2%} of their largest"
-    message += _of_atlas(films)
     if filled:
         few = f"{filled} of {len(films)} films"
         message += f"; stiffness and damping of {few} are those of neighbouring loads"
