@@ -29,8 +29,8 @@ from .reynolds import (
 ADVICE = "try more points"
 STEPS = 100  # of Newton on each mesh
 # change of pressure at a node [-] above which a step is not made but tried again over a shorter
-# time. Of 28 contacts on 257 points none takes more than 23 steps on a mesh so, M 1000, L 25,
-# R_x/R_y 0.05 67 at 0.5, M 2000, L 28 52 where the time grows after 0.7 of it
+# time. Of 28 contacts on 257 points none takes more than 23 steps on a mesh that converges so,
+# M 1000, L 25, R_x/R_y 0.05 67 at 0.5, M 2000, L 28 52 where the time grows after 0.7 of it
 PRESSURE_STEP = 0.3
 LARGEST_FILM_LOSS = 0.7  # of the film at a node in a step
 TOLERANCE = 1e-5  # of the last change of pressure [-]
