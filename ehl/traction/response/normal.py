@@ -100,7 +100,7 @@ def normal_response(
     if not meshes or meshes[-1].points < finest[0]:
         return _none(fault)
     starved = conditions.inlet_layer is not None
-    return _extrapolated(meshes[-2:], tuple(frequencies), starved, _dry_stiffness(conditions))
+    return _extrapolated(meshes[-2:], tuple(frequencies), starved, dry_stiffness(conditions))
 
 
 def wave_transmission(
@@ -136,7 +136,7 @@ def highest_frequency(conditions: ContactConditions) -> float:
     return FASTEST * conditions.entrainment_speed / (2.0 * pi * a)
 
 
-def _dry_stiffness(conditions: ContactConditions) -> float:
+def dry_stiffness(conditions: ContactConditions) -> float:
     """Of Hertz' contact, 3/2 of the load over the approach [N/m]."""
     c = conditions
     dry = hertz_contact(c.load, c.radius_x, c.radius_y, c.reduced_modulus)

@@ -20,6 +20,7 @@ from .._kernels import LOAD_POWER
 from .coordinates import from_vertex, vertex_slide
 from .film import FilmSample, film_sample, relative_forces
 from .packing import mirrored, stored_values
+from .responses import Place, log_responses, wanted_responses
 from .splines import left_out_error, spline_coefficients
 from .table import TableContact, TableError, TableRange, TractionTable, latin_hypercube, load_place
 from .values import grid_values, table_motions
@@ -41,7 +42,7 @@ ERRORS = ("largest", "quantile", "rms", "largest_spin", "largest_rolling")
 Progress = Callable[[int, int, str], None]  # done, in all, what
 # film of a contact at a place (ln load, ln speed) of a range, of so many points along x, with
 # stiffness and damping or without
-FilmSampler = Callable[[TableContact, TableRange, tuple[float, float], int, bool], FilmSample]
+FilmSampler = Callable[[TableContact, TableRange, Place, int, bool], FilmSample]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -118,7 +119,7 @@ def _study(
     )
     ends = np.array([[log(end) for end in ends] for ends in (limits.load, limits.speed)])
     places = latin_hypercube(ends, options.check_films, np.random.default_rng(options.seed)).T
-    study.checks = _solve(study, [(float(q), float(u)) for q, u in places], response=False)
+    study.checks = _solve(study, [((float(q), float(u)), False) for q, u in places])
     return study
 
 
@@ -130,16 +131,16 @@ def _first_loads(most: int, narrow: bool, limits: TableRange) -> int:
     return min(most, max(NARROW_LOADS, 1 + steps))
 
 
-def _solve(
-    study: _Study, wanted: list[tuple[float, float]], response: bool = True
-) -> list[FilmSample]:
-    """Films at places, several at a time: the kernels release the interpreter's lock."""
+def _solve(study: _Study, wanted: list[tuple[Place, bool]]) -> list[FilmSample]:
+    """Films at places, with stiffness and damping or without, several at a time: the kernels
+    release the interpreter's lock.
+    """
     films: list[FilmSample] = []
     before = len(study.films) + len(study.checks)
 
-    def solve(place: tuple[float, float]) -> FilmSample:
+    def solve(place: tuple[Place, bool]) -> FilmSample:
         points = study.options.points
-        return study.options.sample(study.contact, study.range, place, points, response)
+        return study.options.sample(study.contact, study.range, place[0], points, place[1])
 
     with film_threads(study.options.workers) as pool:
         for film in pool.map(solve, wanted):
@@ -172,7 +173,15 @@ def _grid_films(study: _Study, axes: Array) -> list[list[FilmSample]]:
     loads = np.log(_axis_loads(axes[0]))
     rows = [[(float(q), float(u)) for u in _axis_nodes(axes[1])] for q in loads]
     keys = {place: (round(place[0], 9), round(place[1], 9)) for row in rows for place in row}
-    missing = [place for place, key in keys.items() if key not in study.films]
+    known = [study.films.get(key) for key in keys.values()]
+    response = wanted_responses(
+        list(keys), [film is not None and film.response is not None for film in known]
+    )
+    missing = [
+        (place, wanted)
+        for place, film, wanted in zip(keys, known, response, strict=True)
+        if film is None or (wanted and film.response is None)
+    ]
     for film in _solve(study, missing):
         study.films[keys[film.place]] = film
     return [[study.films[keys[place]] for place in row] for row in rows]
@@ -207,7 +216,7 @@ def _table(study: _Study) -> tuple[TractionTable, NDArray[np.float32]]:
     nodes = [_axis_nodes(axis) for axis in axes[2:]]
     raw, largest = grid_values(study.contact, study.range, films, nodes, study.options.workers)
     # 2. splines: values over their largest, logarithms of what depends on load and speed alone
-    scalars = np.concatenate([_scalars(films), np.log(largest)], axis=-1)
+    scalars = [_scalars(films), log_responses(study.contact, films), np.log(largest)]
     unchecked = TableError(
         **dict.fromkeys(ERRORS, np.inf), films=0, motions=0, tolerance=study.options.tolerance
     )
@@ -216,7 +225,7 @@ def _table(study: _Study) -> tuple[TractionTable, NDArray[np.float32]]:
         range=study.range,
         points=study.options.points,
         axes=axes,
-        scalars=spline_coefficients(scalars, (0, 1)),
+        scalars=spline_coefficients(np.concatenate(scalars, axis=-1), (0, 1)),
         values=stored_values(raw),  # rounded as in a file
         kappa_max=float((largest[..., 0] / _axis_loads(axes[0])[:, None]).max()),
         error=unchecked,
@@ -232,7 +241,8 @@ def _with_message(study: _Study, table: TractionTable) -> TractionTable:
     """Whether it converged, and what did not."""
     films = [*study.films.values(), *study.checks]
     bad = sum(not film.film.converged for film in films)
-    filled = sum(not film.known_response.converged for film in study.films.values())
+    responses = [film.response for film in study.films.values() if film.response is not None]
+    filled = sum(not response.converged for response in responses)
     error = table.error
     faults = []
     if not error.reached:
@@ -247,7 +257,7 @@ def _with_message(study: _Study, table: TractionTable) -> TractionTable:
     if error.largest_spin > error.tolerance:
         message += f"; moments of spin are off by up to {error.largest_spin:.2%} of their largest"
     if filled:
-        few = f"{filled} of {len(films)} films"
+        few = f"{filled} of {len(responses)} films"
         message += f"; stiffness and damping of {few} are those of neighbouring loads"
     return replace(table, converged=not faults, message=message)
 
@@ -263,30 +273,13 @@ def _of_atlas(films: Sequence[FilmSample]) -> str:
 
 
 def _scalars(films: list[list[FilmSample]]) -> Array:
-    """Logarithms of scales, film, hydrodynamic moment, stiffness, damping, shape (nQ, nU, 7)."""
+    """Logarithms of scales, film, hydrodynamic moment, shape (nQ, nU, 5)."""
     known = [[(*film.scales, film.film.central, film.moment) for film in row] for row in films]
-    known_responses = [[film.known_response for film in row] for row in films]
-    responses = np.array(
-        [[(r.stiffness.value, r.damping.value) for r in row] for row in known_responses]
-    )
-    responses[np.array([[not r.converged for r in row] for row in known_responses])] = np.nan
     if np.min(known) <= 0.0:
         first = films[0][0]
         place = f"{first.load:.4g} N and {first.speed:.4g} m/s"
         raise ValueError(f"no rolling moment in some film from {place} on: take another range")
-    return np.concatenate([np.log(known), _filled(np.log(responses))], axis=-1)
-
-
-def _filled(values: Array) -> Array:
-    """Values with gaps along the first axis interpolated, constant beyond the ends."""
-    nodes = np.arange(values.shape[0])
-    for line in values.reshape(nodes.size, -1).T:
-        known = np.isfinite(line)
-        if not known.any():
-            fault = "at one of the speeds no film has a stiffness and damping"
-            raise ValueError(f"load: {fault}; take another range")
-        line[:] = np.interp(nodes, nodes[known], line[known])
-    return values
+    return np.log(known)
 
 
 def straight_motions(

@@ -108,12 +108,6 @@ class FilmSample:
     solved_because: str | None = None
 
     @property
-    def known_response(self) -> NormalResponse:
-        """Stiffness and damping of a film that was asked for them."""
-        assert self.response is not None
-        return self.response
-
-    @property
     def load(self) -> float:
         """[N]."""
         return exp(self.place[0])
