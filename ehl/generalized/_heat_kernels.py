@@ -16,7 +16,7 @@ walls and curvature of `section.wall_slopes` and `section.curvature`.
 
 import numpy as np
 
-from ..compiled import compiled
+from ..compiled import compiled, summing
 from ..oil._kernels import capacity_ratio, conductivity_ratio, softening_at, thermal_expansion
 from ._kernels import FLUIDITY, LOG_ETA, RHO, ROWS, T_XX, T_XY, T_YY, solve_column
 
@@ -24,7 +24,7 @@ from ._kernels import FLUIDITY, LOG_ETA, RHO, ROWS, T_XX, T_XY, T_YY, solve_colu
 # first four leave films to 0.4 % and temperatures to 3 K; cycles, 5 to 19, change by up to 9.
 COLUMN_STEPS = 40  # Newton steps of one column
 HALVED_AFTER = 12  # steps, from which on only half of each is taken, then a quarter
-COLUMN_TOLERANCE = 0.05  # [K] of the last step; convergence is quadratic
+COLUMN_TOLERANCE = 0.3
 LARGEST_STEP = 40.0  # [K] of one Newton step
 # bounds of iterates [K]; films of these contacts have 295 to 712 K
 MIN_TEMPERATURE = 150.0
@@ -122,6 +122,25 @@ def column_temperature(film, conductivity, last, history, response, nodes, diffe
         out[k] -= flow[COUPLED, k] * drawn / (1.0 + own)
 
 
+@summing
+def integrals_to(k, cumulative, flow):
+    """Integrals of both rates from the wall to node k of a column of height 1 [1/s]."""
+    along = across = 0.0
+    for m in range(cumulative.shape[1]):
+        along += cumulative[k, m] * flow[RATE_X, m]
+        across += cumulative[k, m] * flow[RATE_Y, m]
+    return along, across
+
+
+@summing
+def carried_to(k, cumulative, flow, work):
+    """Integral of the mass flux from the wall to node k of a column of height 1 [m/s]."""
+    total = 0.0
+    for m in range(cumulative.shape[1]):
+        total += cumulative[k, m] * work[RHO, m] * flow[U, m]
+    return total
+
+
 @compiled
 def column_motion(middle, rise, speed, height, section, work, flow):
     """Rates of shear [1/s] and velocities [m/s] at the nodes, and the heat of shear [W/m^3]."""
@@ -132,10 +151,8 @@ def column_motion(middle, rise, speed, height, section, work, flow):
         flow[RATE_X, k], flow[RATE_Y, k] = work[FLUIDITY, k] * t_x, work[FLUIDITY, k] * t_y
         flow[SOURCE, k] = flow[RATE_X, k] * t_x + flow[RATE_Y, k] * t_y
     for k in range(n):
-        flow[U, k], flow[V, k] = speed[0], speed[1]
-        for m in range(n):
-            flow[U, k] += height * cumulative[k, m] * flow[RATE_X, m]
-            flow[V, k] += height * cumulative[k, m] * flow[RATE_Y, m]
+        along, across = integrals_to(k, cumulative, flow)
+        flow[U, k], flow[V, k] = speed[0] + height * along, speed[1] + height * across
 
 
 @compiled
@@ -181,10 +198,7 @@ def column_transport(
     ny, nx, n = temperature.shape
     cumulative = section[2]
     for k in range(n if renewed else 0):
-        total = 0.0
-        for m in range(n):
-            total += height * cumulative[k, m] * work[RHO, m] * flow[U, m]
-        mass[j, i, k] = total
+        mass[j, i, k] = height * carried_to(k, cumulative, flow, work)
     before = i - 1 if mass[j, i, n - 1] >= 0.0 else i + 1
     step = -mesh[0] if mass[j, i, n - 1] < 0.0 else mesh[0]
     inside = 0 <= before < nx
@@ -359,7 +373,7 @@ def walls_before(flux, i, speeds, response, weights, bulk):
     return first, second
 
 
-@compiled
+@summing
 def body_history(flux, i, speed, weights):
     """Weighted sum of the fluxes a surface took up before node i [W/m^1.5]."""
     total = 0.0

@@ -8,6 +8,7 @@ import numpy as np
 from ..arrays import Array
 from ..conditions import ContactConditions
 from ..grid import Grid
+from ..multigrid.transfer import interpolate_linear
 from ..oil.numbers import oil_numbers
 from ..oil.rheology import Rheology, kernel_rheology
 from ..scaling import ScaledContact
@@ -27,6 +28,18 @@ class HeatState:
     recirculates: Array  # whether oil of a column flows against the entrainment, shape (ny, nx)
     change: float = 0.0  # largest change of a temperature in the last cycle [K]
     unsolved_columns: int = 0  # that did not converge in the last sweep [-]
+
+    def refined(self) -> "HeatState":
+        """On the next finer grid, as a start."""
+        fine = interpolate_linear
+        return replace(
+            self,
+            temperature=fine(self.temperature),
+            mass=fine(self.mass),
+            flux=np.stack([fine(part) for part in self.flux]),
+            dissipation=fine(self.dissipation),
+            recirculates=fine(self.recirculates.astype(np.float64)) > 0.0,
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

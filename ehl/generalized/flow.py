@@ -33,6 +33,7 @@ from ..conditions import ContactConditions
 from ..grid import Grid
 from ..kinematics import contact_kinematics
 from ..multigrid.flow_model import FlowFactors, entrainment_factors
+from ..multigrid.transfer import interpolate_linear
 from ..oil.lubricant import log_viscosity_ratio, viscosity
 from ..oil.numbers import oil_numbers
 from ..oil.rheology import Rheology, divide_stresses, kernel_rheology, limiting_stress
@@ -145,6 +146,26 @@ class GeneralizedFlow:
             unsolved_columns=new.unsolved + (0 if heat is None else heat.unsolved_columns),
             over_limit_columns=self._over_limit_columns(fields, temperature),
         )
+
+    def refined(self, state: FlowState) -> FlowState | None:
+        """Heat and stress of a grid on the next finer one, for its first cycle there; None where
+        some are not numbers.
+        """
+        fine = interpolate_linear
+        heat = state.heat
+        if heat is not None:
+            heat = heat.refined()
+        started = replace(
+            state,
+            mid_stress=np.stack([fine(part) for part in state.mid_stress]),
+            pressure=fine(state.pressure),
+            poiseuille=fine(state.poiseuille),
+            thinning=fine(state.thinning),
+            temperature=fine(state.temperature),
+            heat=heat,
+        )
+        known = (started.mid_stress, started.poiseuille, started.temperature)
+        return started if all(np.isfinite(values).all() for values in known) else None
 
     def _heated(
         self, contact: ScaledContact, grid: Grid, fields: FilmFields, last: FlowState | None

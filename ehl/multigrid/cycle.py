@@ -76,8 +76,11 @@ def refresh_factors(state: Multigrid, index: int) -> None:
     if state.flow_model is None:
         return
     level = state.levels[index]
+    last = level.flow_state
+    if last is None and index and state.levels[index - 1].flow_state is not None:
+        last = state.flow_model.refined(state.levels[index - 1].flow_state)
     factors, level.flow_state = state.flow_model.factors(
-        state.contact, level.grid, level.P, level.H, level.flow_state
+        state.contact, level.grid, level.P, level.H, last
     )
     level.factors = factors
     for coarser in reversed(state.levels[:index]):

@@ -60,8 +60,12 @@ class FlowModel(Protocol):
         self, contact: ScaledContact, grid: Grid, P: Array, H: Array, last: Any
     ) -> tuple[FlowFactors, Any]:
         """Factors at pressure and film of a grid [-], the entrainment's velocity field included,
-        and the state that the next cycle on the grid takes as `last`; None on its first cycle.
+        and the state that the next cycle on the grid takes as `last`; on its first cycle that is
+        `refined` of the grid below, None where that has none.
         """
+
+    def refined(self, state: Any) -> Any:
+        """The state of a grid on the next finer one, for its first cycle."""
 
 
 def entrainment_factors(contact: ScaledContact, grid: Grid) -> FlowFactors:

@@ -23,11 +23,11 @@ def full_weighting(fine: Array, symmetric: bool) -> Array:
 
 
 def interpolate_linear(coarse: Array) -> Array:
-    """Bilinear interpolation, exact for bilinear functions."""
-    lines = np.empty((coarse.shape[0], 2 * coarse.shape[1] - 1))
+    """Bilinear interpolation, exact for bilinear functions; shape (ny, nx, ...)."""
+    lines = np.empty((coarse.shape[0], 2 * coarse.shape[1] - 1, *coarse.shape[2:]))
     lines[:, ::2] = coarse
     lines[:, 1::2] = 0.5 * (coarse[:, 1:] + coarse[:, :-1])
-    fine = np.empty((2 * coarse.shape[0] - 1, lines.shape[1]))
+    fine = np.empty((2 * coarse.shape[0] - 1, *lines.shape[1:]))
     fine[::2] = lines
     fine[1::2] = 0.5 * (lines[1:] + lines[:-1])
     return fine
