@@ -45,6 +45,9 @@ from .section import FilmFields, Section, film_section
 # relative change of the gradient, and change of ln(eta) by pressure, for difference quotients
 STEP = 0.02
 SMALLEST_WEIGHT = 1e-300  # keeps a quotient finite
+# change of the flow in a cycle up to which k, which only speeds the cycles, is kept of an oil that
+# does not thin under shear
+SETTLED_FLOW = 3e-3
 SMALLEST_SLOPE = 1e-10  # of ln(eta) by pressure, below which an oil counts as isoviscous [1/Pa]
 
 
@@ -112,7 +115,9 @@ class GeneralizedFlow:
         # 1. temperature across the film, with the stress in its middle of the last cycle
         middle, heat, temperature = self._heated(contact, grid, fields, last)
         # 2. factors of Yang and Wen (1990), linearised
-        new = self._linearised(fields, middle, temperature)
+        settled = last is not None and last.change <= SETTLED_FLOW and self.rheology.newtonian
+        known = last.thinning if last is not None and settled else None
+        new = self._linearised(fields, middle, temperature, known)
         oil = self.conditions.lubricant
         newtonian = np.maximum(fields.h, 0.0) ** 2 / (12.0 * viscosity(fields.p, oil))
         # 3. relaxation by 1/(1 + m)
@@ -189,9 +194,11 @@ class GeneralizedFlow:
             temperature = last.temperature + relaxation * (temperature - last.temperature)
         return middle, heat, temperature
 
-    def _linearised(self, fields: FilmFields, middle: Array, temperature: Array) -> _Linearised:
+    def _linearised(
+        self, fields: FilmFields, middle: Array, temperature: Array, thinning: Array | None
+    ) -> _Linearised:
         """Factors and their derivatives; `middle`, the stress in the middle of the film [Pa], is
-        a first guess that the solution replaces.
+        a first guess that the solution replaces; thinning: k where it is known.
         """
         poiseuille, couette, tangent, unsolved = self._evaluate(fields, middle, temperature)
         # m by a difference quotient; the gradient thins no Newtonian oil
@@ -200,16 +207,10 @@ class GeneralizedFlow:
             steeper = replace(fields, gradient=(1.0 + STEP) * fields.gradient)
             steep = self._evaluate(steeper, middle.copy(), temperature)[0]
             power = np.maximum(np.log(steep / poiseuille) / np.log1p(STEP), 0.0)
-        # k by a difference quotient
-        oil = self.conditions.lubricant
-        rise = STEP / max(oil.pressure_viscosity, SMALLEST_SLOPE)
-        higher = replace(fields, p=fields.p + rise)
-        pressed = self._evaluate(higher, middle.copy(), temperature)[0]
-        thicker = log_viscosity_ratio(higher.p, oil) - log_viscosity_ratio(fields.p, oil)
-        share = np.log(pressed / poiseuille) / np.maximum(thicker, SMALLEST_SLOPE)
-        thinning = np.clip(share, 0.0, 1.0)
-        if self.continuation.follow_pressure:
-            thinning = (thinning + power) / (1.0 + power)
+        if thinning is None:
+            thinning = self._thinning(fields, middle, temperature, poiseuille)
+            if self.continuation.follow_pressure:
+                thinning = (thinning + power) / (1.0 + power)
         return _Linearised(
             poiseuille=poiseuille,
             couette=couette,
@@ -218,6 +219,18 @@ class GeneralizedFlow:
             thinning=thinning,
             unsolved=unsolved,
         )
+
+    def _thinning(
+        self, fields: FilmFields, middle: Array, temperature: Array, poiseuille: Array
+    ) -> Array:
+        """k by a difference quotient, shape (ny, nx) [-]."""
+        oil = self.conditions.lubricant
+        rise = STEP / max(oil.pressure_viscosity, SMALLEST_SLOPE)
+        higher = replace(fields, p=fields.p + rise)
+        pressed = self._evaluate(higher, middle.copy(), temperature)[0]
+        thicker = log_viscosity_ratio(higher.p, oil) - log_viscosity_ratio(fields.p, oil)
+        share = np.log(pressed / poiseuille) / np.maximum(thicker, SMALLEST_SLOPE)
+        return np.clip(share, 0.0, 1.0)
 
     def _last_factor(self, p: Array, last: FlowState) -> Array:
         """Poiseuille factor of the last cycle, at the new pressure if it follows it [-]."""
