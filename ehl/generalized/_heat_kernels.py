@@ -17,7 +17,7 @@ walls and curvature of `section.wall_slopes` and `section.curvature`.
 import numpy as np
 
 from ..compiled import compiled, summing
-from ..oil._kernels import capacity_ratio, conductivity_ratio, softening_at, thermal_expansion
+from ..oil._kernels import capacity_ratio, column_softening, conductivity_ratio, thermal_expansion
 from ._kernels import FLUIDITY, LOG_ETA, RHO, ROWS, T_XX, T_XY, T_YY, solve_column
 
 # Measured on 65 points at 2.3 GPa and slide-roll ratios up to 1.8: half and double of each of the
@@ -40,10 +40,12 @@ LOWER, MIDDLE, UPPER, COUPLED, FLOW_ROWS = range(13, 18)
 
 @compiled
 def factor_tridiagonal(flow):
-    """LU factors of three diagonals in place of them (Thomas)."""
+    """LU factors of three diagonals in place of them (Thomas), the middle one inverted."""
+    inverse = flow[MIDDLE, 0] = 1.0 / flow[MIDDLE, 0]
     for k in range(1, flow.shape[1]):
-        flow[LOWER, k] /= flow[MIDDLE, k - 1]
-        flow[MIDDLE, k] -= flow[LOWER, k] * flow[UPPER, k - 1]
+        flow[LOWER, k] *= inverse
+        inverse = 1.0 / (flow[MIDDLE, k] - flow[LOWER, k] * flow[UPPER, k - 1])
+        flow[MIDDLE, k] = inverse
 
 
 @compiled
@@ -52,9 +54,9 @@ def solve_tridiagonal(flow, right):
     n = right.size
     for k in range(1, n):
         right[k] -= flow[LOWER, k] * right[k - 1]
-    right[n - 1] /= flow[MIDDLE, n - 1]
+    right[n - 1] *= flow[MIDDLE, n - 1]
     for k in range(n - 2, -1, -1):
-        right[k] = (right[k] - flow[UPPER, k] * right[k + 1]) / flow[MIDDLE, k]
+        right[k] = (right[k] - flow[UPPER, k] * right[k + 1]) * flow[MIDDLE, k]
 
 
 @compiled
@@ -166,22 +168,28 @@ def source_slope(p, temperature, middle, rise, rate, oil, section, work, flow):
     nodes, weights, _ = section
     n = nodes.size
     size = np.hypot(rate[0], rate[1])
-    e_x, e_y = (rate[0] / size, rate[1] / size) if size > 0.0 else (0.0, 0.0)
+    soft = flow[DIAGONAL]
+    column_softening(p, temperature, work[LOG_ETA], oil, soft)
+    if size == 0.0:  # nothing gives way
+        for k in range(n):
+            flow[PULL, k] = flow[ALONG, k] = 0.0
+            soft[k] *= flow[SOURCE, k]
+        return
+    e_x, e_y = rate[0] / size, rate[1] / size
     give = 0.0
     for k in range(n):
         give += weights[k] * (
             work[T_XX, k] * e_x * e_x + 2.0 * work[T_XY, k] * e_x * e_y + work[T_YY, k] * e_y * e_y
         )
     for k in range(n):
-        soft = softening_at(p, temperature[k], work[LOG_ETA, k], oil)
         t_x = middle[0] + (nodes[k] - 0.5) * rise[0]
         t_y = middle[1] + (nodes[k] - 0.5) * rise[1]
         pull = flow[RATE_X, k] * e_x + flow[RATE_Y, k] * e_y
         along = pull + t_x * (work[T_XX, k] * e_x + work[T_XY, k] * e_y)
         along += t_y * (work[T_XY, k] * e_x + work[T_YY, k] * e_y)
-        flow[PULL, k] = weights[k] * soft * pull / give if size > 0.0 else 0.0
+        flow[PULL, k] = weights[k] * soft[k] * pull / give
         flow[ALONG, k] = along
-        flow[DIAGONAL, k] = soft * flow[SOURCE, k]
+        soft[k] *= flow[SOURCE, k]
 
 
 @compiled

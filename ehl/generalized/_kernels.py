@@ -34,7 +34,7 @@ ln(eta/eta_0) and mass weights at the nodes of a column.
 import numpy as np
 
 from ..compiled import compiled
-from ..oil._kernels import density_ratio, log_viscosity_at, pressure_rise, viscosity
+from ..oil._kernels import column_density, column_log_viscosity, density_ratio, viscosity
 from ..oil._rheology_kernels import (
     CARREAU_YASUDA,
     LIMIT_POWER,
@@ -191,11 +191,10 @@ def column_fluidity(middle, rise, section, limit, margin, rheology, work):
 def column_properties(p, temperature, oil, section, work):
     """Viscosity [Pa s] and density over rho_0 in a column; returns its mean temperature [K]."""
     mean = 0.0
-    pressed = pressure_rise(p, oil)
+    column_log_viscosity(p, temperature, oil, work[LOG_ETA])
+    column_density(p, temperature, oil, work[RHO])
     for k in range(section[1].size):
-        work[LOG_ETA, k] = log_viscosity_at(p, pressed, temperature[k], oil)
         work[ETA, k] = oil[2] * np.exp(work[LOG_ETA, k])
-        work[RHO, k] = density_ratio(p, temperature[k], oil)
         mean += section[1][k] * temperature[k]
     return mean
 
@@ -206,10 +205,11 @@ def newtonian_column(rise, rate, section, work):
     nodes, weights, _ = section
     fluidity = moment = 0.0
     for k in range(nodes.size):
-        work[FLUIDITY, k] = work[T_XX, k] = work[T_YY, k] = 1.0 / work[ETA, k]
+        fluid = 1.0 / work[ETA, k]
+        work[FLUIDITY, k] = work[T_XX, k] = work[T_YY, k] = fluid
         work[T_XY, k] = 0.0
-        fluidity += weights[k] / work[ETA, k]
-        moment += weights[k] * (nodes[k] - 0.5) / work[ETA, k]
+        fluidity += weights[k] * fluid
+        moment += weights[k] * (nodes[k] - 0.5) * fluid
     return (rate[0] - moment * rise[0]) / fluidity, (rate[1] - moment * rise[1]) / fluidity
 
 

@@ -88,6 +88,59 @@ def roelands_rise(ratio, exponent):
 
 
 @compiled
+def _log_roelands(rise, above, oil):
+    slope = oil[V]
+    room = oil[4] - ROELANDS_TEMPERATURE
+    if above != 0.0:
+        rise *= np.exp(-oil[5] * room / slope * np.log(max(1.0 + above / room, 1e-3)))
+    return min(slope * (rise - 1.0), EXPONENT_LIMIT)
+
+
+@compiled
+def _roelands_softening(temperature, log_ratio, oil):
+    room = oil[4] - ROELANDS_TEMPERATURE
+    warm = 1.0 + (temperature - oil[4]) / room
+    if log_ratio >= EXPONENT_LIMIT or warm <= 1e-3:
+        return 0.0
+    return oil[5] * (1.0 + log_ratio / oil[V]) / warm
+
+
+@compiled
+def column_log_viscosity(pressure, temperature, oil, out):
+    """`log_viscosity_ratio` at the temperatures of a column, the law chosen once."""
+    pressed = pressure_rise(pressure, oil)
+    if int(oil[0]) == ROELANDS:
+        for k in range(temperature.size):
+            out[k] = _log_roelands(pressed, temperature[k] - oil[4], oil)
+    else:
+        for k in range(temperature.size):
+            out[k] = log_viscosity_at(pressure, pressed, temperature[k], oil)
+
+
+@compiled
+def column_softening(pressure, temperature, log_ratio, oil, out):
+    """`softening_at` at the temperatures of a column, the law chosen once."""
+    if int(oil[0]) == ROELANDS:
+        for k in range(temperature.size):
+            out[k] = _roelands_softening(temperature[k], log_ratio[k], oil)
+    else:
+        for k in range(temperature.size):
+            out[k] = softening_at(pressure, temperature[k], log_ratio[k], oil)
+
+
+@compiled
+def column_density(pressure, temperature, oil, out):
+    """`density_ratio` at the temperatures of a column, the law chosen once."""
+    if int(oil[1]) == TAIT:
+        for k in range(temperature.size):
+            out[k] = density_ratio(pressure, temperature[k], oil)
+    else:
+        pressed = density_ratio(pressure, oil[4], oil)
+        for k in range(temperature.size):
+            out[k] = pressed * np.exp(-oil[6] * (temperature[k] - oil[4]))
+
+
+@compiled
 def log_viscosity_ratio(pressure, temperature, oil):
     """ln(eta/eta_0), at most EXPONENT_LIMIT [-]."""
     return log_viscosity_at(pressure, pressure_rise(pressure, oil), temperature, oil)
@@ -111,11 +164,7 @@ def log_viscosity_at(pressure, rise, temperature, oil):
     if law == BARUS:
         return min(oil[V] * pressure - oil[5] * above, EXPONENT_LIMIT)
     if law == ROELANDS:
-        slope = oil[V]
-        room = oil[4] - ROELANDS_TEMPERATURE
-        if above != 0.0:
-            rise *= max(1.0 + above / room, 1e-3) ** (-oil[5] * room / slope)
-        return min(slope * (rise - 1.0), EXPONENT_LIMIT)
+        return _log_roelands(rise, above, oil)
     if law == MODULUS:
         return min(_log_modulus(pressure, temperature, oil), EXPONENT_LIMIT)
     if law == SCALED:
@@ -150,11 +199,9 @@ def softening_at(pressure, temperature, log_ratio, oil):
         return 0.0
     if law in (ISOVISCOUS, BARUS):
         return oil[5]
-    if law != ROELANDS:
-        return viscosity_softening(pressure, temperature, oil)
-    room = oil[4] - ROELANDS_TEMPERATURE
-    warm = 1.0 + (temperature - oil[4]) / room
-    return oil[5] * (1.0 + log_ratio / oil[V]) / warm if warm > 1e-3 else 0.0
+    if law == ROELANDS:
+        return _roelands_softening(temperature, log_ratio, oil)
+    return viscosity_softening(pressure, temperature, oil)
 
 
 @compiled
