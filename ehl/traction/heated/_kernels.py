@@ -48,6 +48,7 @@ X, Y, AREA, FILM, VISCOSITY, PRESSURE = range(6)
 TEMPERATURE, SOFTENING, FALL, SPREAD_X, SPREAD_Y, CAPACITY, CONDUCTIVITY = range(6, 13)
 STRESS_TOLERANCE = 2e-4  # of the stress of a node, relative
 HEAT_STEPS = 20  # of Newton's method for the heat of a node at most
+NO_HEAT = 1e-4  # of the friction of a line, from which on it falls with the square of the speed
 SMALL_LOADING = 1e-3  # X up to which ln(g) is 2 X/3, to 2e-4 of it
 NEAREST = 4  # neighbouring slide-roll ratios whose factors count at a motion
 
@@ -150,8 +151,7 @@ def line_walls(j, history, flux, wall_response, between):
 
 @compiled
 def heated_line(line, span, history, law, response, slide, flux):
-    """Friction of a line that slides at one speed [m/s] everywhere, with the heat of that over
-    that without [-].
+    """Friction of a line that slides at one speed [m/s] everywhere, with the heat of that [N].
 
     line: nodes one behind the other along it, shape (N, 13), columns as named above; span: its
     length [m]; history, shape (N, N), weights of the fluxes over a line of unit length. law:
@@ -161,7 +161,7 @@ def heated_line(line, span, history, law, response, slide, flux):
     base, limits = law
     root = np.sqrt(span)
     response = (response[0] * root, response[1] * root)
-    rise = generated = hot = cold = 0.0
+    rise = generated = hot = 0.0
     for j in range(line.shape[0]):
         node = line[j]
         between = node[CONDUCTIVITY] / node[FILM]
@@ -174,26 +174,47 @@ def heated_line(line, span, history, law, response, slide, flux):
         )
         flux[0, j] = leaving * split + across
         flux[1, j] = leaving - flux[0, j]
-        limit = limiting_stress(node[PRESSURE], node[TEMPERATURE], *limits)
         hot += node[AREA] * tau
+    return hot
+
+
+@compiled
+def cold_line(line, law, slide):
+    """Friction of a line that slides at one speed [m/s] everywhere, without the heat of that [N]."""
+    base, limits = law
+    cold = 0.0
+    for j in range(line.shape[0]):
+        node = line[j]
+        limit = limiting_stress(node[PRESSURE], node[TEMPERATURE], *limits)
         cold += node[AREA] * shear_stress(slide / node[FILM], node[VISCOSITY], limit, *base)
-    return hot / max(cold, TINY)
+    return max(cold, TINY)
 
 
 @compiled
 def line_factors(film, law, responses, slides, out):
-    """`heated_line` of all lines for pairs of responses, shape (R, 2), and sliding speeds; out,
-    shape (L, R, S).
+    """`heated_line` over `cold_line` of all lines for pairs of responses, shape (R, 2), and rising
+    sliding speeds; out, shape (L, R, S) [-].
+
+    Where the heat of a speed takes less than `NO_HEAT`, that of slower ones goes with the square
+    of the speed.
     """
     lines, span, history = film
     flux = np.zeros((2, lines.shape[1]))
+    cold = np.empty(slides.size)
     for k in range(lines.shape[0]):
+        for m in range(slides.size):
+            cold[m] = cold_line(lines[k], law, slides[m])
         for r in range(responses.shape[0]):
             response = (responses[r, 0], responses[r, 1])
-            for m in range(slides.size):
-                out[k, r, m] = heated_line(
-                    lines[k], span[k], history, law, response, slides[m], flux
-                )
+            least = slides.size
+            while least > 0 and (least == slides.size or 1.0 - out[k, r, least] > NO_HEAT):
+                least -= 1
+                slide = slides[least]
+                hot = heated_line(lines[k], span[k], history, law, response, slide, flux)
+                out[k, r, least] = hot / cold[least]
+            for m in range(least):
+                square = (slides[m] / slides[least]) ** 2
+                out[k, r, m] = 1.0 - (1.0 - out[k, r, least]) * square
 
 
 @compiled
