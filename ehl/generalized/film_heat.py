@@ -4,6 +4,7 @@ from copy import deepcopy
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..arrays import Array
 from ..conditions import ContactConditions
@@ -17,6 +18,9 @@ from . import _heat_kernels as _kernels
 from .section import FilmFields, Section, curvature, wall_slopes
 
 
+Mask = NDArray[np.bool_]
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeatState:
     """Heat of one grid, SI; n nodes across the film."""
@@ -25,7 +29,7 @@ class HeatState:
     mass: Array  # int_0^z rho u dz/rho_0, shape (ny, nx, n) [m^2/s]
     flux: Array  # into body 1 and body 2, shape (2, ny, nx) [W/m^2]
     dissipation: Array  # heat of shear over the film, shape (ny, nx) [W/m^2]
-    recirculates: Array  # whether oil of a column flows against the entrainment, shape (ny, nx)
+    recirculates: Mask  # whether oil of a column flows against the entrainment, shape (ny, nx)
     change: float = 0.0  # largest change of a temperature in the last cycle [K]
     unsolved_columns: int = 0  # that did not converge in the last sweep [-]
 

@@ -32,6 +32,7 @@ from ..arrays import Array
 from ..conditions import ContactConditions
 from ..grid import Grid
 from ..kinematics import contact_kinematics
+from ..multigrid.cycle import log_viscosity
 from ..multigrid.flow_model import FlowFactors, entrainment_factors
 from ..multigrid.transfer import interpolate_linear
 from ..oil.lubricant import log_viscosity_ratio, viscosity
@@ -136,7 +137,7 @@ class GeneralizedFlow:
         factors = FlowFactors(
             poiseuille=poiseuille + couette_slope,
             thinning=new.thinning,
-            pressure=P.copy(),
+            log_viscosity=log_viscosity(contact, P),
             couette_x=flow[0],
             couette_y=None if grid.symmetric else flow[1],
         )

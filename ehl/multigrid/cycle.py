@@ -102,10 +102,8 @@ def flow(state: Multigrid, level: Level) -> None:
         level.slope_x *= factors.couette_x
     if factors.poiseuille is not None:
         level.eps *= factors.poiseuille
-    if factors.thinning is not None and factors.pressure is not None:
-        thicker = log_viscosity(state.contact, level.P) - log_viscosity(
-            state.contact, factors.pressure
-        )
+    if factors.thinning is not None and factors.log_viscosity is not None:
+        thicker = log_viscosity(state.contact, level.P) - factors.log_viscosity
         level.eps *= np.exp(factors.thinning * thicker)
 
 

@@ -35,9 +35,10 @@ class FlowFactors:
     """Factors on the flow of a Newtonian oil, shape (ny, nx) [-]; None is 1, or 0 for v."""
 
     poiseuille: Array | None = None  # f, on eps
-    # k, share of ln(eta) at `pressure` that the factor takes back as P changes
+    # k, share of ln(eta) that the factor takes back as P changes
     thinning: Array | None = None
-    pressure: Array | None = None  # P_0, at which the factors hold; needed with `thinning`
+    # ln(eta/eta_0) at P_0, at which the factors hold; needed with `thinning`
+    log_viscosity: Array | None = None
     couette_x: Array | None = None  # u over u_m, the flow being rho u H
     couette_y: Array | None = None  # v over u_m; a grid of the upper half has none
 

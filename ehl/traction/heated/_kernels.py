@@ -180,7 +180,7 @@ def heated_line(line, span, history, law, response, slide, flux):
 
 @compiled
 def cold_line(line, law, slide):
-    """Friction of a line that slides at one speed [m/s] everywhere, without the heat of that [N]."""
+    """Friction of a line that slides at one speed [m/s] everywhere, without its heat [N]."""
     base, limits = law
     cold = 0.0
     for j in range(line.shape[0]):
