@@ -17,7 +17,6 @@ from ..solid.heat import SolidThermal, history_weights, response_factor
 from . import _heat_kernels as _kernels
 from .section import FilmFields, Section, curvature, wall_slopes
 
-
 Mask = NDArray[np.bool_]
 
 
