@@ -116,9 +116,7 @@ class GeneralizedFlow:
         # 1. temperature across the film, with the stress in its middle of the last cycle
         middle, heat, temperature = self._heated(contact, grid, fields, last)
         # 2. factors of Yang and Wen (1990), linearised
-        settled = last is not None and last.change <= SETTLED_FLOW and self.rheology.newtonian
-        known = last.thinning if last is not None and settled else None
-        new = self._linearised(fields, middle, temperature, known)
+        new = self._linearised(fields, middle, temperature, self._known_thinning(last))
         oil = self.conditions.lubricant
         newtonian = np.maximum(fields.h, 0.0) ** 2 / (12.0 * viscosity(fields.p, oil))
         # 3. relaxation by 1/(1 + m)
@@ -220,6 +218,12 @@ class GeneralizedFlow:
             thinning=thinning,
             unsolved=unsolved,
         )
+
+    def _known_thinning(self, last: FlowState | None) -> Array | None:
+        """k of the last cycle where the flow has settled, shape (ny, nx) [-]; else None."""
+        if last is None or last.change > SETTLED_FLOW or not self.rheology.newtonian:
+            return None
+        return last.thinning
 
     def _thinning(
         self, fields: FilmFields, middle: Array, temperature: Array, poiseuille: Array

@@ -9,6 +9,7 @@ full_solves   - full solves beside a table: what its films leave out
 many_motions  - sliding forces of a film at thousands of motions
 packing       - values of a table as whole numbers, and those packed for a file
 patches       - patches of a film, for sums at thousands of motions
+responses     - stiffness and damping of all films of a table, from those solved at some
 splines       - uniform cubic B-splines through values on a grid
 storage       - traction tables on disk
 table         - a contact's traction over load, entrainment speed, sliding and spin
