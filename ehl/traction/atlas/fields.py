@@ -28,6 +28,7 @@ from .films import NotInAtlasError, atlas_load, require_covered, require_range, 
 from .table import oil_features, radial, trend_terms
 
 FILE = Path(__file__).parent / "fields.npz"
+LIGHT_FILE = Path(__file__).parent / "fields_light.npz"  # of light contacts, for friction alone
 # of A, L, D, Roelands' z [-] and alpha [1/Pa] between which tables were judged; draws aimed at
 # what is left out of the labels' L and D, and at large L below a least A, were off by up to 3 %
 RANGE = {
@@ -98,9 +99,9 @@ def layout() -> Layout:
 
 
 @cache
-def field_table() -> FieldTable:
+def field_table(path: Path = FILE) -> FieldTable:
     """The table, read once [-]."""
-    with np.load(FILE) as file:
+    with np.load(path) as file:
         return FieldTable(**{name: file[name].astype(float) for name in FieldTable._fields})
 
 

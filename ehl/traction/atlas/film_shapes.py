@@ -10,7 +10,8 @@ worth there is judged by solved films (`docs/theory/film_atlas.md`).
 
 from collections.abc import Sequence
 from functools import cache
-from math import pi
+from math import pi, prod
+from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -19,14 +20,19 @@ import scipy
 from ...arrays import Array, lagrange_weights
 from ...conditions import ContactConditions
 from ..film_quadrature import HIGH_PRESSURE, LINES, PANELS, node_shares
-from .fields import CELL_ROWS, CELLS, HALF, FieldTable, amplitudes, field_table, layout
+from .fields import CELL_ROWS, CELLS, FILE, HALF, LIGHT_FILE, amplitudes, field_table, layout
 from .films import oil_numbers
 from .oils import inlet_oil
+from .table import heavy_share
 
 HALF_LINES = 12  # on one side of the middle, all of one width
 PLACES = 14  # of Gauss' rule from edge to edge of each line
 # of A, L, D, alpha [1/Pa] and z that contacts were solved at
-BOX = ((10.0, 160.0), (2.0, 30.0), (0.01, 1.0), (1e-8, 3e-8), (0.4, 0.8))
+BOX = ((2.8, 160.0), (1.0, 30.0), (0.01, 1.0), (1e-8, 3e-8), (0.4, 0.8))
+SEAM = (
+    11.0,
+    15.0,
+)  # of A, between which the table of light contacts goes over into that of heavy ones
 
 PLACE = len(BOX)  # numbers of a place [-]
 
@@ -63,6 +69,7 @@ SHAPES = (
     *((HALF_LINES, PLACES), (HALF_LINES, PLACES), (PLACES,), (2,)),
     *((CELL_ROWS, CELLS), (), ()),
 )
+SIZES = tuple(prod(shape) for shape in SHAPES)
 
 
 def shape_places(contacts: Sequence[ContactConditions], semi_axes: Array) -> Array:
@@ -89,12 +96,21 @@ def shape_places(contacts: Sequence[ContactConditions], semi_axes: Array) -> Arr
 
 def film_shapes(places: Array) -> FilmShapes:
     """Fields at places (n, 5) of `shape_places`."""
-    known = _few_modes()
-    x, alpha, z = places[:, :3], places[:, 3], places[:, 4]
-    weights = amplitudes(x, alpha, z, field_table())
-    own = _split(known[0] + weights @ known[1:])
-    load = np.exp(x[:, 0])
+    heavy = heavy_share(places[:, 0], SEAM)[0]
+    vectors = np.zeros((len(places), sum(SIZES)))
+    for path, share in ((LIGHT_FILE, 1.0 - heavy), (FILE, heavy)):
+        some = share > 0.0
+        if some.any():
+            vectors[some] += share[some, None] * _vectors(path, places[some])
+    own, load = _split(vectors), np.exp(places[:, 0])
     return FilmShapes(zone=_mirrored(_zone(own)), around=_mirrored(_around(own, load)))
+
+
+def _vectors(path: Path, places: Array) -> Array:
+    """By one table."""
+    known = _few_modes(path)
+    weights = amplitudes(places[:, :3], places[:, 3], places[:, 4], field_table(path))
+    return np.asarray(known[0] + weights @ known[1:])
 
 
 def _zone(own: _Parts) -> Array:
@@ -146,9 +162,9 @@ def _gauss() -> tuple[Array, Array]:
 
 
 @cache
-def _few_modes() -> Array:
+def _few_modes(path: Path) -> Array:
     """Mean and modes of the vector at the few places, one beside the other, shape (1 + k, m)."""
-    known: FieldTable = field_table()
+    known = field_table(path)
     vectors = np.concatenate([known.mean[None], known.modes])
     parts = layout()
     lines = _line_weights()
@@ -180,8 +196,7 @@ def _few_modes() -> Array:
 
 def _split(vectors: Array) -> _Parts:
     """Parts of vectors as `_few_modes` puts them together."""
-    ends = np.cumsum([int(np.prod(shape)) for shape in SHAPES])
-    parts = np.split(vectors, ends[:-1], axis=1)
+    parts = np.split(vectors, np.cumsum(SIZES)[:-1], axis=1)
     shaped = (part.reshape(-1, *shape) for part, shape in zip(parts, SHAPES, strict=True))
     return _Parts(*shaped)
 
