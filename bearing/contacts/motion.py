@@ -17,7 +17,8 @@ from numpy.typing import NDArray
 
 from ehl.kinematics import ContactKinematics
 
-from ..geometry import Array, Race
+from ..geometry import Array, Bearing, Race
+from ..operation import Operation
 from ..quasistatic.solution import QuasistaticSolution
 from .contact import BearingContact
 from .shape import groove_curvature_radius
@@ -70,7 +71,28 @@ class MotionMap:
 
 
 def motion_map(solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> MotionMap:
-    """How contacts of an equilibrium move with balls and rings, speeds in [rad/s]."""
+    """How contacts of an equilibrium move with balls and rings, speeds in [rad/s]; its arrays are
+    not to be changed: all that asks for the same tuple of contacts has the same map.
+    """
+    if not isinstance(contacts, tuple):
+        return _motion_map(solution, contacts)
+    bearing, operation = solution.bearing, solution.operation
+    known = _LAST.get("map")
+    if known is None or any(
+        mine is not theirs
+        for mine, theirs in zip((contacts, bearing, operation), known[:3], strict=True)
+    ):
+        known = contacts, bearing, operation, _motion_map(solution, contacts)
+        _LAST["map"] = known
+    return known[3]
+
+
+# the map made last, and of what: a torque asks for the same one a dozen times
+_LAST: dict[str, tuple[tuple[BearingContact, ...], Bearing, Operation, MotionMap]] = {}
+
+
+def _motion_map(solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> MotionMap:
+    """As `motion_map`."""
     inner = np.array([contact.race is Race.INNER for contact in contacts], dtype=np.bool_)
     angle = np.array([contact.contact_angle for contact in contacts])
     ball = np.array([contact.ball - 1 for contact in contacts], dtype=np.int64)

@@ -2,10 +2,15 @@
 it.
 """
 
+from collections.abc import Sequence
+
+import numpy as np
+
 from ehl.closed_form.hertz import hertz_contact
 from ehl.traction.laws import ContactShape
 
-from ..geometry import Bearing, Race, contact_modulus, reduced_radii
+from ..geometry import Array, Bearing, Race, contact_modulus, reduced_radii
+from .contact import RACES, BearingContact
 
 
 def groove_radius(bearing: Bearing, race: Race) -> float:
@@ -22,6 +27,12 @@ def groove_curvature_radius(bearing: Bearing, race: Race) -> float:
     """
     groove = groove_radius(bearing, race)
     return 2.0 * groove * bearing.ball_diameter / (2.0 * groove + bearing.ball_diameter)
+
+
+def groove_curvature_radii(bearing: Bearing, contacts: Sequence[BearingContact]) -> Array:
+    """`groove_curvature_radius` of the race of each contact, (contacts,) [m]."""
+    radius = {race: groove_curvature_radius(bearing, race) for race in RACES}
+    return np.array([radius[contact.race] for contact in contacts])
 
 
 def contact_shape(bearing: Bearing, race: Race, contact_angle: float) -> ContactShape:

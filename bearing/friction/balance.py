@@ -19,7 +19,7 @@ from ehl.arrays import alike
 
 from ..contacts.contact import BearingContact
 from ..contacts.motion import BallMotion, MotionMap, ball_speeds, motion_map
-from ..contacts.shape import groove_curvature_radius
+from ..contacts.shape import groove_curvature_radii
 from ..geometry import Array
 from ..quasistatic.kinematics import ball_mass
 from ..quasistatic.solution import QuasistaticSolution
@@ -83,7 +83,7 @@ def curvature_slip(
     if motion is None:
         motion = motion_map(solution, contacts).motion(*ball_speeds(solution))
     rolling = np.abs(motion[:, 3])
-    radius = np.array([groove_curvature_radius(solution.bearing, c.race) for c in contacts])
+    radius = groove_curvature_radii(solution.bearing, contacts)
     semi_axis = np.array([0.0 if c.hertz is None else c.hertz.semi_axis_y for c in contacts])
     return np.asarray(np.maximum(rolling * semi_axis**2 / (2.0 * radius), TINY))
 

@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from ehl.traction.quadrature import EllipseRule, ellipse_nodes
 
 from ..contacts.contact import BearingContact
-from ..contacts.shape import groove_curvature_radius
+from ..contacts.shape import groove_curvature_radii
 from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 from . import _kernels
@@ -106,7 +106,7 @@ def contact_ellipses(
     `ROUNDING`.
     """
     hertz = [c.hertz for c in contacts]
-    radius = np.array([groove_curvature_radius(solution.bearing, c.race) for c in contacts])
+    radius = groove_curvature_radii(solution.bearing, contacts)
     transverse = np.array([1e-6 if h is None else h.semi_axis_y for h in hertz])
     return Ellipses(
         load=np.array([0.0 if h is None else h.load for h in hertz]),

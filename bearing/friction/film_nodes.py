@@ -9,8 +9,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ehl.arrays import alike
+from ehl.closed_form.hertz import MEAN_PRESSURE_RATIO
 from ehl.kinematics import curvature_height
-from ehl.oil.rheology import Rheology, contact_rheology, kernel_rheology, limiting_stress
+from ehl.oil.lubricant import Lubricant
+from ehl.oil.rheology import (
+    KernelRheology,
+    Rheology,
+    contact_rheology,
+    eyring_stresses,
+    kernel_rheology,
+    limiting_stress,
+)
 from ehl.traction.shear import (
     Cavitation,
     bounded_viscosity,
@@ -35,6 +44,7 @@ from .running_films import RunningFilm, RunningFilms
 
 ROWS = 7  # area, 1 over the gap, viscosity, limiting stress, x, y and height of the surface
 THIN = 11  # numbers of `_kernels.thin_sums`
+STRESS = KernelRheology._fields.index("stress")
 
 
 class FilmNodes(NamedTuple):
@@ -131,6 +141,15 @@ def _law(rheology: Rheology) -> Array:
     return np.array(kernel_rheology(rheology)[:4], dtype=np.float64)
 
 
+def _laws(rheology: Rheology, oil: Lubricant, mean_pressure: Array) -> Array:
+    """The same of contacts of one oil at their mean pressures [Pa], shape (contacts, 4)."""
+    first = contact_rheology(rheology, oil, float(mean_pressure[0]))
+    laws = np.tile(_law(first), (mean_pressure.size, 1))
+    if not rheology.of_contact:
+        laws[:, STRESS] = eyring_stresses(rheology, oil, mean_pressure)
+    return laws
+
+
 def _solved_nodes(sheared: _Sheared, rheology: Rheology, temperature: float | None) -> _Block:
     """Those of a solved film; sums of `integrate_traction`."""
     solved = sheared.film.film
@@ -178,5 +197,5 @@ def _flat_films(
     own_places = np.stack([at.x, at.y, at.area, at.opening])
     flat_rows(places[first, :6], own_places, at.inside, at.level, viscosity, limit, nodes)
     nodes[6] = curvature_height(curvature, width, nodes[5])
-    laws = [_law(contact_rheology(rheology, oil, flat[n].mean_pressure)) for n in first]
-    return like, _Block(nodes, int(at.inside.sum()), np.stack(laws))
+    laws = _laws(rheology, oil, MEAN_PRESSURE_RATIO * largest[:, 0])
+    return like, _Block(nodes, int(at.inside.sum()), laws)
