@@ -17,10 +17,10 @@ from numpy.typing import NDArray
 
 from ehl.kinematics import ContactKinematics
 
-from ..geometry import Array, Bearing, Race
-from ..operation import Operation
+from ..geometry import Array, Race
 from ..quasistatic.solution import QuasistaticSolution
 from .contact import BearingContact
+from .last import LastOf
 from .shape import groove_curvature_radius
 
 
@@ -74,21 +74,11 @@ def motion_map(solution: QuasistaticSolution, contacts: Sequence[BearingContact]
     """How contacts of an equilibrium move with balls and rings, speeds in [rad/s]; its arrays are
     not to be changed: all that asks for the same tuple of contacts has the same map.
     """
-    if not isinstance(contacts, tuple):
-        return _motion_map(solution, contacts)
-    bearing, operation = solution.bearing, solution.operation
-    known = _LAST.get("map")
-    if known is None or any(
-        mine is not theirs
-        for mine, theirs in zip((contacts, bearing, operation), known[:3], strict=True)
-    ):
-        known = contacts, bearing, operation, _motion_map(solution, contacts)
-        _LAST["map"] = known
-    return known[3]
+    objects = (contacts, solution.bearing, solution.operation)
+    return _LAST.of(objects, lambda: _motion_map(solution, contacts))
 
 
-# the map made last, and of what: a torque asks for the same one a dozen times
-_LAST: dict[str, tuple[tuple[BearingContact, ...], Bearing, Operation, MotionMap]] = {}
+_LAST: LastOf[MotionMap] = LastOf()
 
 
 def _motion_map(solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> MotionMap:

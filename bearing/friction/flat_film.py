@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from ehl.closed_form.hertz import (
     MEAN_PRESSURE_RATIO,
+    HertzContact,
     ellipse_ratio,
     hertz_coefficients,
     hertz_deflection,
@@ -39,22 +40,14 @@ class FlatFilm:
     conditions: ContactConditions
     central: float  # [m]
     minimum: float | None  # [m]; None: not known
+    # semi-axes along and across rolling [m], Hertz' pressure [Pa], of the conditions: `flat_size`
+    size: tuple[float, float, float]
     share: float = 1.0  # of the gap in the contact that a supply leaves [-]
 
     @property
     def gap(self) -> float:
         """In the contact [m]; around it the gap is `central`."""
         return self.share * self.central
-
-    @cached_property
-    def size(self) -> tuple[float, float, float]:
-        """Semi-axes along and across rolling [m], Hertz' pressure [Pa]."""
-        c = self.conditions
-        ratio = c.radius_x / c.radius_y
-        f, g, _ = hertz_coefficients(ratio)
-        load = (c.load / (c.reduced_modulus * c.radius_x**2)) ** (1.0 / 3.0)
-        along = f * load * c.radius_x
-        return along, ellipse_ratio(ratio) * along, g * load * c.reduced_modulus
 
     @property
     def mean_pressure(self) -> float:
@@ -85,6 +78,24 @@ class FlatFilm:
             record=_NOT_SOLVED,
             **film_values(contact, self.central, self.minimum),
         )
+
+
+def flat_size(
+    conditions: ContactConditions, dry: HertzContact | None = None
+) -> tuple[float, float, float]:
+    """Semi-axes along and across rolling [m], Hertz' pressure [Pa] of conditions; those of the dry
+    contact where it has the same load and radii.
+    """
+    c = conditions
+    if dry is not None and (c.load, c.radius_x, c.radius_y, c.reduced_modulus) == (
+        *(dry.load, dry.radius_x, dry.radius_y, dry.reduced_modulus),
+    ):
+        return dry.semi_axis_x, dry.semi_axis_y, dry.pressure
+    ratio = c.radius_x / c.radius_y
+    f, g, _ = hertz_coefficients(ratio)
+    load = (c.load / (c.reduced_modulus * c.radius_x**2)) ** (1.0 / 3.0)
+    along = f * load * c.radius_x
+    return along, ellipse_ratio(ratio) * along, g * load * c.reduced_modulus
 
 
 _NOT_SOLVED = ConvergenceRecord(
