@@ -56,8 +56,9 @@ def _dry_contacts(bearing: Bearing, contacts: Sequence[BearingContact]) -> DryCo
     radius = {race: groove_curvature_radius(bearing, race) for race in RACES}
     dry = [contact.hertz for contact in contacts]
     rows = [none if h is None else (h.load, h.semi_axis_x, h.semi_axis_y) for h in dry]
-    columns = np.array(rows).reshape(-1, 3).T
-    return DryContacts(*columns, np.array([radius[contact.race] for contact in contacts]))
+    load, along, across = np.array(rows).reshape(-1, 3).T
+    curved = np.array([radius[contact.race] for contact in contacts])
+    return DryContacts(load, along, across, curved)
 
 
 def contact_shape(bearing: Bearing, race: Race, contact_angle: float) -> ContactShape:
