@@ -198,4 +198,5 @@ def _placements(solution: QuasistaticSolution, speed: Array) -> list[tuple[Array
     centre = axial + solution.ball_radial[:, None, None] * radial
     origins = (centre + 0.5 * solution.bearing.ball_diameter * normal).reshape(-1, 3)
     axes = np.stack([axis_x, np.cross(normal, axis_x), normal], axis=2).reshape(-1, 3, 3)
+    axes.flags.writeable = False  # of contacts that stand for what is computed of them
     return list(zip(origins, axes, strict=True))

@@ -63,10 +63,23 @@ def film_numbers_of(
     contacts: Sequence[tuple[ContactConditions, tuple[float, float]]],
 ) -> list[FilmNumbers]:
     """As `film_numbers`, of the conditions and axes [m] of many contacts at once."""
-    alike = [_alike(*contact) for contact in contacts]
-    distinct = list(dict.fromkeys(alike))
-    found = dict(zip(distinct, _numbers(distinct), strict=True))
-    return [found[own] for own in alike]
+    kinds = [_kind(*contact) for contact in contacts]
+    first = dict(zip(reversed(kinds), reversed(contacts), strict=True))
+    distinct = list(dict.fromkeys(kinds))
+    numbers = _numbers([_alike(*first[kind]) for kind in distinct])
+    found = dict(zip(distinct, numbers, strict=True))
+    return [found[kind] for kind in kinds]
+
+
+def _kind(conditions: ContactConditions, axes: tuple[float, float]) -> tuple[float | None, ...]:
+    """What contacts have in common that are alike; their oils, coatings and layers are the very
+    same.
+    """
+    c = conditions
+    lengths = (c.load, c.radius_x, c.radius_y, c.entrainment_speed, abs(c.rotation), *axes)
+    objects = (id(c.lubricant), id(c.coating), id(c.inlet_layer))
+    rest = (c.reduced_modulus, c.entrainment_angle, c.ball_radius)
+    return (*map(_rounded, lengths), *rest, *objects)
 
 
 def _alike(

@@ -9,8 +9,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ehl.arrays import alike
+from ehl.closed_form.hertz import MEAN_PRESSURE_RATIO
 from ehl.kinematics import curvature_height
-from ehl.oil.rheology import Rheology, contact_rheology, kernel_rheology, limiting_stress
+from ehl.oil.lubricant import Lubricant
+from ehl.oil.rheology import (
+    KernelRheology,
+    Rheology,
+    contact_rheology,
+    eyring_stresses,
+    kernel_rheology,
+    limiting_stress,
+)
 from ehl.traction.atlas.film_shapes import PLACE, film_shapes, shape_places
 from ehl.traction.shear import (
     Cavitation,
@@ -36,6 +45,7 @@ from .running_films import RunningFilm, RunningFilms
 
 ROWS = 7  # area, 1 over the gap, viscosity, limiting stress, x, y and height of the surface
 THIN = 11  # numbers of `_kernels.thin_sums`
+STRESS = KernelRheology._fields.index("stress")
 
 
 class FilmNodes(NamedTuple):
@@ -139,6 +149,15 @@ def _law(rheology: Rheology) -> Array:
     return np.array(kernel_rheology(rheology)[:4], dtype=np.float64)
 
 
+def _laws(rheology: Rheology, oil: Lubricant, mean_pressure: Array) -> Array:
+    """The same of contacts of one oil at their mean pressures [Pa], shape (contacts, 4)."""
+    first = contact_rheology(rheology, oil, float(mean_pressure[0]))
+    laws = np.tile(_law(first), (mean_pressure.size, 1))
+    if not rheology.of_contact:
+        laws[:, STRESS] = eyring_stresses(rheology, oil, mean_pressure)
+    return laws
+
+
 def _solved_nodes(sheared: _Sheared, rheology: Rheology, temperature: float | None) -> _Block:
     """Those of a solved film; sums of `integrate_traction`."""
     solved = sheared.film.film
@@ -178,7 +197,7 @@ def _unsolved_films(
         for film, one in zip(flat, films, strict=True)
     ])  # fmt: skip
     first, like = _alike(places)
-    shapes = _shapes(places[first], [flat[n] for n in first], rheology, temperature)
+    shapes = _shapes(places[first], flat[0].conditions.lubricant, rheology, temperature)
     # the same shapes with other gaps, of films as they run and flooded
     gaps = np.array([(film.gap, film.share) for film in flat])
     chosen, kinds = _alike(np.column_stack([like + 1.0, gaps]))
@@ -202,7 +221,7 @@ def _shape_numbers(films: Sequence[FlatFilm]) -> list[tuple[float, ...]]:
 
 
 def _shapes(
-    places: Array, films: Sequence[FlatFilm], rheology: Rheology, temperature: float | None
+    places: Array, oil: Lubricant, rheology: Rheology, temperature: float | None
 ) -> _Block:
     """Films of gaps of one in the contact, around it [m], of numbers as `_shape_numbers` with
     curvature and width of the surface.
@@ -213,14 +232,13 @@ def _shapes(
     x, y, area, p = np.concatenate([zone[:4], around[:4]], axis=2)
     y = b * y
     # oil at the pressures that there are
-    oil = films[0].conditions.lubricant
     pressure = largest * p
     viscosity = bounded_viscosity(pressure, oil)
     limit = limiting_stress(pressure, rheology, temperature)
     surface = curvature_height(curvature, width, y)
     rows = (a * b * area, 1.0 / film, viscosity, limit, a * x, y, surface)
-    laws = [_law(contact_rheology(rheology, oil, film.mean_pressure)) for film in films]
-    return _Block(np.stack(rows), zone.shape[2], np.stack(laws))
+    laws = _laws(rheology, oil, MEAN_PRESSURE_RATIO * largest[:, 0])
+    return _Block(np.stack(rows), zone.shape[2], laws)
 
 
 def _with_gaps(shapes: _Block, chosen: NDArray[np.int64], gaps: Array) -> _Block:

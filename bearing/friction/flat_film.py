@@ -5,7 +5,7 @@ pressure and a flat film, which are the same for all contacts in units of the se
 """
 
 from dataclasses import dataclass, replace
-from functools import cache, cached_property
+from functools import cache
 from math import hypot, inf
 from typing import Any
 
@@ -13,6 +13,7 @@ import numpy as np
 
 from ehl.closed_form.hertz import (
     MEAN_PRESSURE_RATIO,
+    HertzContact,
     ellipse_ratio,
     hertz_coefficients,
     hertz_deflection,
@@ -37,6 +38,8 @@ class FlatFilm:
     conditions: ContactConditions
     central: float  # [m]
     minimum: float | None  # [m]; None: not known
+    # semi-axes along and across rolling [m], Hertz' pressure [Pa], of the conditions: `flat_size`
+    size: tuple[float, float, float]
     share: float = 1.0  # of the gap in the contact that a supply leaves [-]
 
     @property
@@ -44,20 +47,28 @@ class FlatFilm:
         """In the contact [m]; around it the gap is `central`."""
         return self.share * self.central
 
-    @cached_property
-    def size(self) -> tuple[float, float, float]:
-        """Semi-axes along and across rolling [m], Hertz' pressure [Pa]."""
-        c = self.conditions
-        ratio = c.radius_x / c.radius_y
-        f, g, _ = hertz_coefficients(ratio)
-        load = (c.load / (c.reduced_modulus * c.radius_x**2)) ** (1.0 / 3.0)
-        along = f * load * c.radius_x
-        return along, ellipse_ratio(ratio) * along, g * load * c.reduced_modulus
-
     @property
     def mean_pressure(self) -> float:
         """Load over the area of the ellipse [Pa]."""
         return MEAN_PRESSURE_RATIO * self.size[2]
+
+
+def flat_size(
+    conditions: ContactConditions, dry: HertzContact | None = None
+) -> tuple[float, float, float]:
+    """Semi-axes along and across rolling [m], Hertz' pressure [Pa] of conditions; those of the dry
+    contact where it has the same load and radii.
+    """
+    c = conditions
+    if dry is not None and (c.load, c.radius_x, c.radius_y, c.reduced_modulus) == (
+        *(dry.load, dry.radius_x, dry.radius_y, dry.reduced_modulus),
+    ):
+        return dry.semi_axis_x, dry.semi_axis_y, dry.pressure
+    ratio = c.radius_x / c.radius_y
+    f, g, _ = hertz_coefficients(ratio)
+    load = (c.load / (c.reduced_modulus * c.radius_x**2)) ** (1.0 / 3.0)
+    along = f * load * c.radius_x
+    return along, ellipse_ratio(ratio) * along, g * load * c.reduced_modulus
 
 
 def film_values(contact: ScaledContact, central: float, minimum: float | None) -> dict[str, Any]:

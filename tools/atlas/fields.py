@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from contacts import places
+from contacts import LIGHT_FIELDS, places
 
 from ehl import SolverOptions
 from ehl.closed_form.hertz import hertz_coefficients
@@ -257,7 +257,7 @@ def table(counts, path, solving, lightest, judging):
 def main(solving):
     """Both tables."""
     table(COUNTS, FILE, solving, LIGHTEST, RANGE["A = a^2/(Rx^2 sqrt(2U))"])
-    table(LIGHT_COUNTS, LIGHT_FILE, solving, 0.0, SEAM)
+    table(LIGHT_COUNTS, LIGHT_FILE, solving, 0.0, LIGHT_FIELDS)
 
 
 if __name__ == "__main__":
