@@ -20,6 +20,7 @@ from ehl.oil.rheology import (
     kernel_rheology,
     limiting_stress,
 )
+from ehl.solution import ContactSolution
 from ehl.traction.atlas.film_shapes import PLACE, film_shapes, shape_places
 from ehl.traction.shear import (
     Cavitation,
@@ -41,7 +42,7 @@ from ..quasistatic.solution import QuasistaticSolution
 from ._kernels import thin_sums
 from .flat_film import FlatFilm
 from .law import TINY
-from .running_films import RunningFilm, RunningFilms
+from .running_films import RunningFilms
 
 ROWS = 7  # area, 1 over the gap, viscosity, limiting stress, x, y and height of the surface
 THIN = 11  # numbers of `_kernels.thin_sums`
@@ -68,10 +69,10 @@ class _Block(NamedTuple):
     laws: Array  # (films, 4)
 
 
-class _Sheared(NamedTuple):
+class ShearedFilm(NamedTuple):
     """A film with the surface that it runs on."""
 
-    film: RunningFilm
+    film: ContactSolution | FlatFilm
     curvature: float  # 1/(2 R) of the loaded surface across rolling [1/m]
     width: float  # half of what is curved like that [m]
 
@@ -94,11 +95,11 @@ def film_nodes(
     # 1. solved films, one by one
     known: dict[tuple[int, float], int] = {}
     flat: list[int] = []
-    unsolved: list[_Sheared] = []
+    unsolved: list[ShearedFilm] = []
     for number, (place, film) in enumerate(zip(places, films, strict=True)):
         if film is None:
             continue
-        sheared = _sheared(bearing, contacts[place], film)
+        sheared = _sheared(bearing, contacts[place], film.film)
         if isinstance(film.film, FlatFilm):
             flat.append(number)
             unsolved.append(sheared)
@@ -110,7 +111,7 @@ def film_nodes(
         own[number] = known[key]
     # 2. others, all at once
     if unsolved:
-        like, found = _unsolved_films(unsolved, rheology, temperature)
+        like, found = unsolved_nodes(unsolved, rheology, temperature)
         own[flat] = len(blocks) + like
         blocks.append(found)
     ends = np.cumsum([len(state) for state in states])
@@ -138,10 +139,12 @@ def _joined(blocks: Sequence[_Block], own: NDArray[np.int64]) -> FilmNodes:
     )
 
 
-def _sheared(bearing: Bearing, contact: BearingContact, film: RunningFilm) -> _Sheared:
+def _sheared(
+    bearing: Bearing, contact: BearingContact, film: ContactSolution | FlatFilm
+) -> ShearedFilm:
     radius = groove_curvature_radius(bearing, contact.race)
     width = np.inf if contact.hertz is None else contact.hertz.semi_axis_y
-    return _Sheared(film, 0.5 / radius, width)
+    return ShearedFilm(film, 0.5 / radius, width)
 
 
 def _law(rheology: Rheology) -> Array:
@@ -158,9 +161,9 @@ def _laws(rheology: Rheology, oil: Lubricant, mean_pressure: Array) -> Array:
     return laws
 
 
-def _solved_nodes(sheared: _Sheared, rheology: Rheology, temperature: float | None) -> _Block:
+def _solved_nodes(sheared: ShearedFilm, rheology: Rheology, temperature: float | None) -> _Block:
     """Those of a solved film; sums of `integrate_traction`."""
-    solved = sheared.film.film
+    solved = sheared.film
     assert not isinstance(solved, FlatFilm)
     rheology = solution_rheology(solved, rheology)
     film = with_outlet(solved.thinned(TRACTION_POINTS))
@@ -182,13 +185,13 @@ def _solved_nodes(sheared: _Sheared, rheology: Rheology, temperature: float | No
     return _Block(nodes[:, None], int(full.sum()), _law(rheology)[None])
 
 
-def _unsolved_films(
-    films: Sequence[_Sheared], rheology: Rheology, temperature: float | None
+def unsolved_nodes(
+    films: Sequence[ShearedFilm], rheology: Rheology, temperature: float | None
 ) -> tuple[NDArray[np.int64], _Block]:
     """Which of the films that are not solved and differ each one is, and these; one at least, all
     of one oil.
     """
-    flat = [one.film.film for one in films if isinstance(one.film.film, FlatFilm)]
+    flat = [one.film for one in films if isinstance(one.film, FlatFilm)]
     own = {id(film.conditions): film for film in flat}
     numbers = _shape_numbers(list(own.values()))
     known = dict(zip(own, numbers, strict=True))
