@@ -137,14 +137,20 @@ def _central(own: _Parts) -> Array:
 
 
 def _around(own: _Parts, load: Array) -> Array:
-    """Cells around of one half, shape (5, n, k); those without oil have no area."""
-    area, by_film, pressure, along, across = own.cells[:, :5].swapaxes(0, 1)
+    """Cells around of one half, shape (5, n, k), each as two nodes as far apart as the oil of the
+    cell is spread; those without oil have no area.
+    """
+    area, by_film, pressure, along, across, spread_x, spread_y = own.cells.swapaxes(0, 1)
     sheared = np.minimum(area, by_film) > 0.0
     whole = np.where(sheared, by_film, 0.0).sum(axis=1)
     film = np.where(sheared, area / np.where(sheared, by_film, 1.0), 1.0)
-    size = np.where(sheared, 0.5 * area, 0.0) * (np.exp(own.shear) / whole)[:, None]
+    # half of a cell's area, on one side of the middle, and in one of its nodes
+    size = np.where(sheared, 0.25 * area, 0.0) * (np.exp(own.shear) / whole)[:, None]
     p = np.clip(pressure, 0.0, HIGH_PRESSURE)
-    return np.stack([along, across, size, p, film / load[:, None]])
+    x, y = np.sqrt(np.maximum(spread_x, 0.0)), np.sqrt(np.maximum(spread_y, 0.0))
+    rest = (size, p, film / load[:, None])
+    nodes = [np.stack([along + s * x, across + s * y, *rest]) for s in (-1.0, 1.0)]
+    return np.concatenate(nodes, axis=2)
 
 
 def _mirrored(half: Array) -> Array:

@@ -37,18 +37,29 @@ def motions(conditions):
     return np.array([(x * u, y * u, n * u / r, m * u / r) for x, y, n, m in parts])
 
 
-def friction(conditions, central, moved):
-    """By the nodes that balls are balanced on."""
-    size = flat_size(conditions)
-    film = FlatFilm(conditions=conditions, central=central, minimum=None, size=size)
-    _, block = unsolved_nodes([ShearedFilm(film, CURVATURE, size[1])], SHEAR, None)
-    nodes, thin = np.ascontiguousarray(block.nodes[:, 0]), np.empty((1, THIN))
-    thin_sums(np.ascontiguousarray(nodes[:, block.pressed :]), thin[0])
+def frictions(contacts, films, moved):
+    """By the nodes that balls are balanced on, of contacts with central films [m] at a motion each."""
+    sizes = [flat_size(own) for own in contacts]
+    places = [
+        ShearedFilm(FlatFilm(conditions=own, central=film, minimum=None, size=size), CURVATURE, size[1])
+        for own, film, size in zip(contacts, films, sizes, strict=True)
+    ]
+    own, (nodes, pressed, laws) = unsolved_nodes(places, SHEAR, None)
+    count, each = nodes.shape[1:]
+    thin = np.empty((count, THIN))
+    for n, sums in enumerate(thin):
+        thin_sums(np.ascontiguousarray(nodes[:, n, pressed:]), sums)
     found, slope = np.empty((len(moved), 4)), np.empty((len(moved), 4, 4))
-    parts = np.array([[0, block.pressed, nodes.shape[1]]])
-    own = np.zeros(len(moved), dtype=np.int64)
-    film_frictions(nodes, parts, thin, block.laws, moved, own, MIN_SLIDING, found, slope)
+    first = each * np.arange(count)
+    parts = np.stack([first, first + pressed, first + each], axis=1)
+    flat = np.ascontiguousarray(nodes.reshape(len(nodes), -1))
+    film_frictions(flat, parts, thin, laws, moved, own, MIN_SLIDING, found, slope)
     return -found
+
+
+def friction(conditions, central, moved):
+    """Of one contact at several motions."""
+    return frictions([conditions] * len(moved), [central] * len(moved), moved)
 
 
 def summed(quadrature, moved):
@@ -76,10 +87,11 @@ def test_few_places_have_the_friction_of_all(load):
     assert np.abs((found - known) / arms).max() < 0.012
 
 
-@pytest.mark.parametrize("load", [8.0, 20.0])
+@pytest.mark.parametrize("load", [5.0, 20.0])
 def test_light_contacts_have_the_friction_of_solved_films(load):
+    """On 257 points, as those of the table; A 3.2 and 8.0, where 513 points change the largest force by 2 %."""
     conditions = contact(load)
-    solution = ehl.solve_contact(conditions, ehl.SolverOptions(points=129))
+    solution = ehl.solve_contact(conditions, ehl.SolverOptions(points=257))
     u = conditions.entrainment_speed
     quadrature = film_quadrature(solution, law(conditions), u)
     known = summed(quadrature, motions(conditions))
@@ -87,7 +99,7 @@ def test_light_contacts_have_the_friction_of_solved_films(load):
     size = flat_size(conditions)
     largest = np.abs(summed(quadrature, np.array([[0.1 * u, 0.0, 0.0, 0.0]]))[0, 0])
     arms = largest * np.array([1.0, 1.0, size[1], CURVATURE * size[1] ** 2])
-    assert np.abs((found - known) / arms).max() < 0.03
+    assert np.abs((found - known) / np.maximum(arms, np.abs(known).max(axis=0))).max() < 0.035
 
 
 def places_of(contacts):
@@ -96,11 +108,11 @@ def places_of(contacts):
 
 
 def test_pressure_carries_the_load():
-    """Also where contacts have the shapes of the nearest place of the tables."""
+    """That of the zone all of it under heavy loads, in light contacts the oil around the rest."""
     contacts = [contact(load) for load in (0.5, 3.0, 30.0, 55.0, 400.0, 20000.0)]
     shapes = film_shapes(places_of(contacts))
-    carried = sum((part[2] * part[3]).sum(axis=1) for part in shapes)
-    assert carried == pytest.approx(2.0 * pi / 3.0, rel=0.01)
+    zone = (shapes.zone[2] * shapes.zone[3]).sum(axis=1) / (2.0 * pi / 3.0)
+    assert (np.diff(zone) > -1e-3).all() and 0.7 < zone[0] and zone[-1] == pytest.approx(1.0, abs=0.01)
     assert all(np.isfinite(part).all() and (part[4] > 0.0).all() and (part[2] >= 0.0).all() for part in shapes)
     # one side mirrors the other
     for part in shapes:
@@ -111,14 +123,12 @@ def test_pressure_carries_the_load():
 @pytest.mark.parametrize("changed", [{}, {"speed": 0.05}, {"radius_y": 2e-3}, {"radius_y": 1.0}])
 def test_friction_has_no_step_where_tables_end_or_meet(changed):
     """Over six decades of load: what friction over the load changes from one load to the next changes little."""
-    contacts = [contact(load, **changed) for load in np.geomspace(0.05, 5e4, 400)]
-    share = []
-    for own in contacts:
-        u = own.entrainment_speed
-        film = 1e-7 * (own.load / 100.0) ** -0.07
-        share.append(-friction(own, film, np.array([[0.05 * u, 0.0, 0.0, 0.0]]))[0, 0] / own.load)
+    loads = np.geomspace(0.05, 5e4, 3000)
+    contacts = [contact(load, **changed) for load in loads]
+    moved = np.array([[0.05 * own.entrainment_speed, 0.0, 0.0, 0.0] for own in contacts])
+    share = -frictions(contacts, 1e-7 * (loads / 100.0) ** -0.07, moved)[:, 0] / loads
     steps = np.diff(np.log(share))
-    assert np.abs(np.diff(steps)).max() < 0.02
+    assert np.abs(steps).max() < 0.05 and np.abs(np.diff(steps)).max() < 0.01
 
 
 def test_oils_without_pressure_viscosity_have_the_thinnest_of_the_table():
