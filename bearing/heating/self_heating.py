@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ehl.arrays import lagrange_weights
 from ehl.units import ZERO_CELSIUS
 
 from ..geometry import Array
@@ -27,6 +28,7 @@ NEAR = 1.0  # film temperature from which Newton's method takes over [K]
 TOLERANCE = 1.0e-4  # of the film temperature [K]
 CLEARANCE_TOLERANCE = 1.0e-10  # [m]
 SECANT_STEPS = 14
+LAST_STATES = 3  # that a step of these goes by: a secant with two, a parabola with three
 NEWTON_STEPS = 8
 FALL = (
     0.02  # of the friction with the temperature, for the first step, oils have 0.015 to 0.04 [1/K]
@@ -191,7 +193,7 @@ def _nearby(search: _Search, near: float) -> HeatState:
     state = search.at(at, problem.clearance(np.full(len(NODES), at)))
     low: float | None = None
     high: float | None = None
-    known: tuple[float, float] | None = None
+    known: list[tuple[float, float]] = []  # temperatures and what is found above each [K]
     for _ in range(SECANT_STEPS):
         excess = state.found_temperature - state.film_temperature
         if abs(excess) <= near:
@@ -199,15 +201,25 @@ def _nearby(search: _Search, near: float) -> HeatState:
         low, high = (at, high) if excess > 0.0 else (low, at)
         if at >= problem.hottest and excess > 0.0:
             break
+        known = [*known[1 - LAST_STATES :], (at, excess)]
         slope = -1.0 - FALL * max(state.found_temperature - coldest, 0.0)
-        if known is not None and known[0] != at:
-            secant = (excess - known[1]) / (at - known[0])
-            slope = secant if secant < 0.0 else slope
-        known = (at, excess)
-        at = _inside(at - excess / slope, at, (low, high), (coldest, problem.hottest))
+        wanted = _root(known)
+        wanted = at - excess / slope if wanted is None else wanted
+        at = _inside(wanted, at, (low, high), (coldest, problem.hottest))
         moved = at - state.film_temperature
         state = search.at(at, problem.clearance(state.temperatures + moved - excess))
     return state
+
+
+def _root(known: list[tuple[float, float]]) -> float | None:
+    """Temperature [K] at which nothing is found above it, by the polynomial of temperatures over
+    what was found at the last ones; None where that does not fall from one to the next.
+    """
+    for states in (known, known[-2:]):
+        at, excess = np.array(sorted(states)).T
+        if at.size > 1 and (np.diff(excess) < 0.0).all() and (np.diff(at) > 0.0).all():
+            return float(lagrange_weights(excess, 0.0) @ at)
+    return None
 
 
 def _inside(
