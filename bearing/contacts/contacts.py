@@ -1,5 +1,6 @@
 """The contacts of a solved bearing as lubricated contacts."""
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -38,6 +39,25 @@ def contact_conditions(
     return tuple(
         _contact(solution, (n // 2, RACES[n % 2]), motion, hertz, frame, lubricant)
         for n, (motion, hertz, frame) in enumerate(parts)
+    )
+
+
+def with_oil(
+    solution: QuasistaticSolution, contacts: tuple[BearingContact, ...], lubricant: Lubricant
+) -> tuple[BearingContact, ...]:
+    """Contacts of a solution as `contact_conditions` makes them, from those with another oil;
+    made anew where the oil decides whether one of them has a film.
+    """
+    if all(own.conditions is None or own.conditions.lubricant == lubricant for own in contacts):
+        return contacts
+    light = NEGLIGIBLE_LOAD * max(solution.inner_load.max(), solution.outer_load.max())
+    if any(contact.hertz is not None and contact.load < light for contact in contacts):
+        return contact_conditions(solution, lubricant)
+    return tuple(
+        contact
+        if (known := contact.conditions) is None
+        else replace(contact, conditions=replace(known, lubricant=lubricant))
+        for contact in contacts
     )
 
 

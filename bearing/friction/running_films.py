@@ -51,6 +51,11 @@ class RunningFilm(NamedTuple):
         return hypot(self.film.film_central_dimensionless.relative_uncertainty, self.heat_error)
 
     @property
+    def flat(self) -> bool:
+        """Whether it is of atlas or formulas alone, not scaled to a solved one."""
+        return self.formula and isinstance(self.film, FlatFilm)
+
+    @property
     def rolling_moment(self) -> float:
         """Moment that resists rolling [N m]."""
         return self.rolling_factor * self.flooded_moment

@@ -9,6 +9,7 @@ from ehl.oil.lubricant import Lubricant
 from ehl.oil.rheology import Rheology
 
 from ..contacts.contact import BearingContact
+from ..contacts.last import LastOf
 from ..friction.balance import BalancedFriction
 from ..friction.films import film_balance
 from ..friction.formula_films import formula_film
@@ -39,8 +40,10 @@ class FilmsHeat:
         oil: Lubricant,
         rheology: Rheology,
         inlet: InletFactors,
+        running: Sequence[RunningFilm | None] | None = None,
     ) -> FrictionHeat:
-        """Of films of formulas as they run, without seals [N m], [W].
+        """Of films of formulas as they run, without seals [N m], [W]; `running`: these films,
+        where they are known.
 
         Raises
         ------
@@ -52,8 +55,9 @@ class FilmsHeat:
             # loads of one equilibrium at several temperatures are one array
             if before.inner_load is solution.inner_load and same == oil:
                 return heat
-        none = (None,) * len(contacts)
-        running = films_as_they_run(solution, contacts, none, self.friction, inlet)
+        if running is None:
+            none = (None,) * len(contacts)
+            running = films_as_they_run(solution, contacts, none, self.friction, inlet)
         resistance = self.friction.resistance(solution.bearing, oil)
         balance = film_balance(solution, contacts, running, rheology, resistance, self.last)
         if not balance.converged:
@@ -92,7 +96,22 @@ def running_conductances(
     contacts: Sequence[BearingContact],
     films: Sequence[RunningFilm | None],
 ) -> Array:
-    """Of all contacts by their films as they run, (3, balls, 2) [W/K]."""
+    """Of all contacts by their films as they run, (3, balls, 2) [W/K], made once for one tuple of
+    them.
+    """
+    objects = (films, contacts, solution.bearing, solution.operation)
+    return _LAST.of(objects, lambda: _conductances(solution, contacts, films))
+
+
+_LAST: LastOf[Array] = LastOf()
+
+
+def _conductances(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    films: Sequence[RunningFilm | None],
+) -> Array:
+    """As `running_conductances`."""
     pairs = [None if film is None else (film.film, film.error) for film in films]
     temperature = solution.operation.temperature
     return contact_conductances(solution.bearing, contacts, pairs, temperature)
