@@ -12,8 +12,8 @@ NEAREST = 0.03  # of the distance at which the gap is twice the film: what is wi
 # gap beyond the film of elastic bodies from which on pressure counts, in a^2/Rx: 0.015 to 0.1
 # serve alike
 INLET_GAP = 0.04
-SECANTS = 40  # most of them for a gap: 5 to 8 are taken
-LAST_SECANT = 1e-8  # change of the square of its distance at which they end [-]
+SECANTS = 60  # most of them for a gap: 5 to 8 are taken, more where the gap of circles jumps
+LAST_SECANT = 1e-9  # of the gap, or of the square of its distance, at which they end [-]
 PARABOLA_SHARE = 0.2  # as `oil_extent.PARABOLA_SHARE`
 CIRCLE_END = 1.0 - 1e-9  # as `oil_extent.CIRCLE_END`
 
@@ -140,7 +140,7 @@ def distance_of(gap, low, high, ray, ball, reciprocal, axes, circles):
         return low
     near, far, square = low * low, high * high, low * low
     for _ in range(SECANTS):
-        last = square
+        width = abs(far - near)
         square = far - right * (far - near) / (right - left)
         found = elastic_gap(np.sqrt(square), ray, ball, reciprocal, axes, circles) - gap
         if found * right > 0.0:
@@ -148,7 +148,7 @@ def distance_of(gap, low, high, ray, ball, reciprocal, axes, circles):
         else:
             near, left = far, right
         far, right = square, found
-        if abs(square - last) <= LAST_SECANT * square or found == 0.0:
+        if abs(found) <= LAST_SECANT * gap or width <= LAST_SECANT * square:
             break
     return np.sqrt(square)
 
