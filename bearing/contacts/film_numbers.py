@@ -14,7 +14,9 @@ M 50 to 10 000): central films within 12 % but one (18 %), minimum films within 
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
 
 from ehl.closed_form.film import (
     MAX_FILM_OVER_RADIUS,
@@ -63,7 +65,7 @@ def film_numbers_of(
     contacts: Sequence[tuple[ContactConditions, tuple[float, float]]],
 ) -> list[FilmNumbers]:
     """As `film_numbers`, of the conditions and axes [m] of many contacts at once."""
-    kinds = [_kind(*contact) for contact in contacts]
+    kinds = _kinds(contacts)
     first = dict(zip(reversed(kinds), reversed(contacts), strict=True))
     distinct = list(dict.fromkeys(kinds))
     numbers = _numbers([_alike(*first[kind]) for kind in distinct])
@@ -71,15 +73,25 @@ def film_numbers_of(
     return [found[kind] for kind in kinds]
 
 
-def _kind(conditions: ContactConditions, axes: tuple[float, float]) -> tuple[float | None, ...]:
-    """What contacts have in common that are alike; their oils, coatings and layers are the very
-    same.
-    """
-    c = conditions
-    lengths = (c.load, c.radius_x, c.radius_y, c.entrainment_speed, abs(c.rotation), *axes)
-    objects = (id(c.lubricant), id(c.coating), id(c.inlet_layer))
-    rest = (c.reduced_modulus, c.entrainment_angle, c.ball_radius)
-    return (*map(_rounded, lengths), *rest, *objects)
+def _kinds(
+    contacts: Sequence[tuple[ContactConditions, tuple[float, float]]],
+) -> list[tuple[Any, ...]]:
+    """What contacts have in common that are alike: numbers to `DIGITS`, the rest the very same."""
+    numbers = np.array(
+        [
+            (c.load, c.radius_x, c.radius_y, c.entrainment_speed, abs(c.rotation), *axes)
+            for c, axes in contacts
+        ]
+    ).reshape(-1, 7)
+    places = DIGITS - 1 - np.floor(np.log10(np.where(numbers > 0.0, numbers, 1.0)))
+    rows = np.stack([np.rint(numbers * 10.0**places), places], axis=1)
+    return [
+        (
+            *(row.tobytes(), c.reduced_modulus, c.entrainment_angle, c.ball_radius),
+            *(id(c.lubricant), id(c.coating), id(c.inlet_layer)),
+        )
+        for row, (c, _) in zip(rows, contacts, strict=True)
+    ]
 
 
 def _alike(

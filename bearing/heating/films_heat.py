@@ -29,6 +29,7 @@ class FilmsHeat:
     """Heat of one bearing in states that follow each other, each balance begun at the last."""
 
     friction: FrictionInput
+    ends: bool = True  # whether the ends of conductances are wanted
     last: BalancedFriction | None = field(default=None)
     # the last equilibrium, its oil and its heat
     known: tuple[QuasistaticSolution, Lubricant, FrictionHeat] | None = field(default=None)
@@ -74,7 +75,7 @@ class FilmsHeat:
             pumped=pumped,
             drag=resisted.drag,
             cage=resisted.pocket + resisted.land,
-            conductance=running_conductances(solution, contacts, running),
+            conductance=running_conductances(solution, contacts, running, ends=self.ends),
             loaded=loaded_half(solution),
         )
         self.known = (solution, oil, found)
@@ -95,12 +96,14 @@ def running_conductances(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     films: Sequence[RunningFilm | None],
+    *,
+    ends: bool = True,
 ) -> Array:
     """Of all contacts by their films as they run, (3, balls, 2) [W/K], made once for one tuple of
-    them.
+    them; `ends` as in `contact_conductances`.
     """
-    objects = (films, contacts, solution.bearing, solution.operation)
-    return _LAST.of(objects, lambda: _conductances(solution, contacts, films))
+    objects = (films, contacts, solution.bearing, solution.operation, ends)
+    return _LAST.of(objects, lambda: _conductances(solution, contacts, films, ends))
 
 
 _LAST: LastOf[Array] = LastOf()
@@ -110,8 +113,9 @@ def _conductances(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     films: Sequence[RunningFilm | None],
+    ends: bool,
 ) -> Array:
     """As `running_conductances`."""
     pairs = [None if film is None else (film.film, film.error) for film in films]
     temperature = solution.operation.temperature
-    return contact_conductances(solution.bearing, contacts, pairs, temperature)
+    return contact_conductances(solution.bearing, contacts, pairs, temperature, ends=ends)

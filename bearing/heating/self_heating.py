@@ -133,7 +133,7 @@ def solve_self_heating(
             converged = _settled(problem.disagreement(state))
         else:
             state, slopes, converged = _newton(search, start)
-            stable = _stability(problem, state, slopes)
+            stable = _stability(problem, state, slopes) if judged else None
     except ValueError as error:
         return SelfHeatingSolution(model=model, around=around, balance=None, note=str(error))
     return SelfHeatingSolution(

@@ -115,7 +115,7 @@ def self_heated(
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # the search looks beyond the range of the oil's data
         try:
-            problem = heating_problem(case, given, printed)
+            problem = heating_problem(case, given, printed, ends=judged)
         except ValueError as error:
             return SelfHeatingSolution(
                 model=given.model, around=given.around, balance=None, note=str(error)
@@ -130,16 +130,18 @@ def self_heated(
 
 
 def heating_problem(
-    case: Case, given: HeatingInput, printed: Printed | None
+    case: Case, given: HeatingInput, printed: Printed | None, *, ends: bool = True
 ) -> SelfHeatingProblem:
-    """The case as the search for temperatures takes it."""
+    """The case as the search for temperatures takes it; `ends`: whether their ranges are wanted,
+    for which the ends of conductances are needed.
+    """
     assert case.friction is not None  # of every bearing case
     return SelfHeatingProblem(
         bearing=given.delivered,
         operation=case.operation,
         model=without_traction_equilibrium(case.model),
         oil=given.oil,
-        friction=_friction_model(case, given, printed),
+        friction=_friction_model(case, given, printed, ends),
         around=given.around,
         fit=given.fit,
         reference=given.reference,
@@ -189,13 +191,16 @@ def at_its_balance(
     return replace(heating, balance=balance, state=state)
 
 
-def _friction_model(case: Case, given: HeatingInput, printed: Printed | None) -> FrictionModel:
+def _friction_model(
+    case: Case, given: HeatingInput, printed: Printed | None, ends: bool
+) -> FrictionModel:
     """Heat of an equilibrium by the model that heats."""
     if given.model != INTEGRATED:
         return partial(_model_heat, case, given.model)
     assert case.friction is not None  # of every bearing case
     if printed is None:
-        return partial(_formula_heat, case, given, FilmsHeat(friction=case.friction))
+        films = FilmsHeat(friction=case.friction, ends=ends)
+        return partial(_formula_heat, case, given, films)
     objects = (printed.contacts, printed.state, case.lubricant, case.friction)
     films = _LAST.of(objects, lambda: _printed_heat(case, given, printed))
     by_formulas = partial(_formula_heat, case, given, replace(films))
