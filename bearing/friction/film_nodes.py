@@ -214,11 +214,13 @@ def _alike(places: Array) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
 
 
 def _shape_numbers(films: Sequence[FlatFilm]) -> list[tuple[float, ...]]:
-    """Place of each film in the atlas, semi-axes [m], Hertz' pressure [Pa], radius [m]."""
+    """Place of each film in the atlas, semi-axes [m], Hertz' pressure [Pa], radius, central film
+    [m].
+    """
     sizes = np.array([film.size for film in films])
     places = shape_places([film.conditions for film in films], sizes[:, 0])
     return [
-        (*place, *film.size, film.conditions.radius_x)
+        (*place, *film.size, film.conditions.radius_x, film.central)
         for place, film in zip(places.tolist(), films, strict=True)
     ]
 
@@ -229,8 +231,8 @@ def _shapes(
     """Films of gaps of one in the contact, around it [m], of numbers as `_shape_numbers` with
     curvature and width of the surface.
     """
-    a, b, largest, radius, curvature, width = places[:, PLACE:].T[..., None]
-    zone, around = film_shapes(places[:, :PLACE])
+    a, b, largest, radius, central, curvature, width = places[:, PLACE:].T[..., None]
+    zone, around = film_shapes(places[:, :PLACE], (central * radius / (a * a))[:, 0])
     film = np.concatenate([zone[4], a * a / radius * around[4]], axis=1)
     x, y, area, p = np.concatenate([zone[:4], around[:4]], axis=2)
     y = b * y

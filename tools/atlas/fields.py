@@ -240,24 +240,26 @@ def judged(text, rows, known):
     )
 
 
-def table(counts, path, solving, lightest, judging):
-    """Solve, fit and write one table; judge its contacts of A and L above."""
-    rows = {kind: kept(kind, solving) for kind in counts}
-    fits = [kind for kind in counts if kind.endswith(("fields", "oil"))]
+def write(rows, path, lightest):
+    """Fit and write a table of contacts of A above; as it is read again."""
+    fits = [kind for kind in rows if kind.endswith(("fields", "oil"))]
     own = [row for kind in fits for row in rows[kind] if row.A > lightest and row.L > THINNEST]
     single = FieldTable(*(np.asarray(part, dtype=np.float32) for part in fitted(own)))
     np.savez_compressed(path, **single._asdict())
-    known = FieldTable(*(part.astype(float) for part in single))
-    print(f"{len(own)} contacts fitted; error of the force [% of kappa_max Q] at slide-roll ratios", *RATIOS)
-    low, high = judging
-    for kind in counts:
-        judged(kind, [row for row in rows[kind] if low <= row.A <= high and row.L >= JUDGED], known)
+    print(f"{len(own)} contacts in {path.name}; error of the force [% of kappa_max Q] at slide-roll ratios", *RATIOS)
+    return FieldTable(*(part.astype(float) for part in single))
 
 
 def main(solving):
-    """Both tables."""
-    table(COUNTS, FILE, solving, LIGHTEST, RANGE["A = a^2/(Rx^2 sqrt(2U))"])
-    table(LIGHT_COUNTS, LIGHT_FILE, solving, 0.0, LIGHT_FIELDS)
+    """Both tables, of heavy and of light contacts."""
+    heavy, light = ({kind: kept(kind, solving) for kind in counts} for counts in (COUNTS, LIGHT_COUNTS))
+    tables = (
+        (write(heavy, FILE, LIGHTEST), heavy, RANGE["A = a^2/(Rx^2 sqrt(2U))"], JUDGED),
+        (write(light, LIGHT_FILE, 0.0), light, LIGHT_FIELDS, 1.0),
+    )
+    for known, rows, (low, high), least in tables:
+        for kind, own in rows.items():
+            judged(kind, [row for row in own if low <= row.A <= high and row.L >= least], known)
 
 
 if __name__ == "__main__":

@@ -6,6 +6,10 @@ the load, so modes interpolated once to fewer lines and places give fields there
 A contact outside the range of the fields has those of the nearest place inside it, over its own
 Hertz pressure, semi-axes and central film: so friction goes on without a step, and what it is
 worth there is judged by solved films (`docs/theory/film_atlas.md`).
+
+Contacts lighter than those are nearly rigid, and alike: pressure and film over the central one
+h_c are functions of x/sqrt(R_x h_c) and y/sqrt(R_x h_c), the pressure in proportion to the load
+over R_x h_c. So theirs are stretched by s = sqrt(H_c/H_c'), H in a^2/R_x, ' of the nearest place.
 """
 
 from collections.abc import Sequence
@@ -29,12 +33,8 @@ HALF_LINES = 12  # on one side of the middle, all of one width
 PLACES = 14  # of Gauss' rule from edge to edge of each line
 # of A, L, D, alpha [1/Pa] and z that contacts were solved at
 BOX = ((2.8, 160.0), (1.0, 30.0), (0.01, 1.0), (1e-8, 3e-8), (0.4, 0.8))
-SEAM = (
-    11.0,
-    15.0,
-)  # of A, between which the table of light contacts goes over into that of heavy ones
-
-PLACE = len(BOX)  # numbers of a place [-]
+PLACE = len(BOX) + 1  # numbers of a place [-]
+SEAM = (11.0, 15.0)  # of A, between which the table of light contacts goes over into the other
 
 
 class FilmShapes(NamedTuple):
@@ -73,8 +73,8 @@ SIZES = tuple(prod(shape) for shape in SHAPES)
 
 
 def shape_places(contacts: Sequence[ContactConditions], semi_axes: Array) -> Array:
-    """ln A, sqrt L, ln D, alpha [1/Pa] and z at which contacts of one oil have their fields, shape
-    (n, 5); Hertz' semi-axes along rolling (n,) [m].
+    """ln A, sqrt L, ln D, alpha [1/Pa] and z at which contacts of one oil have their fields, and
+    whether they are lighter, shape (n, 6); Hertz' semi-axes along rolling (n,) [m].
     """
     oil = contacts[0].lubricant
     alpha, z = oil_numbers(oil)
@@ -91,11 +91,12 @@ def shape_places(contacts: Sequence[ContactConditions], semi_axes: Array) -> Arr
     own, thick, ratio, *rest = (
         np.clip(value, *limits) for value, limits in zip(values, BOX, strict=True)
     )
-    return np.stack([np.log(own), np.sqrt(thick), np.log(ratio), *rest], axis=1)
+    light = (groups[0] < own).astype(np.float64)
+    return np.stack([np.log(own), np.sqrt(thick), np.log(ratio), *rest, light], axis=1)
 
 
-def film_shapes(places: Array) -> FilmShapes:
-    """Fields at places (n, 5) of `shape_places`."""
+def film_shapes(places: Array, central: Array) -> FilmShapes:
+    """Fields at places (n, 6) of `shape_places`, of contacts of central films (n,) over a^2/Rx."""
     heavy = heavy_share(places[:, 0], SEAM)[0]
     vectors = np.zeros((len(places), sum(SIZES)))
     for path, share in ((LIGHT_FILE, 1.0 - heavy), (FILE, heavy)):
@@ -103,7 +104,19 @@ def film_shapes(places: Array) -> FilmShapes:
         if some.any():
             vectors[some] += share[some, None] * _vectors(path, places[some])
     own, load = _split(vectors), np.exp(places[:, 0])
-    return FilmShapes(zone=_mirrored(_zone(own)), around=_mirrored(_around(own, load)))
+    # s^2
+    wider = np.where(places[:, PLACE - 1] > 0.0, central * load * np.exp(-_central(own)), 1.0)
+    zone = _stretched(_zone(own), wider)
+    around = _stretched(_around(own, load), wider)
+    around[4] *= wider[:, None]
+    return FilmShapes(zone=_mirrored(zone), around=_mirrored(around))
+
+
+def _stretched(half: Array, wider: Array) -> Array:
+    """Nodes (5, n, m) farther out, by the square root of a factor (n,), with as much load [-]."""
+    farther = np.sqrt(wider)
+    half *= np.stack([farther, farther, wider, 1.0 / wider, np.ones_like(wider)])[..., None]
+    return half
 
 
 def _vectors(path: Path, places: Array) -> Array:

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 import ehl
+from bearing.contacts.film_numbers import film_numbers_of
 from bearing.friction._kernels import film_frictions, thin_sums
 from bearing.friction.film_nodes import THIN, ShearedFilm, unsolved_nodes
 from bearing.friction.films import MIN_SLIDING
@@ -87,19 +88,29 @@ def test_few_places_have_the_friction_of_all(load):
     assert np.abs((found - known) / arms).max() < 0.012
 
 
-@pytest.mark.parametrize("load", [5.0, 20.0])
-def test_light_contacts_have_the_friction_of_solved_films(load):
-    """On 257 points, as those of the table; A 3.2 and 8.0, where 513 points change the largest force by 2 %."""
+def errors(load):
+    """Of the friction beside a film solved on 257 points, as those of the table are, over its largest part."""
     conditions = contact(load)
     solution = ehl.solve_contact(conditions, ehl.SolverOptions(points=257))
-    u = conditions.entrainment_speed
+    u, size = conditions.entrainment_speed, flat_size(conditions)
     quadrature = film_quadrature(solution, law(conditions), u)
     known = summed(quadrature, motions(conditions))
     found = friction(conditions, solution.film_central, motions(conditions))
-    size = flat_size(conditions)
     largest = np.abs(summed(quadrature, np.array([[0.1 * u, 0.0, 0.0, 0.0]]))[0, 0])
     arms = largest * np.array([1.0, 1.0, size[1], CURVATURE * size[1] ** 2])
-    assert np.abs((found - known) / np.maximum(arms, np.abs(known).max(axis=0))).max() < 0.035
+    return np.abs((found - known) / np.maximum(arms, np.abs(known).max(axis=0)))
+
+
+@pytest.mark.parametrize("load", [5.0, 20.0])
+def test_light_contacts_have_the_friction_of_solved_films(load):
+    """A 3.2 and 8.0, where 513 points change the largest force by 2 %."""
+    assert errors(load).max() < 0.035
+
+
+@pytest.mark.parametrize("load", [0.5, 2.0])
+def test_nearly_rigid_contacts_are_alike(load):
+    """A 0.7 and 1.7, lighter than those of the table: sliding along; spin goes with the size of the solved box."""
+    assert errors(load)[:2, 0].max() < 0.03
 
 
 def places_of(contacts):
@@ -110,9 +121,9 @@ def places_of(contacts):
 def test_pressure_carries_the_load():
     """That of the zone all of it under heavy loads, in light contacts the oil around the rest."""
     contacts = [contact(load) for load in (0.5, 3.0, 30.0, 55.0, 400.0, 20000.0)]
-    shapes = film_shapes(places_of(contacts))
+    shapes = film_shapes(places_of(contacts), np.array([0.1 / own.load for own in contacts]))
     zone = (shapes.zone[2] * shapes.zone[3]).sum(axis=1) / (2.0 * pi / 3.0)
-    assert (np.diff(zone) > -1e-3).all() and 0.7 < zone[0] and zone[-1] == pytest.approx(1.0, abs=0.01)
+    assert (np.diff(zone) > -1e-3).all() and 0.7 < zone[0] < 0.76 and zone[-1] == pytest.approx(1.0, abs=0.01)
     assert all(np.isfinite(part).all() and (part[4] > 0.0).all() and (part[2] >= 0.0).all() for part in shapes)
     # one side mirrors the other
     for part in shapes:
@@ -120,18 +131,24 @@ def test_pressure_carries_the_load():
         assert first[1] == pytest.approx(-other[1]) and first[[0, 2, 3, 4]] == pytest.approx(other[[0, 2, 3, 4]])
 
 
-@pytest.mark.parametrize("changed", [{}, {"speed": 0.05}, {"radius_y": 2e-3}, {"radius_y": 1.0}])
-def test_friction_has_no_step_where_tables_end_or_meet(changed):
-    """Over six decades of load: what friction over the load changes from one load to the next changes little."""
+@pytest.mark.parametrize(
+    ("changed", "step"), [({}, 0.01), ({"speed": 0.05}, 0.01), ({"radius_y": 1.0}, 0.01), ({"radius_y": 2e-3}, 0.05)]
+)
+def test_friction_has_no_step_where_tables_end_or_meet(changed, step):
+    """Over six decades of load: what friction over the load changes from one load to the next changes little.
+
+    At R_x/R_y 1.95, beyond the tables, the film of their lightest contacts is 3 % off.
+    """
     loads = np.geomspace(0.05, 5e4, 3000)
     contacts = [contact(load, **changed) for load in loads]
     moved = np.array([[0.05 * own.entrainment_speed, 0.0, 0.0, 0.0] for own in contacts])
-    share = -frictions(contacts, 1e-7 * (loads / 100.0) ** -0.07, moved)[:, 0] / loads
+    films = film_numbers_of([(own, flat_size(own)[1::-1]) for own in contacts])
+    share = -frictions(contacts, [own.central for own in films], moved)[:, 0] / loads
     steps = np.diff(np.log(share))
-    assert np.abs(steps).max() < 0.05 and np.abs(np.diff(steps)).max() < 0.01
+    assert np.abs(steps).max() < 0.05 and np.abs(np.diff(steps)).max() < step
 
 
 def test_oils_without_pressure_viscosity_have_the_thinnest_of_the_table():
     thin = replace(OIL, viscosity_law=ehl.ViscosityLaw.ISOVISCOUS)
     place = places_of([contact(50.0, lubricant=thin)])[0]
-    assert place[1] == 1.0 and np.isfinite(film_shapes(place[None]).zone).all()
+    assert place[1] == 1.0 and np.isfinite(film_shapes(place[None], np.ones(1)).zone).all()
