@@ -29,7 +29,7 @@ import numpy as np
 
 from cases.batch.engine import Choice, run_batch
 from cases.batch.pools import LocalPool
-from cases.batch.results import collected, gathered, write_batch
+from cases.batch.results import collected, write_batch
 from cases.batch.sweep import sweep_from_text
 from cases.runs.processes import POINTS, fork_server
 from postprocess.batch.parquet import write_batch_parquet
@@ -107,8 +107,8 @@ def cost(text: str, workers: int, folder: Path) -> Cost:
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
     with fork_server(POINTS):  # whose children the workers are
         sweep = sweep_from_text(text, "sweep.toml")
-        results = gathered(run_batch(sweep, folder, lambda: LocalPool(workers)))
-        write_batch(results, folder)
+        with collected(run_batch(sweep, folder, lambda: LocalPool(workers))) as (results, columns):
+            write_batch(results, folder, columns)
         wall = time.perf_counter() - start
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     failed = [point.message for point in results.points if point.status != "done"]

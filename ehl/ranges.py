@@ -1,7 +1,7 @@
 """Ranges of input values; an error names the field."""
 
 from collections.abc import Iterable
-from math import isfinite
+from math import inf, isfinite
 from typing import Any
 
 
@@ -9,7 +9,7 @@ def _values(owner: Any, names: tuple[str, ...]) -> Iterable[tuple[str, float]]:
     """Names and values, of many objects a batch: pairs without a dictionary."""
     if isinstance(owner, dict):
         return owner.items()
-    return zip(names, [getattr(owner, name) for name in names], strict=True)
+    return [(name, getattr(owner, name)) for name in names]
 
 
 def require_finite(owner: Any, *names: str) -> None:
@@ -22,7 +22,7 @@ def require_finite(owner: Any, *names: str) -> None:
 def require_positive(owner: Any, *names: str) -> None:
     """Raise ValueError unless the attributes, or the values of a dict, are positive and finite."""
     for name, value in _values(owner, names):
-        if not (isfinite(value) and value > 0.0):
+        if not 0.0 < value < inf:
             raise ValueError(f"{name} must be positive and finite, got {value!r}")
 
 

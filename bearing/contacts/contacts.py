@@ -1,5 +1,6 @@
 """The contacts of a solved bearing as lubricated contacts."""
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -33,11 +34,31 @@ def contact_conditions(
     `solution`: loads in [N], angles in [rad], speeds in [rad/s].
     """
     motions = _motions(solution)
+    light = NEGLIGIBLE_LOAD * float(max(solution.inner_load.max(), solution.outer_load.max()))
     frames = _placements(solution, np.array([motion.speed for motion in motions]).reshape(-1, 2))
     parts = zip(motions, _hertz(solution), frames, strict=True)
     return tuple(
-        _contact(solution, (n // 2, RACES[n % 2]), motion, hertz, frame, lubricant)
+        _contact(solution, (n // 2, RACES[n % 2]), motion, hertz, frame, (lubricant, light))
         for n, (motion, hertz, frame) in enumerate(parts)
+    )
+
+
+def with_oil(
+    solution: QuasistaticSolution, contacts: tuple[BearingContact, ...], lubricant: Lubricant
+) -> tuple[BearingContact, ...]:
+    """Contacts of a solution as `contact_conditions` makes them, from those with another oil;
+    made anew where the oil decides whether one of them has a film.
+    """
+    if all(own.conditions is None or own.conditions.lubricant == lubricant for own in contacts):
+        return contacts
+    light = NEGLIGIBLE_LOAD * max(solution.inner_load.max(), solution.outer_load.max())
+    if any(contact.hertz is not None and contact.load < light for contact in contacts):
+        return contact_conditions(solution, lubricant)
+    return tuple(
+        contact
+        if (known := contact.conditions) is None
+        else replace(contact, conditions=replace(known, lubricant=lubricant))
+        for contact in contacts
     )
 
 
@@ -88,13 +109,14 @@ def _contact(
     motion: _Motion,
     hertz: HertzContact | None,
     axes: tuple[Array, Array],
-    lubricant: Lubricant,
+    oil: tuple[Lubricant, float],
 ) -> BearingContact:
+    """One of them; `oil`: with the load under which a thick film is left out [N]."""
     (index, race), (origin, rows) = place, axes
     inner = race is Race.INNER
     load = float((solution.inner_load if inner else solution.outer_load)[index])
     angle = float((solution.inner_contact_angle if inner else solution.outer_contact_angle)[index])
-    conditions, note = _conditions(solution, hertz, motion, lubricant)
+    conditions, note = _conditions(solution, hertz, motion, *oil)
     centrifugal = float(solution.centrifugal_force[index])
     rolls = motion.rolling > STANDSTILL * _fastest(solution)
     pulled = inner and centrifugal > 0.0
@@ -142,6 +164,7 @@ def _conditions(
     hertz: HertzContact | None,
     motion: _Motion,
     lubricant: Lubricant,
+    light: float,
 ) -> tuple[ContactConditions | None, str]:
     if hertz is None:
         return None, "unloaded"
@@ -161,8 +184,7 @@ def _conditions(
         lateral_slide_ratio=motion.across / speed,
         ball_radius=0.5 * solution.bearing.ball_diameter,
     )
-    heaviest = max(solution.inner_load.max(), solution.outer_load.max())
-    if hertz.load < NEGLIGIBLE_LOAD * heaviest and _floats(conditions):
+    if hertz.load < light and _floats(conditions):
         thick = f"thicker than {MAX_FILM_OVER_RADIUS:.0%} of Rx, outside the model"
         return None, f"a light load on a film {thick}; its friction is left out"
     return conditions, ""
@@ -198,4 +220,5 @@ def _placements(solution: QuasistaticSolution, speed: Array) -> list[tuple[Array
     centre = axial + solution.ball_radial[:, None, None] * radial
     origins = (centre + 0.5 * solution.bearing.ball_diameter * normal).reshape(-1, 3)
     axes = np.stack([axis_x, np.cross(normal, axis_x), normal], axis=2).reshape(-1, 3, 3)
+    axes.flags.writeable = False  # of contacts that stand for what is computed of them
     return list(zip(origins, axes, strict=True))

@@ -14,7 +14,9 @@ M 50 to 10 000): central films within 12 % but one (18 %), minimum films within 
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
+
+import numpy as np
 
 from ehl.closed_form.film import (
     MAX_FILM_OVER_RADIUS,
@@ -63,10 +65,33 @@ def film_numbers_of(
     contacts: Sequence[tuple[ContactConditions, tuple[float, float]]],
 ) -> list[FilmNumbers]:
     """As `film_numbers`, of the conditions and axes [m] of many contacts at once."""
-    alike = [_alike(*contact) for contact in contacts]
-    distinct = list(dict.fromkeys(alike))
-    found = dict(zip(distinct, _numbers(distinct), strict=True))
-    return [found[own] for own in alike]
+    kinds = _kinds(contacts)
+    first = dict(zip(reversed(kinds), reversed(contacts), strict=True))
+    distinct = list(dict.fromkeys(kinds))
+    numbers = _numbers([_alike(*first[kind]) for kind in distinct])
+    found = dict(zip(distinct, numbers, strict=True))
+    return [found[kind] for kind in kinds]
+
+
+def _kinds(
+    contacts: Sequence[tuple[ContactConditions, tuple[float, float]]],
+) -> list[tuple[Any, ...]]:
+    """What contacts have in common that are alike: numbers to `DIGITS`, the rest the very same."""
+    numbers = np.array(
+        [
+            (c.load, c.radius_x, c.radius_y, c.entrainment_speed, abs(c.rotation), *axes)
+            for c, axes in contacts
+        ]
+    ).reshape(-1, 7)
+    places = DIGITS - 1 - np.floor(np.log10(np.where(numbers > 0.0, numbers, 1.0)))
+    rows = np.stack([np.rint(numbers * 10.0**places), places], axis=1)
+    return [
+        (
+            *(row.tobytes(), c.reduced_modulus, c.entrainment_angle, c.ball_radius),
+            *(id(c.lubricant), id(c.coating), id(c.inlet_layer)),
+        )
+        for row, (c, _) in zip(rows, contacts, strict=True)
+    ]
 
 
 def _alike(

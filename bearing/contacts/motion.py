@@ -20,6 +20,7 @@ from ehl.kinematics import ContactKinematics
 from ..geometry import Array, Race
 from ..quasistatic.solution import QuasistaticSolution
 from .contact import BearingContact
+from .last import LastOf
 from .shape import groove_curvature_radius
 
 
@@ -70,7 +71,18 @@ class MotionMap:
 
 
 def motion_map(solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> MotionMap:
-    """How contacts of an equilibrium move with balls and rings, speeds in [rad/s]."""
+    """How contacts of an equilibrium move with balls and rings, speeds in [rad/s]; its arrays are
+    not to be changed: all that asks for the same tuple of contacts has the same map.
+    """
+    objects = (contacts, solution.bearing, solution.operation)
+    return _LAST.of(objects, lambda: _motion_map(solution, contacts))
+
+
+_LAST: LastOf[MotionMap] = LastOf()
+
+
+def _motion_map(solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> MotionMap:
+    """As `motion_map`."""
     inner = np.array([contact.race is Race.INNER for contact in contacts], dtype=np.bool_)
     angle = np.array([contact.contact_angle for contact in contacts])
     ball = np.array([contact.ball - 1 for contact in contacts], dtype=np.int64)

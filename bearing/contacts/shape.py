@@ -2,10 +2,19 @@
 it.
 """
 
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
 from ehl.closed_form.hertz import hertz_contact
 from ehl.traction.laws import ContactShape
 
-from ..geometry import Bearing, Race, contact_modulus, reduced_radii
+from ..geometry import Array, Bearing, Race, contact_modulus, reduced_radii
+from .contact import RACES, BearingContact
+from .last import LastOf
+
+UNLOADED = 1e-6  # semi-axis of a contact without load [m]
 
 
 def groove_radius(bearing: Bearing, race: Race) -> float:
@@ -22,6 +31,34 @@ def groove_curvature_radius(bearing: Bearing, race: Race) -> float:
     """
     groove = groove_radius(bearing, race)
     return 2.0 * groove * bearing.ball_diameter / (2.0 * groove + bearing.ball_diameter)
+
+
+class DryContacts(NamedTuple):
+    """Contacts as friction takes them, each of shape (contacts,); not to be changed."""
+
+    load: Array  # [N]; zero where there is no contact
+    semi_axis_x: Array  # along the rolling direction [m]; UNLOADED where there is no contact
+    semi_axis_y: Array  # and across it [m]
+    radius: Array  # `groove_curvature_radius` [m]
+
+
+def dry_contacts(bearing: Bearing, contacts: Sequence[BearingContact]) -> DryContacts:
+    """Loads, axes and curvatures of contacts, made once for one tuple of them."""
+    return _LAST.of((contacts, bearing), lambda: _dry_contacts(bearing, contacts))
+
+
+_LAST: LastOf[DryContacts] = LastOf()
+
+
+def _dry_contacts(bearing: Bearing, contacts: Sequence[BearingContact]) -> DryContacts:
+    """As `dry_contacts`."""
+    none = (0.0, UNLOADED, UNLOADED)
+    radius = {race: groove_curvature_radius(bearing, race) for race in RACES}
+    dry = [contact.hertz for contact in contacts]
+    rows = [none if h is None else (h.load, h.semi_axis_x, h.semi_axis_y) for h in dry]
+    load, along, across = np.array(rows).reshape(-1, 3).T
+    curved = np.array([radius[contact.race] for contact in contacts])
+    return DryContacts(load, along, across, curved)
 
 
 def contact_shape(bearing: Bearing, race: Race, contact_angle: float) -> ContactShape:

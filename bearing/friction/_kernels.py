@@ -252,31 +252,6 @@ def thin_sums(nodes, out):
 
 
 @compiled
-def flat_rows(films, nodes, inside, level, viscosity, limit, rows):
-    """First six rows of nodes of `film_frictions` in flat films, rows of shape (7, films, m).
-
-    films, shape (n, 6): semi-axes along and across, Hertz' pressure, radius along rolling, gap
-    around and in the contact; nodes, shape (4, m): x and y over the semi-axes, area over both,
-    (x^2 - 1)/2 of lines behind; inside (m,): in the contact; level (m,): of each node in viscosity
-    and limiting stress, shape (n, levels). Oil that leaves the contact fills strips.
-    """
-    for n in range(films.shape[0]):
-        a, b, _, radius, around, gap = films[n]
-        for k in range(level.size):
-            height = gap
-            share = 1.0
-            if not inside[k]:
-                height = around + a * a / radius * nodes[3, k]
-                share = min(gap / height, 1.0)
-            rows[0, n, k] = a * b * nodes[2, k] * share
-            rows[1, n, k] = 1.0 / height
-            rows[2, n, k] = viscosity[n, level[k]]
-            rows[3, n, k] = limit[n, level[k]]
-            rows[4, n, k] = a * nodes[0, k]
-            rows[5, n, k] = b * nodes[1, k]
-
-
-@compiled
 def line_sums(ellipses, motion, power, gradient, slope):
     """As `coulomb_sums` of narrow ellipses, by the lines of pure rolling u = y/a, the roots of
     omega a^2/(2R) u^2 + Omega a u = S_x.

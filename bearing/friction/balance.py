@@ -19,7 +19,7 @@ from ehl.arrays import alike
 
 from ..contacts.contact import BearingContact
 from ..contacts.motion import BallMotion, MotionMap, ball_speeds, motion_map
-from ..contacts.shape import groove_curvature_radius
+from ..contacts.shape import dry_contacts
 from ..geometry import Array
 from ..quasistatic.kinematics import ball_mass
 from ..quasistatic.solution import QuasistaticSolution
@@ -83,9 +83,9 @@ def curvature_slip(
     if motion is None:
         motion = motion_map(solution, contacts).motion(*ball_speeds(solution))
     rolling = np.abs(motion[:, 3])
-    radius = np.array([groove_curvature_radius(solution.bearing, c.race) for c in contacts])
-    semi_axis = np.array([0.0 if c.hertz is None else c.hertz.semi_axis_y for c in contacts])
-    return np.asarray(np.maximum(rolling * semi_axis**2 / (2.0 * radius), TINY))
+    dry = dry_contacts(solution.bearing, contacts)
+    semi_axis = np.where(dry.load > 0.0, dry.semi_axis_y, 0.0)
+    return np.asarray(np.maximum(rolling * semi_axis**2 / (2.0 * dry.radius), TINY))
 
 
 def balance_driven_balls(

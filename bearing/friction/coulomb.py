@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from ehl.traction.quadrature import EllipseRule, ellipse_nodes
 
 from ..contacts.contact import BearingContact
-from ..contacts.shape import groove_curvature_radius
+from ..contacts.shape import dry_contacts
 from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 from . import _kernels
@@ -105,13 +105,11 @@ def contact_ellipses(
     """The ellipses of all contacts under Coulomb's mu [-], lengths in [m]; friction rounded by
     `ROUNDING`.
     """
-    hertz = [c.hertz for c in contacts]
-    radius = np.array([groove_curvature_radius(solution.bearing, c.race) for c in contacts])
-    transverse = np.array([1e-6 if h is None else h.semi_axis_y for h in hertz])
+    load, semi_axis_x, semi_axis_y, radius = dry_contacts(solution.bearing, contacts)
     return Ellipses(
-        load=np.array([0.0 if h is None else h.load for h in hertz]),
-        semi_axis_x=np.array([1e-6 if h is None else h.semi_axis_x for h in hertz]),
-        semi_axis_y=transverse,
+        load=load,
+        semi_axis_x=semi_axis_x,
+        semi_axis_y=semi_axis_y,
         radius=radius,
         friction=np.broadcast_to(np.asarray(friction, dtype=np.float64), radius.shape),
         rounding=ROUNDING * curvature_slip(solution, contacts),

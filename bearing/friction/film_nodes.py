@@ -9,8 +9,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ehl.arrays import alike
+from ehl.closed_form.hertz import MEAN_PRESSURE_RATIO
 from ehl.kinematics import curvature_height
-from ehl.oil.rheology import Rheology, contact_rheology, kernel_rheology, limiting_stress
+from ehl.oil.lubricant import Lubricant
+from ehl.oil.rheology import (
+    KernelRheology,
+    Rheology,
+    contact_rheology,
+    eyring_stresses,
+    kernel_rheology,
+    limiting_stress,
+)
+from ehl.solution import ContactSolution
+from ehl.traction.atlas.film_shapes import PLACE, film_shapes, shape_places
 from ehl.traction.shear import (
     Cavitation,
     bounded_viscosity,
@@ -28,13 +39,14 @@ from ..contacts.shape import groove_curvature_radius
 from ..contacts.traction import TRACTION_POINTS
 from ..geometry import Array, Bearing
 from ..quasistatic.solution import QuasistaticSolution
-from ._kernels import flat_rows, thin_sums
-from .flat_film import FlatFilm, flat_nodes
+from ._kernels import thin_sums
+from .flat_film import FlatFilm
 from .law import TINY
-from .running_films import RunningFilm, RunningFilms
+from .running_films import RunningFilms
 
 ROWS = 7  # area, 1 over the gap, viscosity, limiting stress, x, y and height of the surface
 THIN = 11  # numbers of `_kernels.thin_sums`
+STRESS = KernelRheology._fields.index("stress")
 
 
 class FilmNodes(NamedTuple):
@@ -57,10 +69,10 @@ class _Block(NamedTuple):
     laws: Array  # (films, 4)
 
 
-class _Sheared(NamedTuple):
+class ShearedFilm(NamedTuple):
     """A film with the surface that it runs on."""
 
-    film: RunningFilm
+    film: ContactSolution | FlatFilm
     curvature: float  # 1/(2 R) of the loaded surface across rolling [1/m]
     width: float  # half of what is curved like that [m]
 
@@ -68,36 +80,43 @@ class _Sheared(NamedTuple):
 def film_nodes(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: RunningFilms,
+    states: Sequence[RunningFilms],
     rheology: Rheology,
-) -> FilmNodes:
-    """Nodes that shear in the films of contacts, None without one, in [m], [Pa], [Pa s]."""
+) -> list[FilmNodes]:
+    """Nodes that shear in the films of contacts, None without one, in [m], [Pa], [Pa s]; of films
+    in several states, the nodes of all together in each, an empty state without films.
+    """
     bearing = solution.bearing
-    own = np.zeros(len(contacts), dtype=np.int64)
+    films = [film for state in states for film in state]
+    places = [n for state in states for n in range(len(state))]
+    own = np.zeros(len(films), dtype=np.int64)
     blocks = [_Block(np.empty((ROWS, 1, 0)), 0, np.zeros((1, 4)))]
     temperature = solution.operation.temperature
     # 1. solved films, one by one
     known: dict[tuple[int, float], int] = {}
     flat: list[int] = []
-    for number, (contact, film) in enumerate(zip(contacts, films, strict=True)):
+    unsolved: list[ShearedFilm] = []
+    for number, (place, film) in enumerate(zip(places, films, strict=True)):
         if film is None:
             continue
+        sheared = _sheared(bearing, contacts[place], film.film)
         if isinstance(film.film, FlatFilm):
             flat.append(number)
+            unsolved.append(sheared)
             continue
-        sheared = _sheared(bearing, contact, film)
         key = (id(film.film), sheared.curvature)
         if key not in known:
             known[key] = len(blocks)
             blocks.append(_solved_nodes(sheared, rheology, temperature))
         own[number] = known[key]
-    # 2. flat ones, all at once
-    places = [_sheared(bearing, contacts[n], film) for n in flat if (film := films[n])]
-    if places:
-        like, found = _flat_films(places, rheology, temperature)
+    # 2. others, all at once
+    if unsolved:
+        like, found = unsolved_nodes(unsolved, rheology, temperature)
         own[flat] = len(blocks) + like
         blocks.append(found)
-    return _joined(blocks, own)
+    ends = np.cumsum([len(state) for state in states])
+    joined = _joined(blocks, own)
+    return [joined._replace(own=part) for part in np.split(own, ends[:-1])]
 
 
 def _joined(blocks: Sequence[_Block], own: NDArray[np.int64]) -> FilmNodes:
@@ -120,10 +139,12 @@ def _joined(blocks: Sequence[_Block], own: NDArray[np.int64]) -> FilmNodes:
     )
 
 
-def _sheared(bearing: Bearing, contact: BearingContact, film: RunningFilm) -> _Sheared:
+def _sheared(
+    bearing: Bearing, contact: BearingContact, film: ContactSolution | FlatFilm
+) -> ShearedFilm:
     radius = groove_curvature_radius(bearing, contact.race)
     width = np.inf if contact.hertz is None else contact.hertz.semi_axis_y
-    return _Sheared(film, 0.5 / radius, width)
+    return ShearedFilm(film, 0.5 / radius, width)
 
 
 def _law(rheology: Rheology) -> Array:
@@ -131,9 +152,18 @@ def _law(rheology: Rheology) -> Array:
     return np.array(kernel_rheology(rheology)[:4], dtype=np.float64)
 
 
-def _solved_nodes(sheared: _Sheared, rheology: Rheology, temperature: float | None) -> _Block:
+def _laws(rheology: Rheology, oil: Lubricant, mean_pressure: Array) -> Array:
+    """The same of contacts of one oil at their mean pressures [Pa], shape (contacts, 4)."""
+    first = contact_rheology(rheology, oil, float(mean_pressure[0]))
+    laws = np.tile(_law(first), (mean_pressure.size, 1))
+    if not rheology.of_contact:
+        laws[:, STRESS] = eyring_stresses(rheology, oil, mean_pressure)
+    return laws
+
+
+def _solved_nodes(sheared: ShearedFilm, rheology: Rheology, temperature: float | None) -> _Block:
     """Those of a solved film; sums of `integrate_traction`."""
-    solved = sheared.film.film
+    solved = sheared.film
     assert not isinstance(solved, FlatFilm)
     rheology = solution_rheology(solved, rheology)
     film = with_outlet(solved.thinned(TRACTION_POINTS))
@@ -155,28 +185,74 @@ def _solved_nodes(sheared: _Sheared, rheology: Rheology, temperature: float | No
     return _Block(nodes[:, None], int(full.sum()), _law(rheology)[None])
 
 
-def _flat_films(
-    films: Sequence[_Sheared], rheology: Rheology, temperature: float | None
+def unsolved_nodes(
+    films: Sequence[ShearedFilm], rheology: Rheology, temperature: float | None
 ) -> tuple[NDArray[np.int64], _Block]:
-    """Which of the flat films that differ each one is, and these; one at least, all of one oil."""
-    flat = [one.film.film for one in films if isinstance(one.film.film, FlatFilm)]
+    """Which of the films that are not solved and differ each one is, and these; one at least, all
+    of one oil.
+    """
+    flat = [one.film for one in films if isinstance(one.film, FlatFilm)]
+    own = {id(film.conditions): film for film in flat}
+    numbers = _shape_numbers(list(own.values()))
+    known = dict(zip(own, numbers, strict=True))
     places = np.array([
-        (*film.size, film.conditions.radius_x, film.central, film.gap, one.curvature, one.width)
+        (*known[id(film.conditions)], one.curvature, one.width)
         for film, one in zip(flat, films, strict=True)
     ])  # fmt: skip
+    first, like = _alike(places)
+    shapes = _shapes(places[first], flat[0].conditions.lubricant, rheology, temperature)
+    # the same shapes with other gaps, of films as they run and flooded
+    gaps = np.array([(film.gap, film.share) for film in flat])
+    chosen, kinds = _alike(np.column_stack([like + 1.0, gaps]))
+    return kinds, _with_gaps(shapes, like[chosen], gaps[chosen])
+
+
+def _alike(places: Array) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """`alike` of rows in any units."""
     scale = np.abs(places).max(axis=0)
-    first, like = alike(places / np.where(scale > 0.0, scale, 1.0))
-    oil = flat[0].conditions.lubricant
-    at = flat_nodes()
-    largest, curvature, width = places[first].T[[2, 6, 7], :, None]
-    # 1. oil at the pressures that there are
-    pressure = largest * at.pressure
+    return alike(places / np.where(scale > 0.0, scale, 1.0))
+
+
+def _shape_numbers(films: Sequence[FlatFilm]) -> list[tuple[float, ...]]:
+    """Place of each film in the atlas, semi-axes [m], Hertz' pressure [Pa], radius, central film
+    [m].
+    """
+    sizes = np.array([film.size for film in films])
+    places = shape_places([film.conditions for film in films], sizes[:, 0])
+    return [
+        (*place, *film.size, film.conditions.radius_x, film.central)
+        for place, film in zip(places.tolist(), films, strict=True)
+    ]
+
+
+def _shapes(
+    places: Array, oil: Lubricant, rheology: Rheology, temperature: float | None
+) -> _Block:
+    """Films of gaps of one in the contact, around it [m], of numbers as `_shape_numbers` with
+    curvature and width of the surface.
+    """
+    a, b, largest, radius, central, curvature, width = places[:, PLACE:].T[..., None]
+    zone, around = film_shapes(places[:, :PLACE], (central * radius / (a * a))[:, 0])
+    film = np.concatenate([zone[4], a * a / radius * around[4]], axis=1)
+    x, y, area, p = np.concatenate([zone[:4], around[:4]], axis=2)
+    y = b * y
+    # oil at the pressures that there are
+    pressure = largest * p
     viscosity = bounded_viscosity(pressure, oil)
     limit = limiting_stress(pressure, rheology, temperature)
-    # 2. gaps, and strips as wide as the oil that leaves the contact fills them
-    nodes = np.empty((ROWS, first.size, at.level.size))
-    own_places = np.stack([at.x, at.y, at.area, at.opening])
-    flat_rows(places[first, :6], own_places, at.inside, at.level, viscosity, limit, nodes)
-    nodes[6] = curvature_height(curvature, width, nodes[5])
-    laws = [_law(contact_rheology(rheology, oil, flat[n].mean_pressure)) for n in first]
-    return like, _Block(nodes, int(at.inside.sum()), np.stack(laws))
+    surface = curvature_height(curvature, width, y)
+    rows = (a * b * area, 1.0 / film, viscosity, limit, a * x, y, surface)
+    laws = _laws(rheology, oil, MEAN_PRESSURE_RATIO * largest[:, 0])
+    return _Block(np.stack(rows), zone.shape[2], laws)
+
+
+def _with_gaps(shapes: _Block, chosen: NDArray[np.int64], gaps: Array) -> _Block:
+    """Chosen shapes with gaps in the contact [m], and shares of the flooded ones that they are
+    [-]: oil that leaves the contact fills strips as wide.
+    """
+    nodes = shapes.nodes[:, chosen]
+    gap, share = gaps.T[..., None]
+    nodes[1, :, : shapes.pressed] /= gap
+    behind = nodes[:, :, shapes.pressed :]
+    behind[0] *= np.where(behind[4] > 0.0, share, 1.0)
+    return _Block(nodes, shapes.pressed, shapes.laws[chosen])

@@ -139,7 +139,7 @@ def sheared_films(
     along = curvature - 2.0 / solution.bearing.ball_diameter
     zero = np.zeros_like(moment)
     return ShearedFilms(
-        nodes=nodes or film_nodes(solution, contacts, films, rheology),
+        nodes=nodes or film_nodes(solution, contacts, (films,), rheology)[0],
         oil=1.0 - share,
         pumping=np.stack([along * moment, zero, zero, moment], axis=1),
         rubbing=contact_ellipses(solution, contacts, share * boundary).numbers,

@@ -13,6 +13,7 @@ from math import log
 import numpy as np
 
 from ehl.closed_form.film import MAX_FILM_OVER_RADIUS
+from ehl.closed_form.hertz import HertzContact
 from ehl.conditions import ContactConditions
 from ehl.scaling import scale_contact
 from ehl.solution import ContactSolution
@@ -22,7 +23,7 @@ from ..contacts.contact import BearingContact
 from ..contacts.film_heat import film_heat, solved_with_heat
 from ..contacts.film_numbers import FilmNumbers, film_numbers, film_numbers_of
 from ..geometry import Array
-from .flat_film import CONTACT_PRESSURE, FlatFilm, film_scale, film_values
+from .flat_film import CONTACT_PRESSURE, FlatFilm, film_scale, film_values, flat_size
 
 # of a scaled film, per unit of the logarithm of the speed [-]: from 3000 to 40 r/min the solved
 # films of a 6208 fall by 0.05 of that more slowly or faster than the formula
@@ -54,10 +55,14 @@ def formula_films(contacts: Sequence[BearingContact | None]) -> list[FormulaFilm
     no oil.
     """
     found: list[FormulaFilm | None] = [None] * len(contacts)
-    places = [n for n, own in enumerate(contacts) if own is not None and _pair(own) is not None]
-    pairs = [pair for own in contacts if own is not None and (pair := _pair(own)) is not None]
-    for n, (conditions, _), own in zip(places, pairs, film_numbers_of(pairs), strict=True):
-        found[n] = _flat(conditions, own)
+    pairs = {
+        n: pair
+        for n, own in enumerate(contacts)
+        if own is not None and (pair := _pair(own)) is not None
+    }
+    numbers = film_numbers_of([(conditions, _axes(hertz)) for conditions, hertz in pairs.values()])
+    for (n, pair), own in zip(pairs.items(), numbers, strict=True):
+        found[n] = _flat(*pair, own)
     return found
 
 
@@ -72,26 +77,37 @@ def formula_film(
     pair = _pair(contact)
     if pair is None:
         return None
-    own = film_numbers(*pair)
+    conditions, hertz = pair
+    own = film_numbers(conditions, _axes(hertz))
     if base is None or not isinstance(base.conditions, ContactConditions):
-        return _flat(pair[0], own)
-    return _scaled_film(contact, pair, own, base, base.conditions)
+        return _flat(conditions, hertz, own)
+    known = (conditions, _axes(hertz))
+    return _scaled_film(contact, known, own, base, base.conditions)
 
 
-def _pair(contact: BearingContact) -> tuple[ContactConditions, tuple[float, float]] | None:
-    """Conditions and Hertz' semi-axes across and along rolling [m]."""
-    hertz = contact.hertz
-    if contact.conditions is None or hertz is None:
+def _pair(contact: BearingContact) -> tuple[ContactConditions, HertzContact] | None:
+    """Conditions and the dry contact, where there are both."""
+    if contact.conditions is None or contact.hertz is None:
         return None
-    return contact.conditions, (hertz.semi_axis_y, hertz.semi_axis_x)
+    return contact.conditions, contact.hertz
 
 
-def _flat(conditions: ContactConditions, own: FilmNumbers) -> FormulaFilm:
+def _axes(hertz: HertzContact) -> tuple[float, float]:
+    """Hertz' semi-axes across and along rolling [m]."""
+    return hertz.semi_axis_y, hertz.semi_axis_x
+
+
+def _flat(conditions: ContactConditions, hertz: HertzContact, own: FilmNumbers) -> FormulaFilm:
     """A flat film by these numbers."""
     central = min(own.central, MAX_FILM_OVER_RADIUS * conditions.radius_x)
     minimum = None if own.ratio is None else min(own.ratio, 1.0) * central
     return FormulaFilm(
-        film=FlatFilm(conditions=conditions, central=central, minimum=minimum),
+        film=FlatFilm(
+            conditions=conditions,
+            central=central,
+            minimum=minimum,
+            size=flat_size(conditions, hertz),
+        ),
         central=central,
         minimum=minimum,
         moment=own.moment,

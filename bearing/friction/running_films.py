@@ -7,8 +7,9 @@ load that the oil carries.
 """
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from math import hypot
+from typing import NamedTuple
 
 from ehl.closed_form.starvation import FLOODED
 from ehl.solution import ContactSolution
@@ -22,9 +23,10 @@ from .flat_film import FlatFilm, with_gap
 from .formula_films import FormulaFilm, formula_films
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class RunningFilm:
-    """Film of one contact as it shears, what resists rolling, and the load on asperities."""
+class RunningFilm(NamedTuple):
+    """Film of one contact as it shears, what resists rolling, and the load on asperities; each
+    step that makes it changes some of a tuple, which costs a tenth of what an object does.
+    """
 
     film: ContactSolution | FlatFilm
     whole: ContactSolution | FlatFilm  # the same with the gap that a flooded inlet gives it
@@ -49,6 +51,11 @@ class RunningFilm:
         return hypot(self.film.film_central_dimensionless.relative_uncertainty, self.heat_error)
 
     @property
+    def flat(self) -> bool:
+        """Whether it is of atlas or formulas alone, not scaled to a solved one."""
+        return self.formula and isinstance(self.film, FlatFilm)
+
+    @property
     def rolling_moment(self) -> float:
         """Moment that resists rolling [N m]."""
         return self.rolling_factor * self.flooded_moment
@@ -56,7 +63,7 @@ class RunningFilm:
     def flooded(self) -> "RunningFilm":
         """With the whole rolling moment [N m], in the flooded film as it was solved."""
         share = self.flooded_share
-        return replace(self, film=self.whole, rolling_factor=1.0, asperity_share=share)
+        return self._replace(film=self.whole, rolling_factor=1.0, asperity_share=share)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -110,7 +117,7 @@ def running_films(
                 running = _supplied(running, contact, supply)
             running = heated.film(running, contact)
             left = factors[0] * (1.0 if _has_heat(running) else factors[1])
-            running = replace(running, rolling_factor=left * running.rolling_factor)
+            running = running._replace(rolling_factor=left * running.rolling_factor)
             running = _with_asperities(running, contact, asperities)
         found.append(running)
     return tuple(found)
@@ -135,8 +142,7 @@ class _Heated:
         key = (id(solved), share.value)
         if key not in self.gaps:
             self.gaps[key] = with_gap(solved, share.value)
-        return replace(
-            film,
+        return film._replace(
             film=self.gaps[key],
             central=share.value * film.central,
             minimum=None if film.minimum is None else share.value * film.minimum,
@@ -205,16 +211,15 @@ def _supplied(film: RunningFilm, contact: BearingContact, supply: OilAtInlets) -
     if left == FLOODED and layer is not None:
         whole = film.whole
         least = None if isinstance(whole, FlatFilm) else whole.film_minimum
-        return replace(
-            film, film=whole, central=film.flooded_central, minimum=least, rolling_factor=1.0
+        return film._replace(
+            film=whole, central=film.flooded_central, minimum=least, rolling_factor=1.0
         )
     share = left.central.value / central
     thick = share * film.central
     least = film.minimum
     if least is not None:
         least = min(left.minimum.value / minimum * least, thick)
-    return replace(
-        film,
+    return film._replace(
         film=with_gap(film.film, share),
         central=thick,
         minimum=least,
@@ -228,8 +233,7 @@ def _with_asperities(
     """With the load that asperities carry, in the film as it runs and flooded."""
     if asperities is None:
         return film
-    return replace(
-        film,
+    return film._replace(
         asperity_share=asperities.share(contact, film.central),
         flooded_share=asperities.share(contact, film.flooded_central),
         boundary=asperities.boundary,

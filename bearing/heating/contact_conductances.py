@@ -36,12 +36,14 @@ def contact_conductances(
     contacts: Sequence[BearingContact],
     films: Sequence[KnownFilm | None],
     temperature: float,
+    *,
+    ends: bool = True,
 ) -> Array:
     """Of all contacts, value, low and high end, shape (3, balls, 2) [W/K]; zero where there is no
     film.
 
     films: of the contacts with the relative error of their thickness [-]; temperature: of the oil
-    [K].
+    [K]; ends: whether both are wanted, else they are the value for flat films.
     """
     ball = solid_thermal(bearing.ball_material)
     rings = {
@@ -65,7 +67,8 @@ def contact_conductances(
     for race, numbers in flat.items():
         if numbers:
             some = [films[n] for n in numbers]
-            rows[numbers] = _of_flat([film for film in some if film], rings[race], temperature)
+            known = [film for film in some if film]
+            rows[numbers] = _of_flat(known, rings[race], temperature, 3 if ends else 1)
     return rows.T.reshape(3, -1, 2)
 
 
@@ -111,10 +114,13 @@ def _scales(error: float) -> Ends:
 
 
 def _of_flat(
-    films: Sequence[KnownFilm], pair: tuple[SolidThermal, SolidThermal], temperature: float
+    films: Sequence[KnownFilm],
+    pair: tuple[SolidThermal, SolidThermal],
+    temperature: float,
+    count_ends: int,
 ) -> Array:
     """As `_of_solved`, of flat films of one race and one oil at once, equal ones once, shape
-    (films, 3).
+    (films, 3), or (films, 1) without ends.
     """
     flat = [film for film, _ in films if isinstance(film, FlatFilm)]
     numbers = [
@@ -133,11 +139,12 @@ def _of_flat(
     P, count = flat_pressures()
     step = 2.0 / (P.shape[0] - 1) * chosen[:, :2]
     largest, gap = chosen[:, 2, None, None], chosen[:, 3, None, None]
-    oil = _oil_ends(flat[0].conditions.lubricant, largest * P, temperature)
-    scales = chosen[:, 5:].T[:, :, None, None]
+    oil = _oil_ends(flat[0].conditions.lubricant, largest * P, temperature)[:count_ends]
+    scales = chosen[:, 5 : 5 + count_ends].T[:, :, None, None]
     # 2. all of them marched together: nodes along x, then ends, contacts and lines
     film = np.where(P > CONTACT_PRESSURE, np.stack(oil) / (np.maximum(gap, 1e-12) * scales), 0.0)
     lines = np.moveaxis(film, 2, 0).reshape(P.shape[0], -1)
     rates = np.repeat(history_rate(np.array(speed), step[:, 0], *pair), P.shape[1])
-    flux = marched_flux(lines, np.tile(rates, 3)).reshape(3, len(first), -1) @ count
+    marched = marched_flux(lines, np.tile(rates, count_ends))
+    flux = marched.reshape(count_ends, len(first), -1) @ count
     return np.asarray((flux * step.prod(axis=1)).T[like])

@@ -9,6 +9,7 @@ from ehl.oil.lubricant import Lubricant
 from ehl.oil.rheology import Rheology
 
 from ..contacts.contact import BearingContact
+from ..contacts.last import LastOf
 from ..friction.balance import BalancedFriction
 from ..friction.films import film_balance
 from ..friction.formula_films import formula_film
@@ -28,6 +29,7 @@ class FilmsHeat:
     """Heat of one bearing in states that follow each other, each balance begun at the last."""
 
     friction: FrictionInput
+    ends: bool = True  # whether the ends of conductances are wanted
     last: BalancedFriction | None = field(default=None)
     # the last equilibrium, its oil and its heat
     known: tuple[QuasistaticSolution, Lubricant, FrictionHeat] | None = field(default=None)
@@ -39,8 +41,10 @@ class FilmsHeat:
         oil: Lubricant,
         rheology: Rheology,
         inlet: InletFactors,
+        running: Sequence[RunningFilm | None] | None = None,
     ) -> FrictionHeat:
-        """Of films of formulas as they run, without seals [N m], [W].
+        """Of films of formulas as they run, without seals [N m], [W]; `running`: these films,
+        where they are known.
 
         Raises
         ------
@@ -52,8 +56,9 @@ class FilmsHeat:
             # loads of one equilibrium at several temperatures are one array
             if before.inner_load is solution.inner_load and same == oil:
                 return heat
-        none = (None,) * len(contacts)
-        running = films_as_they_run(solution, contacts, none, self.friction, inlet)
+        if running is None:
+            none = (None,) * len(contacts)
+            running = films_as_they_run(solution, contacts, none, self.friction, inlet)
         resistance = self.friction.resistance(solution.bearing, oil)
         balance = film_balance(solution, contacts, running, rheology, resistance, self.last)
         if not balance.converged:
@@ -70,7 +75,7 @@ class FilmsHeat:
             pumped=pumped,
             drag=resisted.drag,
             cage=resisted.pocket + resisted.land,
-            conductance=running_conductances(solution, contacts, running),
+            conductance=running_conductances(solution, contacts, running, ends=self.ends),
             loaded=loaded_half(solution),
         )
         self.known = (solution, oil, found)
@@ -91,8 +96,26 @@ def running_conductances(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     films: Sequence[RunningFilm | None],
+    *,
+    ends: bool = True,
 ) -> Array:
-    """Of all contacts by their films as they run, (3, balls, 2) [W/K]."""
+    """Of all contacts by their films as they run, (3, balls, 2) [W/K], made once for one tuple of
+    them; `ends` as in `contact_conductances`.
+    """
+    objects = (films, contacts, solution.bearing, solution.operation, ends)
+    return _LAST.of(objects, lambda: _conductances(solution, contacts, films, ends))
+
+
+_LAST: LastOf[Array] = LastOf()
+
+
+def _conductances(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    films: Sequence[RunningFilm | None],
+    ends: bool,
+) -> Array:
+    """As `running_conductances`."""
     pairs = [None if film is None else (film.film, film.error) for film in films]
     temperature = solution.operation.temperature
-    return contact_conductances(solution.bearing, contacts, pairs, temperature)
+    return contact_conductances(solution.bearing, contacts, pairs, temperature, ends=ends)

@@ -10,7 +10,7 @@ import numpy as np
 from ehl.oil.lubricant import Lubricant
 
 from ..contacts.contact import BearingContact
-from ..contacts.contacts import contact_conditions
+from ..contacts.contacts import contact_conditions, with_oil
 from ..fits.clearance import Fit, TemperatureRise, clearance_budget
 from ..geometry import Array, Bearing
 from ..operation import Operation, QuasistaticModel
@@ -43,7 +43,11 @@ class SelfHeatingProblem:
     rows: tuple[Row, ...] = SINGLE  # of balls on the one inner ring
     oil_share: float | None = None  # of the cavity [-]
     start: QuasistaticSolution | None = None  # an equilibrium nearby, where that is known
+    contacts: tuple[BearingContact, ...] = ()  # of `start`, where they are known
     hottest: float = HIGHEST_TEMPERATURE  # of the films, beyond which no balance counts [K]
+    # step of the film temperature that is not taken any more, of who asks whether the one where
+    # the search begins is that of a balance [K]
+    enough: float = 0.0
 
     def clearance(self, temperatures: Array) -> float:
         """Diametral clearance [m] at temperatures of the nodes [K]; that of the outer ring is the
@@ -88,6 +92,7 @@ class HeatState:
     network: HeatNetwork
     temperatures: Array  # of the nodes under these sources [K]
     solution: QuasistaticSolution
+    contacts: tuple[BearingContact, ...]  # of the solution
 
     @property
     def weights(self) -> Array:
@@ -125,11 +130,11 @@ def heat_state(
     fixed: Sequence[HeatPath],
     film_temperature: float,
     clearance: float,
-    near: QuasistaticSolution | None = None,
+    near: tuple[QuasistaticSolution, tuple[BearingContact, ...]] | None = None,
 ) -> HeatState:
     """Equilibrium, friction and temperatures at a film temperature [K] and a clearance [m].
 
-    `near`: an equilibrium nearby.
+    `near`: an equilibrium nearby, and its contacts, empty where they are not known.
 
     Raises
     ------
@@ -139,11 +144,16 @@ def heat_state(
     # 1. clearance, 2. equilibrium, 3. viscosity, 4. friction
     operation = replace(problem.operation, temperature=film_temperature)
     bearing = replace(problem.bearing, diametral_clearance=clearance)
-    solution = _equilibrium(problem, bearing, operation, near)
+    known, contacts = (None, ()) if near is None else near
+    solution = _equilibrium(problem, bearing, operation, known)
     if not solution.converged:
         raise ValueError(f"no equilibrium at {film_temperature:.1f} K: {solution.message}")
     oil = problem.oil(film_temperature)
-    friction = problem.friction(solution, contact_conditions(solution, oil), oil)
+    if known is not None and contacts and known.inner_load is solution.inner_load:
+        contacts = with_oil(solution, contacts, oil)
+    else:
+        contacts = contact_conditions(solution, oil)
+    friction = problem.friction(solution, contacts, oil)
     # 5. heat into the nodes, and their temperatures
     around = problem.around
     sources = friction.sources(effusivity_shares(bearing), around.pumped_to_oil)
@@ -159,6 +169,7 @@ def heat_state(
         network=network,
         temperatures=network.temperatures(sources),
         solution=solution,
+        contacts=contacts,
     )
 
 

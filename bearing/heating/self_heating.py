@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ehl.arrays import lagrange_weights
 from ehl.units import ZERO_CELSIUS
 
 from ..geometry import Array
@@ -27,6 +28,7 @@ NEAR = 1.0  # film temperature from which Newton's method takes over [K]
 TOLERANCE = 1.0e-4  # of the film temperature [K]
 CLEARANCE_TOLERANCE = 1.0e-10  # [m]
 SECANT_STEPS = 14
+LAST_STATES = 3  # that a step of these goes by: a secant with two, a parabola with three
 NEWTON_STEPS = 8
 FALL = (
     0.02  # of the friction with the temperature, for the first step, oils have 0.015 to 0.04 [1/K]
@@ -87,11 +89,13 @@ class _Search:
         self.count = 0
         self.floating = problem.reference is not None
         self.near = problem.start
+        self.contacts = problem.contacts
 
     def at(self, film_temperature: float, clearance: float) -> HeatState:
         self.count += 1
-        state = heat_state(self.problem, self.fixed, film_temperature, clearance, self.near)
-        self.near = state.solution
+        near = None if self.near is None else (self.near, self.contacts)
+        state = heat_state(self.problem, self.fixed, film_temperature, clearance, near)
+        self.near, self.contacts = state.solution, state.contacts
         return state
 
     def slopes(self, state: HeatState) -> Slopes:
@@ -103,14 +107,19 @@ class _Search:
         return Slopes(state=state, warmer=warmer, wider=wider)
 
 
-def solve_self_heating(problem: SelfHeatingProblem, model: str) -> SelfHeatingSolution:
+def solve_self_heating(
+    problem: SelfHeatingProblem, model: str, *, judged: bool = True
+) -> SelfHeatingSolution:
     """Temperatures [K] at which friction equals what surroundings and oil remove, or why there
     are none.
+
+    judged: whether it is wanted how stable they are, which takes a state more.
     """
     around = problem.around
     try:
         search = _Search(problem)
-        start = _nearby(search)
+        alone = not (judged or search.floating)
+        start = _nearby(search, TOLERANCE if alone else NEAR)
         if start.film_temperature >= problem.hottest:
             return SelfHeatingSolution(
                 model=model,
@@ -119,20 +128,12 @@ def solve_self_heating(problem: SelfHeatingProblem, model: str) -> SelfHeatingSo
                 state=start,
                 note=_no_balance(problem.hottest),
             )
-        state, slopes = _newton(search, start)
-        converged = _settled(search.problem.disagreement(state))
-        stable = stability(
-            slopes,
-            problem,
-            heat_capacities(
-                problem.bearing,
-                around,
-                problem.oil(state.film_temperature),
-                problem.oil_share,
-                len(problem.rows),
-            ),
-            state.temperatures,
-        )
+        if alone:
+            state, stable = start, None
+            converged = _settled(problem.disagreement(state))
+        else:
+            state, slopes, converged = _newton(search, start)
+            stable = _stability(problem, state, slopes) if judged else None
     except ValueError as error:
         return SelfHeatingSolution(model=model, around=around, balance=None, note=str(error))
     return SelfHeatingSolution(
@@ -143,6 +144,13 @@ def solve_self_heating(problem: SelfHeatingProblem, model: str) -> SelfHeatingSo
         stability=stable,
         note="" if converged else UNSETTLED,
     )
+
+
+def _stability(problem: SelfHeatingProblem, state: HeatState, slopes: Slopes) -> Stability:
+    """How a balance answers what disturbs it."""
+    oil = problem.oil(state.film_temperature)
+    known = (problem.bearing, problem.around, oil, problem.oil_share, len(problem.rows))
+    return stability(slopes, problem, heat_capacities(*known), state.temperatures)
 
 
 UNSETTLED = "film temperature and clearance do not come to rest together"
@@ -174,9 +182,9 @@ def _settled(residual: Array) -> bool:
     return bool(abs(residual[0]) <= TOLERANCE and abs(residual[1]) <= CLEARANCE_TOLERANCE)
 
 
-def _nearby(search: _Search) -> HeatState:
-    """A state whose film temperature is right to `NEAR`, found by it alone: the clearance is that
-    of the last state's temperatures, moved together. At the hottest one there is none.
+def _nearby(search: _Search, near: float) -> HeatState:
+    """A state whose film temperature is right to `near` [K], found by it alone: the clearance is
+    that of the last state's temperatures, moved together. At the hottest one there is none.
     """
     problem = search.problem
     around = problem.around
@@ -185,23 +193,33 @@ def _nearby(search: _Search) -> HeatState:
     state = search.at(at, problem.clearance(np.full(len(NODES), at)))
     low: float | None = None
     high: float | None = None
-    known: tuple[float, float] | None = None
+    known: list[tuple[float, float]] = []  # temperatures and what is found above each [K]
     for _ in range(SECANT_STEPS):
         excess = state.found_temperature - state.film_temperature
-        if abs(excess) <= NEAR:
+        if abs(excess) <= near:
             break
         low, high = (at, high) if excess > 0.0 else (low, at)
         if at >= problem.hottest and excess > 0.0:
             break
+        known = [*known[1 - LAST_STATES :], (at, excess)]
         slope = -1.0 - FALL * max(state.found_temperature - coldest, 0.0)
-        if known is not None and known[0] != at:
-            secant = (excess - known[1]) / (at - known[0])
-            slope = secant if secant < 0.0 else slope
-        known = (at, excess)
-        at = _inside(at - excess / slope, at, (low, high), (coldest, problem.hottest))
+        wanted = _root(known)
+        wanted = at - excess / slope if wanted is None else wanted
+        at = _inside(wanted, at, (low, high), (coldest, problem.hottest))
         moved = at - state.film_temperature
         state = search.at(at, problem.clearance(state.temperatures + moved - excess))
     return state
+
+
+def _root(known: list[tuple[float, float]]) -> float | None:
+    """Temperature [K] at which nothing is found above it, by the polynomial of temperatures over
+    what was found at the last ones; None where that does not fall from one to the next.
+    """
+    for states in (known, known[-2:]):
+        at, excess = np.array(sorted(states)).T
+        if at.size > 1 and (np.diff(excess) < 0.0).all() and (np.diff(at) > 0.0).all():
+            return float(lagrange_weights(excess, 0.0) @ at)
+    return None
 
 
 def _inside(
@@ -216,8 +234,10 @@ def _inside(
     return wanted
 
 
-def _newton(search: _Search, state: HeatState) -> tuple[HeatState, Slopes]:
-    """Both numbers together, and the slopes near them."""
+def _newton(search: _Search, state: HeatState) -> tuple[HeatState, Slopes, bool]:
+    """Both numbers together, the slopes near them, and whether they are at rest: so is the film
+    temperature alone where its step is not more than `SelfHeatingProblem.enough`.
+    """
     slopes = search.slopes(state)
     matrix = _matrix(search.problem.disagreement, slopes)
     residual = search.problem.disagreement(state)
@@ -225,6 +245,8 @@ def _newton(search: _Search, state: HeatState) -> tuple[HeatState, Slopes]:
         if _settled(residual):
             break
         step = np.asarray(-np.linalg.solve(matrix, residual), dtype=np.float64)
+        if not search.floating and abs(step[0]) <= search.problem.enough:
+            return state, slopes, True
         step *= min(1.0, LARGEST_STEP / max(abs(step[0]), 1e-30))
         state = search.at(
             min(state.film_temperature + step[0], search.problem.hottest),
@@ -234,7 +256,7 @@ def _newton(search: _Search, state: HeatState) -> tuple[HeatState, Slopes]:
         scales = (STEP, CLEARANCE_STEP)
         matrix = broyden(matrix, step, after - residual, scales)
         residual = after
-    return state, slopes
+    return state, slopes, _settled(residual)
 
 
 def _matrix(residual: Callable[[HeatState], Array], slopes: Slopes) -> Array:

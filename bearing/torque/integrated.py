@@ -21,6 +21,7 @@ from ..contacts.motion import MotionMap, ball_speeds, motion_map
 from ..contacts.traction import ContactTraction, contact_traction
 from ..friction.balance import BalancedFriction, balance_balls, balance_driven_balls
 from ..friction.cage import resisted_power
+from ..friction.film_nodes import film_nodes
 from ..friction.films import ShearedFilms, film_law_balance, law_of_films, sheared_films
 from ..friction.flat_film import FlatFilm
 from ..friction.law import ContactLaw
@@ -63,7 +64,11 @@ def solved_shear(
     isothermal, too, unless that `bound` is not wanted; arguments as in `film_balance`, films of
     all lubricated contacts.
     """
-    sheared = sheared_films(solution, contacts, films, rheology)
+    whole = None
+    if bound and any(film is not None and film.rolling_factor != 1.0 for film in films):
+        whole = [film and film.flooded() for film in films]
+    nodes = film_nodes(solution, contacts, (films, whole or ()), rheology)
+    sheared = sheared_films(solution, contacts, films, rheology, nodes[0])
     law = law_of_films(contacts, films, sheared)
     kinematics = motion_map(solution, contacts)
     motion = kinematics.motion(*ball_speeds(solution))
@@ -86,10 +91,9 @@ def solved_shear(
     flooded = shear.balanced
     if not bound:
         flooded = None
-    elif any(film is not None and film.rolling_factor != 1.0 for film in films):
-        flooded = _flooded_torque(
-            solution, contacts, films, sheared, rheology, resistance, balance
-        )
+    elif whole is not None:
+        sheared = sheared_films(solution, contacts, whole, rheology, nodes[1])
+        flooded = _flooded_torque(solution, contacts, whole, sheared, resistance, balance)
     tractions = _tractions(solution, contacts, films, rheology, balance)
     return replace(shear, asperity_share=mean, tractions=tractions, flooded=flooded)
 
@@ -139,19 +143,14 @@ def _tractions(
 def _flooded_torque(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: RunningFilms,
+    whole: RunningFilms,
     sheared: ShearedFilms,
-    rheology: Rheology,
     resistance: Resistance,
     near: BalancedFriction,
 ) -> IntegratedTorque | None:
     """With the whole rolling moment of flooded, isothermal films [N m], in its own balance, begun
     at one nearby.
     """
-    whole = [film and film.flooded() for film in films]
-    same = all(film is None or film.film is film.whole for film in films)
-    nodes = sheared.nodes if same else None
-    sheared = sheared_films(solution, contacts, whole, rheology, nodes)
     law = law_of_films(contacts, whole, sheared)
     balance = balance_balls(
         solution, contacts, law, driven=near.driven, initial_guess=near, resistance=resistance

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 from ehl.solution import ContactSolution
 from ehl.traction.rolling_moment import RollingMoment, rolling_moment
 
+from ..contacts.contact import BearingContact
 from ..contacts.traction import ContactTraction
 from ..quasistatic.solution import QuasistaticSolution
 
@@ -49,30 +50,33 @@ def rolling_extent(
     solution: QuasistaticSolution,
     tractions: Sequence[ContactTraction | None],
     films: Sequence[ContactSolution | None],
+    moments: Sequence[RollingMoment | None] | None = None,
 ) -> RollingExtent | None:
     """Rolling torque [N m] by where the oil ends; None if the rings do not turn against each
     other, or without films.
 
     It is the power of the moment at the motion of the tractions over the speed of the shaft.
-    `tractions`, `films`: of all contacts, None where there is none.
+    `tractions`, `films`: of all contacts, None where there is none; `moments`: of the films, where
+    they are known [N m].
     """
     speed = solution.operation.shaft_speed
-    known = [(t, f) for t, f in zip(tractions, films, strict=True) if t is not None and f]
+    if moments is None:
+        moments = rolling_moments(films)
+    rows = zip(tractions, films, moments, strict=True)
+    known = [(t, f, m) for t, f, m in rows if t is not None and f and m]
     if speed == 0.0 or not known:
         return None
-    lubricated = [film for _, film in known]
-    moments = [moment for moment in rolling_moments(lubricated) if moment is not None]
-    farther = [moment for moment in rolling_moments(lubricated, 2.0) if moment is not None]
-    ratios = [_ratio(traction) / speed for traction, _ in known]
-    pairs = list(zip(ratios, moments, strict=True))
+    farther = rolling_moments([film for _, film, _ in known], 2.0)
+    ratios = [_ratio(traction) / speed for traction, _, _ in known]
+    pairs = [(ratio, moment) for ratio, (_, _, moment) in zip(ratios, known, strict=True)]
     within = sum(ratio * moment.value for ratio, moment in pairs)
     return RollingExtent(
         within_extent=within,
         uncertainty=sum(abs(ratio) * moment.uncertainty for ratio, moment in pairs),
         box=sum(ratio * moment.box for ratio, moment in pairs),
-        doubling=sum(r * m.value for r, m in zip(ratios, farther, strict=True)) - within,
-        layer=moments[0].layer,
-        notes=tuple(_notes(known, moments)),
+        doubling=sum(r * m.value for r, m in zip(ratios, farther, strict=True) if m) - within,
+        layer=pairs[0][1].layer,
+        notes=tuple(_notes([(traction.contact, moment) for traction, _, moment in known])),
     )
 
 
@@ -87,13 +91,10 @@ def _ratio(traction: ContactTraction) -> float:
     return k.rolling + 0.5 * k.curvature_difference * k.sliding_x
 
 
-def _notes(
-    known: Sequence[tuple[ContactTraction, ContactSolution]], moments: Sequence[RollingMoment]
-) -> list[str]:
+def _notes(known: Sequence[tuple[BearingContact, RollingMoment]]) -> list[str]:
     """Each note once, with the contacts it holds for."""
     places: dict[str, list[str]] = {}
-    for (traction, _), moment in zip(known, moments, strict=True):
+    for contact, moment in known:
         if moment.note:
-            contact = traction.contact
             places.setdefault(moment.note, []).append(f"{contact.ball} {contact.race.value}")
     return [f"ball {', '.join(balls)}: {note}" for note, balls in places.items()]

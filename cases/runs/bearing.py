@@ -31,6 +31,7 @@ from ..version import version
 from .equilibrium import case_equilibrium
 from .films import Progress, Solve, film_plan, film_solver, solve_contacts, wanted_contacts
 from .heating import (
+    WARM_TOLERANCE,
     Printed,
     at_its_balance,
     at_its_temperature,
@@ -50,7 +51,6 @@ Filmed = Callable[[BearingResults], None]
 
 WARM_ROUNDS = 5  # of films solved anew at the temperature that their torque asks for
 ROUGH_POINTS = 129  # of films with heat in the first round [-]
-WARM_TOLERANCE = 0.1  # of that temperature [K]
 STOPPED = "interrupted: films that were not finished, friction and self-heating are null"
 
 
@@ -307,6 +307,7 @@ def _friction(
     if case.heating is not None:
         notify(0, 1, "self-heating")
     running = _running(case, state, contacts, films.known, torque)
+    conductances = film_conductances(case, state, contacts, running)
     printed = _printed(case, state, contacts, torque, running)
     heating = self_heated(case, printed) if state.converged else None
     return {
@@ -314,7 +315,7 @@ def _friction(
         "torque": torque,
         "heating": heating,
         "tensions": tensions,
-        "conductances": film_conductances(case, state, contacts, running),
+        "conductances": conductances,
         **beside_supply(case, state, contacts, films.known, torque),
     }
 

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from bearing.contacts.contact import BearingContact
+from bearing.contacts.last import LastOf
 from bearing.friction.running_films import RunningFilm, RunningFilms
 from bearing.geometry import Array
 from bearing.heating.films_heat import FilmsHeat, formula_conductances, running_conductances
@@ -19,7 +20,7 @@ from bearing.heating.self_heating import SelfHeatingSolution, solve_self_heating
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rows import SINGLE
 from bearing.torque.breakdown import INTEGRATED, model_torque
-from bearing.torque.inlet import inlet_factors
+from bearing.torque.inlet import InletFactors, inlet_factors
 from ehl import Lubricant
 from ehl.units import ZERO_CELSIUS, from_si
 
@@ -31,6 +32,7 @@ from ..format.operation import SELF_HEATED
 from .equilibrium import without_traction_equilibrium
 
 Contacts = Sequence[BearingContact]
+WARM_TOLERANCE = 0.1  # of the temperature that the torque of a run asks for [K]
 
 
 class Printed(NamedTuple):
@@ -52,7 +54,7 @@ def at_its_temperature(case: Case, heating: SelfHeatingSolution | None = None) -
     """
     if case.file.operation.temperature != SELF_HEATED:
         return case
-    heating = heating or self_heated(case)
+    heating = heating or self_heated(case, judged=False)
     if heating is None or heating.balance is None or not heating.converged:
         why = "nothing turns" if heating is None else heating.note
         note = f"operation.temperature: not self-heated, {why}; temperature_C is taken"
@@ -97,9 +99,11 @@ def _warmed_document(document: dict[str, Any]) -> dict[str, Any]:
     return {**document, "assumed": assumed, "operation": operation}
 
 
-def self_heated(case: Case, printed: Printed | None = None) -> SelfHeatingSolution | None:
+def self_heated(
+    case: Case, printed: Printed | None = None, *, judged: bool = True
+) -> SelfHeatingSolution | None:
     """Temperatures that the parts of the case's bearing warm themselves to [K]; None where it is
-    not asked for.
+    not asked for. `judged`: whether also how stable they are.
 
     Balls in traction equilibrium are taken as half and half: loads hardly depend on it. The
     integrated torque is that of films of formulas at each temperature, in the proportion to the
@@ -111,12 +115,12 @@ def self_heated(case: Case, printed: Printed | None = None) -> SelfHeatingSoluti
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # the search looks beyond the range of the oil's data
         try:
-            problem = heating_problem(case, given, printed)
+            problem = heating_problem(case, given, printed, ends=judged)
         except ValueError as error:
             return SelfHeatingSolution(
                 model=given.model, around=given.around, balance=None, note=str(error)
             )
-        solution = solve_self_heating(problem, given.model)
+        solution = solve_self_heating(problem, given.model, judged=judged)
     if solution.balance is None or not solution.converged:
         return solution
     with warnings.catch_warnings(record=True) as caught:
@@ -126,24 +130,39 @@ def self_heated(case: Case, printed: Printed | None = None) -> SelfHeatingSoluti
 
 
 def heating_problem(
-    case: Case, given: HeatingInput, printed: Printed | None
+    case: Case, given: HeatingInput, printed: Printed | None, *, ends: bool = True
 ) -> SelfHeatingProblem:
-    """The case as the search for temperatures takes it."""
+    """The case as the search for temperatures takes it; `ends`: whether their ranges are wanted,
+    for which the ends of conductances are needed.
+    """
     assert case.friction is not None  # of every bearing case
     return SelfHeatingProblem(
         bearing=given.delivered,
         operation=case.operation,
         model=without_traction_equilibrium(case.model),
         oil=given.oil,
-        friction=_friction_model(case, given, printed),
+        friction=_friction_model(case, given, printed, ends),
         around=given.around,
         fit=given.fit,
         reference=given.reference,
         rows=case.rows or SINGLE,
         oil_share=case.friction.oil_share(case.bearing),
         hottest=given.hottest,
-        start=None if printed is None else printed.state,
+        **({} if printed is None else _begun_at(case, given, printed)),
     )
+
+
+def _begun_at(case: Case, given: HeatingInput, printed: Printed) -> dict[str, Any]:
+    """Where the search begins at a run: its contacts count where they are not those of finite
+    bodies. A run at the temperature that was found for it only asks whether that is one.
+    """
+    own = not case.file.ehl.finite_bodies
+    warmed = case.document["operation"].get("temperature") == SELF_HEATED
+    return {
+        "start": printed.state,
+        "contacts": tuple(printed.contacts) if own else (),
+        "enough": WARM_TOLERANCE if warmed and given.model == INTEGRATED else 0.0,
+    }
 
 
 def at_its_balance(
@@ -158,7 +177,7 @@ def at_its_balance(
         problem = heating_problem(case, case.heating, printed)
         temperature = case.operation.temperature
         clearance = case.bearing.diametral_clearance
-        at = (temperature, clearance, printed.state)
+        at = (temperature, clearance, (printed.state, problem.contacts))
         state = heat_state(problem, problem.fixed_paths(), *at)
     power = printed.total * case.operation.shaft_speed
     left = power - state.network.removed(state.temperatures)
@@ -172,14 +191,19 @@ def at_its_balance(
     return replace(heating, balance=balance, state=state)
 
 
-def _friction_model(case: Case, given: HeatingInput, printed: Printed | None) -> FrictionModel:
+def _friction_model(
+    case: Case, given: HeatingInput, printed: Printed | None, ends: bool
+) -> FrictionModel:
     """Heat of an equilibrium by the model that heats."""
     if given.model != INTEGRATED:
         return partial(_model_heat, case, given.model)
     assert case.friction is not None  # of every bearing case
-    by_formulas = partial(_formula_heat, case, given, FilmsHeat(friction=case.friction))
     if printed is None:
-        return by_formulas
+        films = FilmsHeat(friction=case.friction, ends=ends)
+        return partial(_formula_heat, case, given, films)
+    objects = (printed.contacts, printed.state, case.lubricant, case.friction)
+    films = _LAST.of(objects, lambda: _printed_heat(case, given, printed))
+    by_formulas = partial(_formula_heat, case, given, replace(films))
     found = by_formulas(printed.state, printed.contacts, case.lubricant)
     factor = (printed.total - printed.seal) / found.torque
     ratio = np.ones(2)
@@ -188,6 +212,38 @@ def _friction_model(case: Case, given: HeatingInput, printed: Printed | None) ->
         sums = solved[0].sum(axis=0), found.conductance[0].sum(axis=0)
         ratio = np.where(sums[1] > 0.0, sums[0] / np.maximum(sums[1], 1e-300), 1.0)
     return partial(_scaled_heat, by_formulas, factor, printed.seal, ratio)
+
+
+_LAST: LastOf[FilmsHeat] = LastOf()
+
+
+def _printed_heat(case: Case, given: HeatingInput, printed: Printed) -> FilmsHeat:
+    """Heat of films of formulas, begun at what is printed; films that are these are not found
+    again.
+    """
+    assert case.friction is not None  # of every bearing case
+    begun = FilmsHeat(friction=case.friction)
+    oil = case.lubricant
+    inlet = _inlet(case, printed.state, oil)
+    films = printed.films
+    if films is not None and any(film is not None and not film.flat for film in films):
+        films = None
+    films = films if inlet == case.inlet else None
+    begun.heat(printed.state, printed.contacts, oil, given.rheology(oil), inlet, films)
+    return begun
+
+
+def _inlet(case: Case, state: QuasistaticSolution, oil: Lubricant) -> InletFactors:
+    """What inlet heating and replenishment leave of the rolling moment with an oil [-]."""
+    assert case.friction is not None  # of every bearing case
+    return inlet_factors(
+        state.bearing,
+        state.operation.shaft_speed,
+        oil.viscosity / oil.density,
+        case.friction.lubrication,
+        heated=case.films.model is FilmModel.THERMAL,
+        layered=case.friction.scarce is not None or case.inlet_layer is not None,
+    )
 
 
 def _formula_heat(
@@ -199,15 +255,7 @@ def _formula_heat(
     oil: Lubricant,
 ) -> FrictionHeat:
     """Of films of formulas [W], without seals."""
-    assert case.friction is not None  # of every bearing case
-    inlet = inlet_factors(
-        state.bearing,
-        state.operation.shaft_speed,
-        oil.viscosity / oil.density,
-        case.friction.lubrication,
-        heated=case.films.model is FilmModel.THERMAL,
-        layered=case.friction.scarce is not None or case.inlet_layer is not None,
-    )
+    inlet = _inlet(case, state, oil)
     return films.heat(state, contacts, oil, given.rheology(oil), inlet)
 
 

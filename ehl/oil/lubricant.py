@@ -250,13 +250,15 @@ def viscosity(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None 
 
 
 def secant_pressure_viscosity(
-    p: float, lubricant: Lubricant, temperature: float | None = None
-) -> float:
-    """alpha(p, T) = ln[eta(p, T)/eta(0, T)]/p [1/Pa], at a pressure [Pa] and temperature [K]."""
-    pressures = np.array([0.0, p])
+    p: Array, lubricant: Lubricant, temperature: float | None = None
+) -> Array:
+    """alpha(p, T) = ln[eta(p, T)/eta(0, T)]/p [1/Pa], at pressures of shape (n,) [Pa] and a
+    temperature [K].
+    """
+    pressures = np.concatenate([[0.0], p])
     at = None if temperature is None else np.full_like(pressures, temperature)
-    ambient, there = log_viscosity_ratio(pressures, lubricant, at)
-    return float((there - ambient) / p)
+    found = log_viscosity_ratio(pressures, lubricant, at)
+    return np.asarray((found[1:] - found[0]) / p)
 
 
 def density(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = None) -> Array:

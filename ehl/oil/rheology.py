@@ -116,12 +116,20 @@ def contact_rheology(rheology: Rheology, oil: Lubricant, mean_pressure: float) -
     """
     if rheology.of_contact:
         return rheology
-    alpha = secant_pressure_viscosity(mean_pressure, oil)
-    assert rheology.eyring_coefficient is not None
-    if not alpha > 0.0:
-        raise ValueError("eyring_coefficient needs an oil whose viscosity rises with the pressure")
-    stress = 2.0 * rheology.eyring_coefficient / alpha
+    stress = float(eyring_stresses(rheology, oil, np.array([mean_pressure]))[0])
     return replace(rheology, eyring_stress=stress, eyring_coefficient=None)
+
+
+def eyring_stresses(rheology: Rheology, oil: Lubricant, mean_pressure: Array) -> Array:
+    """Eyring's stresses of contacts at their mean pressures [Pa], (contacts,), as
+    `contact_rheology` has them for one.
+    """
+    if rheology.eyring_coefficient is None:
+        return np.full_like(mean_pressure, rheology.eyring_stress)
+    alpha = secant_pressure_viscosity(mean_pressure, oil)
+    if not (alpha > 0.0).all():
+        raise ValueError("eyring_coefficient needs an oil whose viscosity rises with the pressure")
+    return 2.0 * rheology.eyring_coefficient / alpha
 
 
 def _require_known(rheology: Rheology) -> None:

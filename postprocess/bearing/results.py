@@ -111,7 +111,9 @@ class BearingResults(Results):
         rolling = shear.torque.rolling
         if shear.by_formula or rolling is None:
             return None
-        extent = rolling_extent(self.quasistatic, self.tractions, self.solutions)
+        extent = rolling_extent(
+            self.quasistatic, self.tractions, self.solutions, self.rolling_moments
+        )
         if extent is None or extent.within_extent == 0.0:
             return extent
         return extent.scaled(rolling / extent.within_extent)

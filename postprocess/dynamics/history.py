@@ -7,7 +7,6 @@ from typing import Any, Self
 import h5netcdf
 import h5py
 import numpy as np
-import xarray as xr
 
 from bearing.dynamics.arrays import CONTACT, ContactColumns
 from bearing.dynamics.layout import Layout
@@ -132,19 +131,3 @@ class HistoryWriter:
         self.close()
         if kind is None:
             self._content.check()
-
-
-def open_history(path: str | Path) -> xr.Dataset:
-    """Open the history of a time simulation; quantities are read from disk when first used.
-
-    Raises ValueError if there is none, or it is not ours.
-    """
-    path = Path(path)
-    path = path / HISTORY_FILE if path.is_dir() else path
-    if not path.is_file():
-        raise ValueError(f"{path.parent} holds no history of a simulation: {path.name} is missing")
-    data = xr.open_dataset(path, engine="h5netcdf")
-    if data.attrs.get("oilfilm_history") != FORMAT:
-        data.close()
-        raise ValueError(f"{path} is no history of a simulation that this version reads")
-    return data

@@ -25,9 +25,9 @@ from ..plot_style import (
     write_figures,
 )
 from ..quantities import FREQUENCIES
-from .history import open_history
 from .quantities import PLOTTED, STATES
 from .speeds import averaged, simulated_speeds
+from .stored import open_history
 
 RACES = (("inner", INNER_COLOUR), ("outer", OUTER_COLOUR))
 STATE_COLOURS = ("#ffffff", "#7fa8d1", "#c1440e")  # free, contact, impact

@@ -9,7 +9,7 @@ from PIL import Image
 
 from ehl.units import MILLIMETRE
 
-from ..dynamics.history import open_history
+from ..dynamics.stored import open_history
 from ..plot_style import CAGE_COLOUR, INK, INNER_COLOUR, OUTER_COLOUR
 from .geometry import Surface, ring_shape, ring_surface
 from .rendering import read_request, write_gif

@@ -8,7 +8,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 from ..contact.stored import require_contacts
-from ..dynamics.history import open_history
+from ..dynamics.stored import open_history
 from ..netcdf.reader import open_results
 from .rendering import PATIENCE, RenderingError, draw, require_display, run_module, with_suffix
 from .ring_deformed import ring_files

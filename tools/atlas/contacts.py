@@ -43,6 +43,7 @@ SLIM, LUBRICANT = (0.0092, 1.1), (0.0, 31.4)
 RIGID, ANY_RATIO = (0.32, 2.6), (0.0092, 5.2)
 SKEW, SKEW_RATIO, ACROSS = (9.0, 90.0), (0.045, 1.0), 5.0
 FIELDS = (7.0, 175.0)
+LIGHT_FIELDS = (2.5, 16.0)
 STEP = (0.21, 0.042, 0.14, -0.004)  # of ln D, its square, sqrt L and L: light contacts, where their film rises
 HELD_SKEW, HELD_SKEW_RATIO = (10.0, 80.0), (0.05, 1.0)
 PARTS = {
@@ -99,6 +100,10 @@ PARTS = {
     "fields oil": Part(FIELDS, LUBRICANT, SLIM, any_oil=True, random=False, seed=102),
     "fields held": Part((15.0, 160.0), (0.0, 30.0), (0.01, 1.0), any_oil=True, random=True, seed=20261128),
     "fields judge": Part((15.0, 160.0), (2.0, 30.0), (0.01, 1.0), any_oil=True, random=True, seed=20261201),
+    # the same of light contacts, for friction that no table keeps
+    "light fields": Part(LIGHT_FIELDS, LUBRICANT, SLIM, any_oil=False, random=False, seed=103),
+    "light fields oil": Part(LIGHT_FIELDS, LUBRICANT, SLIM, any_oil=True, random=False, seed=104),
+    "light fields judge": Part((2.8, 13.0), (0.5, 30.0), (0.01, 1.0), any_oil=True, random=True, seed=20261129),
 }
 
 

@@ -15,7 +15,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-from contacts import places
+from contacts import LIGHT_FIELDS, places
 
 from ehl import SolverOptions
 from ehl.closed_form.hertz import hertz_coefficients
@@ -28,6 +28,7 @@ from ehl.traction.atlas.fields import (
     CELLS,
     FILE,
     HALF,
+    LIGHT_FILE,
     RANGE,
     RINGS,
     SECTORS,
@@ -55,7 +56,7 @@ from verification.contacts import OIL, from_groups, moes
 
 KEPT = Path(__file__).parents[2] / "build" / "atlas_fields"
 COUNTS = {"fields": 480, "fields oil": 240, "fields held": 120, "fields judge": 120}
-FITTED = ("fields", "fields oil")
+LIGHT_COUNTS = {"light fields": 320, "light fields oil": 260, "light fields judge": 80}
 # "fields held" was in view when scales and modes were chosen, "fields judge" not
 LIGHTEST, THINNEST = 10.0, 0.5  # A and L of those that are fitted
 JUDGED = 2.0  # L from which on contacts are judged
@@ -142,7 +143,7 @@ def kept(kind, solving):
     """Contacts of a part; solved where they are not there yet."""
     KEPT.mkdir(parents=True, exist_ok=True)
     found = []
-    for place in places(kind, COUNTS[kind]):
+    for place in places(kind, {**COUNTS, **LIGHT_COUNTS}[kind]):
         path = KEPT / f"{kind.replace(' ', '_')}_{place.number}.npy"
         if solving and not path.exists():
             own = solve(place)
@@ -239,17 +240,26 @@ def judged(text, rows, known):
     )
 
 
-def main(solving):
-    """Solve, fit, judge, write."""
-    rows = {kind: kept(kind, solving) for kind in COUNTS}
-    own = [row for kind in FITTED for row in rows[kind] if row.A > LIGHTEST and row.L > THINNEST]
+def write(rows, path, lightest):
+    """Fit and write a table of contacts of A above; as it is read again."""
+    fits = [kind for kind in rows if kind.endswith(("fields", "oil"))]
+    own = [row for kind in fits for row in rows[kind] if row.A > lightest and row.L > THINNEST]
     single = FieldTable(*(np.asarray(part, dtype=np.float32) for part in fitted(own)))
-    np.savez_compressed(FILE, **single._asdict())
-    known = FieldTable(*(part.astype(float) for part in single))
-    low, high = RANGE["A = a^2/(Rx^2 sqrt(2U))"]
-    print(f"{len(own)} contacts fitted; error of the force [% of kappa_max Q] at slide-roll ratios", *RATIOS)
-    for kind in COUNTS:
-        judged(kind, [row for row in rows[kind] if low <= row.A <= high and row.L >= JUDGED], known)
+    np.savez_compressed(path, **single._asdict())
+    print(f"{len(own)} contacts in {path.name}; error of the force [% of kappa_max Q] at slide-roll ratios", *RATIOS)
+    return FieldTable(*(part.astype(float) for part in single))
+
+
+def main(solving):
+    """Both tables, of heavy and of light contacts."""
+    heavy, light = ({kind: kept(kind, solving) for kind in counts} for counts in (COUNTS, LIGHT_COUNTS))
+    tables = (
+        (write(heavy, FILE, LIGHTEST), heavy, RANGE["A = a^2/(Rx^2 sqrt(2U))"], JUDGED),
+        (write(light, LIGHT_FILE, 0.0), light, LIGHT_FIELDS, 1.0),
+    )
+    for known, rows, (low, high), least in tables:
+        for kind, own in rows.items():
+            judged(kind, [row for row in own if low <= row.A <= high and row.L >= least], known)
 
 
 if __name__ == "__main__":

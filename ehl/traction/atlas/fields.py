@@ -28,6 +28,7 @@ from .films import NotInAtlasError, atlas_load, require_covered, require_range, 
 from .table import oil_features, radial, trend_terms
 
 FILE = Path(__file__).parent / "fields.npz"
+LIGHT_FILE = Path(__file__).parent / "fields_light.npz"  # of light contacts, for friction alone
 # of A, L, D, Roelands' z [-] and alpha [1/Pa] between which tables were judged; draws aimed at
 # what is left out of the labels' L and D, and at large L below a least A, were off by up to 3 %
 RANGE = {
@@ -98,9 +99,9 @@ def layout() -> Layout:
 
 
 @cache
-def field_table() -> FieldTable:
+def field_table(path: Path = FILE) -> FieldTable:
     """The table, read once [-]."""
-    with np.load(FILE) as file:
+    with np.load(path) as file:
         return FieldTable(**{name: file[name].astype(float) for name in FieldTable._fields})
 
 
@@ -113,14 +114,18 @@ def kernel(x: Array, oils: Array, y: Array, others: Array, scales: Array) -> Arr
     return DEVIATION**2 * near + OIL**2 * (oils @ others.T) * (with_line + near)
 
 
+def amplitudes(x: Array, alpha: Array, z: Array, known: FieldTable) -> Array:
+    """Of the modes at places of shape (m, 3), shape (m, k) [-]; alpha [1/Pa]."""
+    near = kernel(x, oil_features(x, alpha, z), known.places, known.oils, known.scales)
+    return np.asarray(trend_terms(x) @ known.trend + near @ known.weights)
+
+
 def field_vectors(x: Array, alpha: Array, z: Array, known: FieldTable | None = None) -> Array:
     """Vectors of `layout` at places of shape (m, 3), their pressure carrying the load, the
     cells as stiff to shear as in all; alpha [1/Pa]; known: None for the table as it is stored.
     """
     known = known or field_table()
-    near = kernel(x, oil_features(x, alpha, z), known.places, known.oils, known.scales)
-    amplitudes = trend_terms(x) @ known.trend + near @ known.weights
-    found = known.mean + amplitudes @ known.modes
+    found = known.mean + amplitudes(x, alpha, z, known) @ known.modes
     parts = layout()
     for own in found:
         own[parts.pressure] *= own[parts.load] / carried(own)

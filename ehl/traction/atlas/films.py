@@ -324,6 +324,9 @@ def require_covered(
     slim = known_turning(load, contact.radius_ratio)
     turning = ROTATION if slim is None else slim.largest
     turns = skewed(conditions.entrainment_angle) and contact.turning > 0.0
+    layered = contact.coating is not None or contact.inlet_layer is not None
+    if not (turns or contact.turning > turning or layered):  # as nearly all
+        return
     faults = {
         "mean_spin_rad_s: entrainment at an angle that does not turn": turns,
         f"mean_spin_rad_s: entrainment that turns at the end of the ellipse by less than "

@@ -74,7 +74,10 @@ def along_entrainment(load: float, lubricant: float, ratio: float, angle: float)
     own_f, _, own_d = hertz_coefficients(own)
     unit = (own_f / f) ** 2 * first ** (1.0 / 3.0)
     mixed = (s * c * (ratio - 1.0)) ** 2 / (first * across)
-    turned = hertz_coefficients(1.0 / ratio)[0] / f  # A goes with f^2 S^(5/6)
+    slimmer = (load, ratio)
+    if ratio > 1.0:  # A goes with f^2 S^(5/6)
+        turned = hertz_coefficients(1.0 / ratio)[0] / f
+        slimmer = (load * turned**2 * ratio ** (5.0 / 6.0), 1.0 / ratio)
     return Along(
         load=load * unit * sqrt(first),
         lubricant=lubricant * first**0.25,
@@ -83,9 +86,7 @@ def along_entrainment(load: float, lubricant: float, ratio: float, angle: float)
         mixed=mixed if mixed > STRAIGHT else 0.0,
         unit=unit,
         approach=d / f**2 / unit - own_d / own_f**2,
-        slimmer=(load, ratio)
-        if ratio <= 1.0
-        else (load * turned**2 * ratio ** (5.0 / 6.0), 1.0 / ratio),
+        slimmer=slimmer,
     )
 
 

@@ -54,15 +54,24 @@ def drawn(seed):
     return state, friction
 
 
+SLIDES = 7
+
+
 @pytest.mark.parametrize("seed", range(30))
 def test_torque_times_speed_is_what_the_rings_feed_in(seed):
-    """Heat, drag and cage: to 1e-6 whatever the hypothesis on the motion of the balls was."""
+    """Heat, drag and cage: to 1e-6 whatever the hypothesis on the motion of the balls was.
+
+    In draw 7 (10 to 20 N a ball, A 3 to 5, 2060 rad/s) no ball is driven, on these films and on solved ones.
+    """
     state, friction = drawn(seed)
     if not state.converged or not (state.inner_load > 0.0).any():
         pytest.fail("the draw has no equilibrium")
     contacts = contact_conditions(state, OIL)
     inlet = inlet_factors(state.bearing, state.operation.shaft_speed, 3e-5, Lubrication.LOW_OIL_BATH)
     shear = films_torque(state, contacts, [None] * len(contacts), friction, inlet, EYRING, OIL)
+    if seed == SLIDES:
+        assert shear.balanced is None and "all slide" in shear.note
+        return
     assert shear.balanced is not None, shear.note
     assert shear.torque.relative_error < 1e-6
     parts = shear.torque.parts

@@ -68,10 +68,9 @@ def test_integrated_torque_has_the_oil_up_to_its_meniscus(rolling):
     own = Cavitation.FULL_WIDTH
     boxes = [
         film
-        and replace(
-            run,
+        and run._replace(
             flooded_moment=by_balance(film)
-            - integrate_traction(film, t.kinematics, Rheology(), cavitation=own).hydrodynamic_moment,
+            - integrate_traction(film, t.kinematics, Rheology(), cavitation=own).hydrodynamic_moment
         )
         for run, t, film in zip(running, tractions, films, strict=True)
     ]
