@@ -4,8 +4,8 @@ friction, to heat.
 Friction depends on the temperatures by two numbers, that of the films T_f = w T and the clearance
 P_d(T): at both of them the equilibrium is solved, its friction is spread over the nodes, and the
 network gives the temperatures T', and with them T_f' and P_d'. Wanted is T_f' = T_f, P_d' = P_d:
-a secant method on T_f alone, then Newton's method on both with differences as its matrix, which
-gives the stability as well.
+a parabola through the last states on T_f alone, then Newton's method on both with differences as
+its matrix, which gives the stability as well; without that, or the clearance, the parabola goes on.
 """
 
 from collections.abc import Callable
@@ -95,7 +95,8 @@ class _Search:
         self.count += 1
         near = None if self.near is None else (self.near, self.contacts)
         state = heat_state(self.problem, self.fixed, film_temperature, clearance, near)
-        self.near, self.contacts = state.solution, state.contacts
+        self.near = state.solution
+        self.contacts = state.contacts
         return state
 
     def slopes(self, state: HeatState) -> Slopes:
