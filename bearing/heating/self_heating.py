@@ -5,7 +5,7 @@ Friction depends on the temperatures by two numbers, that of the films T_f = w T
 P_d(T): at both of them the equilibrium is solved, its friction is spread over the nodes, and the
 network gives the temperatures T', and with them T_f' and P_d'. Wanted is T_f' = T_f, P_d' = P_d:
 a parabola through the last states on T_f alone, then Newton's method on both with differences as
-its matrix, which gives the stability as well; without that, or the clearance, the parabola goes on.
+its matrix, which gives the stability as well; without that, and the clearance, parabolas go on.
 """
 
 from collections.abc import Callable
@@ -130,7 +130,8 @@ def solve_self_heating(
                 note=_no_balance(problem.hottest),
             )
         if alone:
-            state, stable = start, None
+            state = start
+            stable = None
             converged = _settled(problem.disagreement(state))
         else:
             state, slopes, converged = _newton(search, start)
