@@ -28,7 +28,7 @@ NEAR = 1.0  # film temperature from which Newton's method takes over [K]
 TOLERANCE = 1.0e-4  # of the film temperature [K]
 CLEARANCE_TOLERANCE = 1.0e-10  # [m]
 SECANT_STEPS = 14
-LAST_STATES = 3  # that a step of these goes by: a secant with two, a parabola with three
+LAST_STATES = 3  # that a step goes by where there is no other search: a parabola
 NEWTON_STEPS = 8
 FALL = (
     0.02  # of the friction with the temperature, for the first step, oils have 0.015 to 0.04 [1/K]
@@ -190,6 +190,7 @@ def _nearby(search: _Search, near: float) -> HeatState:
     """
     problem = search.problem
     around = problem.around
+    states = 2 if near == NEAR else LAST_STATES  # Newton's method goes on from a secant
     coldest = min(around.ambient, around.oil_supply)
     at = min(max(problem.operation.temperature, coldest), problem.hottest)
     state = search.at(at, problem.clearance(np.full(len(NODES), at)))
@@ -203,7 +204,7 @@ def _nearby(search: _Search, near: float) -> HeatState:
         low, high = (at, high) if excess > 0.0 else (low, at)
         if at >= problem.hottest and excess > 0.0:
             break
-        known = [*known[1 - LAST_STATES :], (at, excess)]
+        known = [*known[1 - states :], (at, excess)]
         slope = -1.0 - FALL * max(state.found_temperature - coldest, 0.0)
         wanted = _root(known)
         wanted = at - excess / slope if wanted is None else wanted
