@@ -10,6 +10,7 @@ finite_bodies - difference of ring, ball and groove to half-spaces, radii of fil
 formula_moment - moment that resists rolling in a flooded contact, by formulas
 heavy_moment - moment that resists rolling in a heavily loaded contact, by a formula
 hertz         - Hertz contacts of many balls at once
+last          - what was made last of contacts, for those who ask for the same once more
 motion        - the one kinematics of ball on race: rolling, sliding and spin of both
 shape         - curvatures and ellipse of a contact, as the laws of friction take them
 shoulder      - distance of ellipses to the shoulders, what these cut off, pressure of what is left

@@ -4,8 +4,8 @@ friction, to heat.
 Friction depends on the temperatures by two numbers, that of the films T_f = w T and the clearance
 P_d(T): at both of them the equilibrium is solved, its friction is spread over the nodes, and the
 network gives the temperatures T', and with them T_f' and P_d'. Wanted is T_f' = T_f, P_d' = P_d:
-a secant method on T_f alone, then Newton's method on both with differences as its matrix, which
-gives the stability as well.
+a parabola through the last states on T_f alone, then Newton's method on both with differences as
+its matrix, which gives the stability as well; without that, and the clearance, parabolas go on.
 """
 
 from collections.abc import Callable
@@ -28,7 +28,7 @@ NEAR = 1.0  # film temperature from which Newton's method takes over [K]
 TOLERANCE = 1.0e-4  # of the film temperature [K]
 CLEARANCE_TOLERANCE = 1.0e-10  # [m]
 SECANT_STEPS = 14
-LAST_STATES = 3  # that a step of these goes by: a secant with two, a parabola with three
+LAST_STATES = 3  # that a step goes by where there is no other search: a parabola
 NEWTON_STEPS = 8
 FALL = (
     0.02  # of the friction with the temperature, for the first step, oils have 0.015 to 0.04 [1/K]
@@ -95,7 +95,8 @@ class _Search:
         self.count += 1
         near = None if self.near is None else (self.near, self.contacts)
         state = heat_state(self.problem, self.fixed, film_temperature, clearance, near)
-        self.near, self.contacts = state.solution, state.contacts
+        self.near = state.solution
+        self.contacts = state.contacts
         return state
 
     def slopes(self, state: HeatState) -> Slopes:
@@ -129,7 +130,8 @@ def solve_self_heating(
                 note=_no_balance(problem.hottest),
             )
         if alone:
-            state, stable = start, None
+            state = start
+            stable = None
             converged = _settled(problem.disagreement(state))
         else:
             state, slopes, converged = _newton(search, start)
@@ -188,6 +190,7 @@ def _nearby(search: _Search, near: float) -> HeatState:
     """
     problem = search.problem
     around = problem.around
+    states = 2 if near == NEAR else LAST_STATES  # Newton's method goes on from a secant
     coldest = min(around.ambient, around.oil_supply)
     at = min(max(problem.operation.temperature, coldest), problem.hottest)
     state = search.at(at, problem.clearance(np.full(len(NODES), at)))
@@ -201,7 +204,7 @@ def _nearby(search: _Search, near: float) -> HeatState:
         low, high = (at, high) if excess > 0.0 else (low, at)
         if at >= problem.hottest and excess > 0.0:
             break
-        known = [*known[1 - LAST_STATES :], (at, excess)]
+        known = [*known[1 - states :], (at, excess)]
         slope = -1.0 - FALL * max(state.found_temperature - coldest, 0.0)
         wanted = _root(known)
         wanted = at - excess / slope if wanted is None else wanted

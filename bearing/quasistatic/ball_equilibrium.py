@@ -96,7 +96,9 @@ class _Evaluation(NamedTuple):
 def _evaluate(u: Array, V: Array, problem: BallProblem) -> _Evaluation:
     """Balance and its derivatives by a complex step in each of u_x, u_r, w_x, w_r."""
     count = u.shape[1]
-    values, size, jacobian = np.empty((6, count)), np.empty(count), np.empty((6, 4, count))
+    values = np.empty((6, count))
+    size = np.empty(count)
+    jacobian = np.empty((6, 4, count))
     balances(u, V, _given(problem, count), COMPLEX_STEP, values, size, jacobian)
     return _Evaluation(u, values, size, jacobian)
 

@@ -29,7 +29,7 @@ from ..format.contact import FilmModel
 from ..format.fields import rounded
 from ..format.fits import HeatingInput, part_temperatures
 from ..format.operation import SELF_HEATED
-from .equilibrium import without_traction_equilibrium
+from .equilibrium import case_equilibrium, without_traction_equilibrium
 
 Contacts = Sequence[BearingContact]
 WARM_TOLERANCE = 0.1  # of the temperature that the torque of a run asks for [K]
@@ -148,14 +148,19 @@ def heating_problem(
         rows=case.rows or SINGLE,
         oil_share=case.friction.oil_share(case.bearing),
         hottest=given.hottest,
-        **({} if printed is None else _begun_at(case, given, printed)),
+        **_begun_at(case, given, printed),
     )
 
 
-def _begun_at(case: Case, given: HeatingInput, printed: Printed) -> dict[str, Any]:
-    """Where the search begins at a run: its contacts count where they are not those of finite
-    bodies. A run at the temperature that was found for it only asks whether that is one.
+def _begun_at(case: Case, given: HeatingInput, printed: Printed | None) -> dict[str, Any]:
+    """Where the search begins: at the equilibrium of the case where temperature leaves that as it
+    is, so that a process solves it once; at that of a run, whose contacts count where they are not
+    those of finite bodies. A run at the temperature that was found for it only asks whether that
+    is one.
     """
+    if printed is None:
+        same = given.reference is None and without_traction_equilibrium(case.model) is case.model
+        return {"start": case_equilibrium(case)} if same else {}
     own = not case.file.ehl.finite_bodies
     warmed = case.document["operation"].get("temperature") == SELF_HEATED
     return {

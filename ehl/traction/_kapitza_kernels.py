@@ -138,7 +138,9 @@ def distance_of(gap, low, high, ray, ball, reciprocal, axes, circles):
         return high
     if left >= 0.0:
         return low
-    near, far, square = low * low, high * high, low * low
+    near = low * low
+    far = high * high
+    square = near
     for _ in range(SECANTS):
         width = abs(far - near)
         square = far - right * (far - near) / (right - left)
@@ -146,8 +148,10 @@ def distance_of(gap, low, high, ray, ball, reciprocal, axes, circles):
         if found * right > 0.0:
             left *= 0.5
         else:
-            near, left = far, right
-        far, right = square, found
+            near = far
+            left = right
+        far = square
+        right = found
         if abs(found) <= LAST_SECANT * gap or width <= LAST_SECANT * square:
             break
     return np.sqrt(square)

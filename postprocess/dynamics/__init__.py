@@ -6,6 +6,7 @@ quantities - quantities of a time simulation and its pictures
 results    - a time simulation of one case
 speeds     - speeds and slip of cage and balls over time, from its history
 spill      - a file for HDF5 that never fails
+stored     - the history of a time simulation, read from its file
 summary    - summary of a time simulation
 table      - a time simulation in the terminal
 write      - files of a time simulation
