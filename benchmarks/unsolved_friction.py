@@ -18,7 +18,7 @@ import numpy as np
 from bearing.friction._kernels import film_frictions, thin_sums
 from bearing.friction.film_nodes import THIN, ShearedFilm, unsolved_nodes
 from bearing.friction.films import MIN_SLIDING
-from bearing.friction.flat_film import FlatFilm, flat_size
+from bearing.friction.unsolved_film import UnsolvedFilm, hertz_size
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
 from ehl.closed_form.hertz import hertz_coefficients
 from ehl.oil.rheology import Rheology, ShearLaw, contact_rheology
@@ -85,13 +85,13 @@ def errors(conditions):
     solution = solve_contact(conditions, SolverOptions(points=129))
     if not (solution.converged and solution.resolved):
         return None
-    size = flat_size(conditions)
+    size = hertz_size(conditions)
     u, longer = conditions.entrainment_speed, max(size[:2])
     motions = np.array([[r * u * x, r * u * y, r * u * n / longer, 0.0] for r in RATIOS for x, y, n in DIRECTIONS])
     law = contact_rheology(SHEAR, conditions.lubricant, MEAN_PRESSURE_RATIO * size[2])
     slides = tuple(np.ascontiguousarray(part) for part in motions.T[:3])
     solved = -sliding_forces(film_quadrature(solution, law, u), slides, np.zeros(len(motions)), 0.0)
-    film = FlatFilm(conditions=conditions, central=solution.film_central, minimum=None, size=size)
+    film = UnsolvedFilm(conditions=conditions, central=solution.film_central, minimum=None, size=size)
     _, block = unsolved_nodes([ShearedFilm(film, 0.0, size[1])], SHEAR, None)
     nodes, thin = np.ascontiguousarray(block.nodes[:, 0]), np.empty((1, THIN))
     thin_sums(np.ascontiguousarray(nodes[:, block.pressed :]), thin[0])

@@ -9,7 +9,7 @@ coulomb     - Coulomb friction of ball and race over the Hertz ellipse, a potent
 equilibrium - traction equilibrium: speeds and loads of balls as the films drive them
 film_nodes  - nodes of sheared films as compiled friction takes them
 films       - friction law of solved films, and the balance of balls under it
-flat_film   - Hertz' pressure and a flat film: one that is not solved
+unsolved_film - thickness of a film that is not solved
 formula_films - films of atlas and formulas, where none is solved
 law         - the contract of every law of the friction of balls on races
 newton      - Newton's method for the balance of friction on balls: all balls at once

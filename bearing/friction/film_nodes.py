@@ -1,4 +1,4 @@
-"""Nodes of sheared films as compiled friction takes them: of solved films and of flat ones, equal
+"""Nodes of sheared films as compiled friction takes them: of solved films and of others, equal
 films once.
 """
 
@@ -40,9 +40,9 @@ from ..contacts.traction import TRACTION_POINTS
 from ..geometry import Array, Bearing
 from ..quasistatic.solution import QuasistaticSolution
 from ._kernels import thin_sums
-from .flat_film import FlatFilm
 from .law import TINY
 from .running_films import RunningFilms
+from .unsolved_film import UnsolvedFilm
 
 ROWS = 7  # area, 1 over the gap, viscosity, limiting stress, x, y and height of the surface
 THIN = 11  # numbers of `_kernels.thin_sums`
@@ -72,7 +72,7 @@ class _Block(NamedTuple):
 class ShearedFilm(NamedTuple):
     """A film with the surface that it runs on."""
 
-    film: ContactSolution | FlatFilm
+    film: ContactSolution | UnsolvedFilm
     curvature: float  # 1/(2 R) of the loaded surface across rolling [1/m]
     width: float  # half of what is curved like that [m]
 
@@ -94,15 +94,13 @@ def film_nodes(
     temperature = solution.operation.temperature
     # 1. solved films, one by one
     known: dict[tuple[int, float], int] = {}
-    flat: list[int] = []
-    unsolved: list[ShearedFilm] = []
+    others: dict[int, ShearedFilm] = {}
     for number, (place, film) in enumerate(zip(places, films, strict=True)):
         if film is None:
             continue
         sheared = _sheared(bearing, contacts[place], film.film)
-        if isinstance(film.film, FlatFilm):
-            flat.append(number)
-            unsolved.append(sheared)
+        if isinstance(film.film, UnsolvedFilm):
+            others[number] = sheared
             continue
         key = (id(film.film), sheared.curvature)
         if key not in known:
@@ -110,9 +108,9 @@ def film_nodes(
             blocks.append(_solved_nodes(sheared, rheology, temperature))
         own[number] = known[key]
     # 2. others, all at once
-    if unsolved:
-        like, found = unsolved_nodes(unsolved, rheology, temperature)
-        own[flat] = len(blocks) + like
+    if others:
+        like, found = unsolved_nodes(list(others.values()), rheology, temperature)
+        own[list(others)] = len(blocks) + like
         blocks.append(found)
     ends = np.cumsum([len(state) for state in states])
     joined = _joined(blocks, own)
@@ -140,7 +138,7 @@ def _joined(blocks: Sequence[_Block], own: NDArray[np.int64]) -> FilmNodes:
 
 
 def _sheared(
-    bearing: Bearing, contact: BearingContact, film: ContactSolution | FlatFilm
+    bearing: Bearing, contact: BearingContact, film: ContactSolution | UnsolvedFilm
 ) -> ShearedFilm:
     radius = groove_curvature_radius(bearing, contact.race)
     width = np.inf if contact.hertz is None else contact.hertz.semi_axis_y
@@ -164,7 +162,7 @@ def _laws(rheology: Rheology, oil: Lubricant, mean_pressure: Array) -> Array:
 def _solved_nodes(sheared: ShearedFilm, rheology: Rheology, temperature: float | None) -> _Block:
     """Those of a solved film; sums of `integrate_traction`."""
     solved = sheared.film
-    assert not isinstance(solved, FlatFilm)
+    assert not isinstance(solved, UnsolvedFilm)
     rheology = solution_rheology(solved, rheology)
     film = with_outlet(solved.thinned(TRACTION_POINTS))
     film_x, film_y, thickness = dimensional_grid(film)
@@ -191,18 +189,18 @@ def unsolved_nodes(
     """Which of the films that are not solved and differ each one is, and these; one at least, all
     of one oil.
     """
-    flat = [one.film for one in films if isinstance(one.film, FlatFilm)]
-    own = {id(film.conditions): film for film in flat}
+    unsolved = [one.film for one in films if isinstance(one.film, UnsolvedFilm)]
+    own = {id(film.conditions): film for film in unsolved}
     numbers = _shape_numbers(list(own.values()))
     known = dict(zip(own, numbers, strict=True))
     places = np.array([
         (*known[id(film.conditions)], one.curvature, one.width)
-        for film, one in zip(flat, films, strict=True)
+        for film, one in zip(unsolved, films, strict=True)
     ])  # fmt: skip
     first, like = _alike(places)
-    shapes = _shapes(places[first], flat[0].conditions.lubricant, rheology, temperature)
+    shapes = _shapes(places[first], unsolved[0].conditions.lubricant, rheology, temperature)
     # the same shapes with other gaps, of films as they run and flooded
-    gaps = np.array([(film.gap, film.share) for film in flat])
+    gaps = np.array([(film.gap, film.share) for film in unsolved])
     chosen, kinds = _alike(np.column_stack([like + 1.0, gaps]))
     return kinds, _with_gaps(shapes, like[chosen], gaps[chosen])
 
@@ -213,7 +211,7 @@ def _alike(places: Array) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     return alike(places / np.where(scale > 0.0, scale, 1.0))
 
 
-def _shape_numbers(films: Sequence[FlatFilm]) -> list[tuple[float, ...]]:
+def _shape_numbers(films: Sequence[UnsolvedFilm]) -> list[tuple[float, ...]]:
     """Place of each film in the atlas, semi-axes [m], Hertz' pressure [Pa], radius, central film
     [m].
     """

@@ -1,6 +1,6 @@
 """Films for the friction of contacts whose film is not solved.
 
-The pressure is Hertz', the film flat. Its thickness, and the moment that resists rolling, are
+Pressure and shape are those of the film atlas. Thickness, and the moment that resists rolling, are
 those of atlas and formulas (`contacts.film_numbers`). Where the same contact was solved at another
 speed or with another oil, film and moment are those of that solution times the ratio of these
 numbers here and there.
@@ -23,7 +23,7 @@ from ..contacts.contact import BearingContact
 from ..contacts.film_heat import film_heat, solved_with_heat
 from ..contacts.film_numbers import FilmNumbers, film_numbers, film_numbers_of
 from ..geometry import Array
-from .flat_film import CONTACT_PRESSURE, FlatFilm, film_scale, film_values, flat_size
+from .unsolved_film import CONTACT_PRESSURE, UnsolvedFilm, film_scale, film_values, hertz_size
 
 # of a scaled film, per unit of the logarithm of the speed [-]: from 3000 to 40 r/min the solved
 # films of a 6208 fall by 0.05 of that more slowly or faster than the formula
@@ -34,7 +34,7 @@ WAY_ERROR = 0.05
 class FormulaFilm:
     """An isothermal film that was not solved, in the form of one that was."""
 
-    film: ContactSolution | FlatFilm
+    film: ContactSolution | UnsolvedFilm
     central: float  # [m]
     minimum: float | None  # [m]; None: no formula for an oil without pressure-viscosity
     moment: float  # that resists rolling, flooded and isothermal [N m]
@@ -62,7 +62,7 @@ def formula_films(contacts: Sequence[BearingContact | None]) -> list[FormulaFilm
     }
     numbers = film_numbers_of([(conditions, _axes(hertz)) for conditions, hertz in pairs.values()])
     for (n, pair), own in zip(pairs.items(), numbers, strict=True):
-        found[n] = _flat(*pair, own)
+        found[n] = _unsolved(*pair, own)
     return found
 
 
@@ -80,7 +80,7 @@ def formula_film(
     conditions, hertz = pair
     own = film_numbers(conditions, _axes(hertz))
     if base is None or not isinstance(base.conditions, ContactConditions):
-        return _flat(conditions, hertz, own)
+        return _unsolved(conditions, hertz, own)
     known = (conditions, _axes(hertz))
     return _scaled_film(contact, known, own, base, base.conditions)
 
@@ -97,16 +97,16 @@ def _axes(hertz: HertzContact) -> tuple[float, float]:
     return hertz.semi_axis_y, hertz.semi_axis_x
 
 
-def _flat(conditions: ContactConditions, hertz: HertzContact, own: FilmNumbers) -> FormulaFilm:
-    """A flat film by these numbers."""
+def _unsolved(conditions: ContactConditions, hertz: HertzContact, own: FilmNumbers) -> FormulaFilm:
+    """A film by these numbers."""
     central = min(own.central, MAX_FILM_OVER_RADIUS * conditions.radius_x)
     minimum = None if own.ratio is None else min(own.ratio, 1.0) * central
     return FormulaFilm(
-        film=FlatFilm(
+        film=UnsolvedFilm(
             conditions=conditions,
             central=central,
             minimum=minimum,
-            size=flat_size(conditions, hertz),
+            size=hertz_size(conditions, hertz),
         ),
         central=central,
         minimum=minimum,

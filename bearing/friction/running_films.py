@@ -19,8 +19,8 @@ from ..contacts.contact import BearingContact
 from ..contacts.film_heat import film_heat, solved_with_heat
 from ..supply.supply import InletFilm, Supply, supplied_shares
 from .asperities import Asperities
-from .flat_film import FlatFilm, with_gap
 from .formula_films import FormulaFilm, formula_films
+from .unsolved_film import UnsolvedFilm, with_gap
 
 
 class RunningFilm(NamedTuple):
@@ -28,8 +28,8 @@ class RunningFilm(NamedTuple):
     step that makes it changes some of a tuple, which costs a tenth of what an object does.
     """
 
-    film: ContactSolution | FlatFilm
-    whole: ContactSolution | FlatFilm  # the same with the gap that a flooded inlet gives it
+    film: ContactSolution | UnsolvedFilm
+    whole: ContactSolution | UnsolvedFilm  # the same with the gap that a flooded inlet gives it
     central: float  # as it runs [m]
     minimum: float | None  # [m]; None where no formula has it
     flooded_central: float  # central film with a flooded inlet, as it was solved [m]
@@ -46,14 +46,14 @@ class RunningFilm(NamedTuple):
     @property
     def error(self) -> float:
         """Of the central film over it [-]."""
-        if self.formula or isinstance(self.film, FlatFilm):
+        if self.formula or isinstance(self.film, UnsolvedFilm):
             return hypot(self.formula_error, self.heat_error)
         return hypot(self.film.film_central_dimensionless.relative_uncertainty, self.heat_error)
 
     @property
-    def flat(self) -> bool:
+    def unsolved(self) -> bool:
         """Whether it is of atlas or formulas alone, not scaled to a solved one."""
-        return self.formula and isinstance(self.film, FlatFilm)
+        return self.formula and isinstance(self.film, UnsolvedFilm)
 
     @property
     def rolling_moment(self) -> float:
@@ -127,7 +127,7 @@ def running_films(
 class _Heated:
     """Films with the heat of their inlets, each gap made once for contacts that are equal."""
 
-    gaps: dict[tuple[int, float], ContactSolution | FlatFilm] = field(default_factory=dict)
+    gaps: dict[tuple[int, float], ContactSolution | UnsolvedFilm] = field(default_factory=dict)
 
     def film(self, film: RunningFilm, contact: BearingContact) -> RunningFilm:
         """A film thinned by the heat of its inlet, behind a layer by what that leaves of the
@@ -153,7 +153,7 @@ class _Heated:
 def _has_heat(film: RunningFilm) -> bool:
     """Whether a film was solved with heat."""
     solved = film.whole
-    return not (film.formula or isinstance(solved, FlatFilm)) and solved_with_heat(solved)
+    return not (film.formula or isinstance(solved, UnsolvedFilm)) and solved_with_heat(solved)
 
 
 def film_is_flooded(film: ContactSolution) -> bool:
@@ -200,8 +200,8 @@ def _supplied(film: RunningFilm, contact: BearingContact, supply: OilAtInlets) -
     """
     central = minimum = moment = 1.0
     solved = film.film
-    layer = None if isinstance(solved, FlatFilm) else solved.supply
-    if layer is not None and not isinstance(solved, FlatFilm):
+    layer = None if isinstance(solved, UnsolvedFilm) else solved.supply
+    if layer is not None and not isinstance(solved, UnsolvedFilm):
         if supply.solved in (None, supply.oil) or not layer.rolling_moment_ratio > 0.0:
             return film
         central = solved.film_central_dimensionless.value / layer.flooded_central.value
@@ -210,7 +210,7 @@ def _supplied(film: RunningFilm, contact: BearingContact, supply: OilAtInlets) -
     left = supplied_shares(contact, film.flooded_central, supply.oil, supply.balls)
     if left == FLOODED and layer is not None:
         whole = film.whole
-        least = None if isinstance(whole, FlatFilm) else whole.film_minimum
+        least = None if isinstance(whole, UnsolvedFilm) else whole.film_minimum
         return film._replace(
             film=whole, central=film.flooded_central, minimum=least, rolling_factor=1.0
         )

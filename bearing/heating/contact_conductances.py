@@ -18,7 +18,7 @@ from ehl.solution import ContactSolution
 from ehl.traction.shear import dimensional_conditions, dimensional_grid
 
 from ..contacts.contact import BearingContact
-from ..friction.flat_film import CONTACT_PRESSURE, FlatFilm, flat_pressures
+from ..friction.unsolved_film import CONTACT_PRESSURE, UnsolvedFilm, hertz_pressures
 from ..geometry import Array, Bearing, Race
 from .friction_heat import solid_thermal
 
@@ -28,7 +28,9 @@ POINTS = 129  # of a solved film along rolling, at most, that a contact is march
 PRESSED = 2.0
 
 Ends = tuple[float, float, float]  # value, low and high end [W/K]
-KnownFilm = tuple[ContactSolution | FlatFilm, float]  # with the relative error of its thickness
+KnownFilm = tuple[
+    ContactSolution | UnsolvedFilm, float
+]  # with the relative error of its thickness
 
 
 def contact_conductances(
@@ -56,7 +58,7 @@ def contact_conductances(
     for number, (contact, film) in enumerate(zip(contacts, films, strict=True)):
         if film is None or contact.hertz is None:
             continue
-        if isinstance(film[0], FlatFilm):
+        if isinstance(film[0], UnsolvedFilm):
             flat[contact.race].append(number)
             continue
         key = (id(film[0]), contact.race)
@@ -122,7 +124,7 @@ def _of_flat(
     """As `_of_solved`, of flat films of one race and one oil at once, equal ones once, shape
     (films, 3), or (films, 1) without ends.
     """
-    flat = [film for film, _ in films if isinstance(film, FlatFilm)]
+    flat = [film for film, _ in films if isinstance(film, UnsolvedFilm)]
     numbers = [
         (*film.size, film.gap, film.conditions.entrainment_speed, *_scales(error))
         for film, (_, error) in zip(flat, films, strict=True)
@@ -136,7 +138,7 @@ def _of_flat(
         for u, pair_of in zip(chosen[:, 4].tolist(), axes, strict=True)
     ]
     # 1. half of the lines along rolling, the others are their images
-    P, count = flat_pressures()
+    P, count = hertz_pressures()
     step = 2.0 / (P.shape[0] - 1) * chosen[:, :2]
     largest, gap = chosen[:, 2, None, None], chosen[:, 3, None, None]
     oil = _oil_ends(flat[0].conditions.lubricant, largest * P, temperature)[:count_ends]

@@ -23,10 +23,10 @@ from ..friction.balance import BalancedFriction, balance_balls, balance_driven_b
 from ..friction.cage import resisted_power
 from ..friction.film_nodes import film_nodes
 from ..friction.films import ShearedFilms, film_law_balance, law_of_films, sheared_films
-from ..friction.flat_film import FlatFilm
 from ..friction.law import ContactLaw
 from ..friction.resistance import NO_RESISTANCE, Resistance
 from ..friction.running_films import RunningFilms
+from ..friction.unsolved_film import UnsolvedFilm
 from ..geometry import Array
 from ..operation import BallKinematics
 from ..quasistatic.solution import QuasistaticSolution
@@ -136,7 +136,7 @@ def _tractions(
             film.rolling_moment,
         )
         for contact, film in zip(contacts, films, strict=True)
-        if film is not None and not isinstance(film.film, FlatFilm)
+        if film is not None and not isinstance(film.film, UnsolvedFilm)
     )
 
 

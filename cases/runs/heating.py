@@ -231,7 +231,7 @@ def _printed_heat(case: Case, given: HeatingInput, printed: Printed) -> FilmsHea
     oil = case.lubricant
     inlet = _inlet(case, printed.state, oil)
     films = printed.films
-    if films is not None and any(film is not None and not film.flat for film in films):
+    if films is not None and any(film is not None and not film.unsolved for film in films):
         films = None
     films = films if inlet == case.inlet else None
     begun.heat(printed.state, printed.contacts, oil, given.rheology(oil), inlet, films)

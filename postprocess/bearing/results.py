@@ -12,8 +12,8 @@ from bearing.contacts.surface_tension import SurfaceTension
 from bearing.contacts.traction import ContactTraction
 from bearing.fits.clearance import ClearanceBudget
 from bearing.fits.ring_strength import Strength
-from bearing.friction.flat_film import heated_solution
 from bearing.friction.formula_films import FormulaFilm
+from bearing.friction.unsolved_film import heated_solution
 from bearing.geometry import Array
 from bearing.heating.conductances import Conductance
 from bearing.heating.self_heating import SelfHeatingSolution

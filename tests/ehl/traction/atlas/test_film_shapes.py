@@ -13,7 +13,7 @@ from bearing.contacts.film_numbers import film_numbers_of
 from bearing.friction._kernels import film_frictions, thin_sums
 from bearing.friction.film_nodes import THIN, ShearedFilm, unsolved_nodes
 from bearing.friction.films import MIN_SLIDING
-from bearing.friction.flat_film import FlatFilm, flat_size
+from bearing.friction.unsolved_film import UnsolvedFilm, hertz_size
 from ehl.oil.rheology import Rheology, ShearLaw, contact_rheology
 from ehl.solution import MEAN_PRESSURE_RATIO
 from ehl.traction.atlas.fields import contact_fields
@@ -40,9 +40,9 @@ def motions(conditions):
 
 def frictions(contacts, films, moved):
     """By the nodes that balls are balanced on, of contacts with central films [m] at a motion each."""
-    sizes = [flat_size(own) for own in contacts]
+    sizes = [hertz_size(own) for own in contacts]
     places = [
-        ShearedFilm(FlatFilm(conditions=own, central=film, minimum=None, size=size), CURVATURE, size[1])
+        ShearedFilm(UnsolvedFilm(conditions=own, central=film, minimum=None, size=size), CURVATURE, size[1])
         for own, film, size in zip(contacts, films, sizes, strict=True)
     ]
     own, (nodes, pressed, laws) = unsolved_nodes(places, SHEAR, None)
@@ -70,7 +70,7 @@ def summed(quadrature, moved):
 
 
 def law(conditions):
-    return contact_rheology(SHEAR, conditions.lubricant, MEAN_PRESSURE_RATIO * flat_size(conditions)[2])
+    return contact_rheology(SHEAR, conditions.lubricant, MEAN_PRESSURE_RATIO * hertz_size(conditions)[2])
 
 
 @pytest.mark.parametrize("load", [60.0, 220.0, 800.0])
@@ -79,7 +79,7 @@ def test_few_places_have_the_friction_of_all(load):
     conditions = contact(load)
     fields, u = contact_fields(conditions), conditions.entrainment_speed
     parts = (fields.zone, fields.cells)
-    size = flat_size(conditions)
+    size = hertz_size(conditions)
     whole = zone_quadrature(size[1], parts, OIL, law(conditions), u, None)
     known = summed(whole, motions(conditions))
     found = friction(conditions, atlas_films(conditions).central.value, motions(conditions))
@@ -92,7 +92,7 @@ def errors(load):
     """Of the friction beside a film solved on 257 points, as those of the table are, over its largest part."""
     conditions = contact(load)
     solution = ehl.solve_contact(conditions, ehl.SolverOptions(points=257))
-    u, size = conditions.entrainment_speed, flat_size(conditions)
+    u, size = conditions.entrainment_speed, hertz_size(conditions)
     quadrature = film_quadrature(solution, law(conditions), u)
     known = summed(quadrature, motions(conditions))
     found = friction(conditions, solution.film_central, motions(conditions))
@@ -114,7 +114,7 @@ def test_nearly_rigid_contacts_are_alike(load):
 
 
 def places_of(contacts):
-    axes = np.array([flat_size(own)[0] for own in contacts])
+    axes = np.array([hertz_size(own)[0] for own in contacts])
     return shape_places(contacts, axes)
 
 
@@ -142,7 +142,7 @@ def test_friction_has_no_step_where_tables_end_or_meet(changed, step):
     loads = np.geomspace(0.05, 5e4, 3000)
     contacts = [contact(load, **changed) for load in loads]
     moved = np.array([[0.05 * own.entrainment_speed, 0.0, 0.0, 0.0] for own in contacts])
-    films = film_numbers_of([(own, flat_size(own)[1::-1]) for own in contacts])
+    films = film_numbers_of([(own, hertz_size(own)[1::-1]) for own in contacts])
     share = -frictions(contacts, [own.central for own in films], moved)[:, 0] / loads
     steps = np.diff(np.log(share))
     assert np.abs(steps).max() < 0.05 and np.abs(np.diff(steps)).max() < step

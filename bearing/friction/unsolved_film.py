@@ -32,13 +32,13 @@ CONTACT_PRESSURE = 0.01
 
 
 @dataclass(frozen=True, kw_only=True)
-class FlatFilm:
+class UnsolvedFilm:
     """Of one contact with entrainment along a principal direction."""
 
     conditions: ContactConditions
     central: float  # [m]
     minimum: float | None  # [m]; None: not known
-    # semi-axes along and across rolling [m], Hertz' pressure [Pa], of the conditions: `flat_size`
+    # semi-axes along and across rolling [m], Hertz' pressure [Pa], of the conditions: `hertz_size`
     size: tuple[float, float, float]
     share: float = 1.0  # of the gap in the contact that a supply leaves [-]
 
@@ -53,7 +53,7 @@ class FlatFilm:
         return MEAN_PRESSURE_RATIO * self.size[2]
 
 
-def flat_size(
+def hertz_size(
     conditions: ContactConditions, dry: HertzContact | None = None
 ) -> tuple[float, float, float]:
     """Semi-axes along and across rolling [m], Hertz' pressure [Pa] of conditions; those of the dry
@@ -101,11 +101,11 @@ def film_scale(contact: ScaledContact) -> float:
     return contact.film_scale
 
 
-def with_gap(film: ContactSolution | FlatFilm, share: float) -> ContactSolution | FlatFilm:
+def with_gap(film: ContactSolution | UnsolvedFilm, share: float) -> ContactSolution | UnsolvedFilm:
     """A film whose gap in the contact is a share of what it was [-]."""
     if share == 1.0:
         return film
-    if isinstance(film, FlatFilm):
+    if isinstance(film, UnsolvedFilm):
         return replace(film, share=share * film.share)
     inside = film.P > CONTACT_PRESSURE
     return replace(film, H=np.where(inside, share * film.H, film.H))
@@ -135,7 +135,7 @@ def _heated(film: FilmValue, share: HeatShare) -> FilmValue:
 
 
 @cache
-def flat_pressures() -> tuple[Array, Array]:
+def hertz_pressures() -> tuple[Array, Array]:
     """Pressure over Hertz' on `POINTS` lines over the ellipse along rolling, of them those with y
     >= 0, shape (POINTS, POINTS // 2 + 1), and how many each of these stands for [-].
     """
