@@ -84,7 +84,7 @@ def _made(name: str, numbers: list[float]) -> Distribution:
         return Distribution(partial(_whole, int(numbers[0]), int(numbers[1])), True)
     if name == "uniform":
         return Distribution(partial(_even, numbers[0], numbers[1]), True)
-    from scipy import stats  # which takes as long as a hundred points
+    from scipy import stats
 
     if name == "normal":
         return Distribution(stats.norm(*numbers).ppf, False)

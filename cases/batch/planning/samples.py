@@ -123,26 +123,14 @@ def unit_sample(method: str, keys: int, samples: int, seed: int) -> Array:
     """A sample of the unit cube, shape (samples, keys): a Latin hypercube (McKay, Beckman and
     Conover 1979), a scrambled Sobol sequence (Owen 1998), or random.
     """
+    from scipy.stats import qmc
+
     rng = np.random.default_rng(seed)
     if method == "random":
         return rng.random((samples, keys))
     if method == "sobol":
-        from scipy.stats import qmc  # which takes as long as a hundred points
-
         return qmc.Sobol(keys, seed=rng).random(samples)
-    return latin_hypercube(keys, samples, rng)
-
-
-def latin_hypercube(keys: int, samples: int, rng: np.random.Generator) -> Array:
-    """A place at random in each of as many strata of every key, these in any order, shape
-    (samples, keys): the very numbers of `scipy.stats.qmc.LatinHypercube`.
-    """
-    own = rng.spawn(1)[0]
-    places = own.uniform(size=(samples, keys))
-    strata = np.tile(np.arange(1, samples + 1), (keys, 1))
-    for row in strata:
-        own.shuffle(row)
-    return np.asarray((strata.T - places) / samples)
+    return qmc.LatinHypercube(keys, seed=rng).random(samples)
 
 
 def saltelli_design(keys: int, samples: int, seed: int) -> Array:
