@@ -21,7 +21,7 @@ from ..torque.inlet import InletFactors
 from ..torque.inputs import FrictionInput
 from ..torque.shear_torque import no_balance_message
 from .contact_conductances import contact_conductances
-from .friction_heat import FrictionHeat, loaded_half
+from .friction_heat import FrictionHeat, UndrivenBallsError, loaded_half
 
 
 @dataclass(slots=True, kw_only=True)
@@ -48,7 +48,7 @@ class FilmsHeat:
 
         Raises
         ------
-        ValueError
+        UndrivenBallsError
             If the balls find no balance.
         """
         if self.known is not None:
@@ -62,7 +62,7 @@ class FilmsHeat:
         resistance = self.friction.resistance(solution.bearing, oil)
         balance = film_balance(solution, contacts, running, rheology, resistance, self.last)
         if not balance.converged:
-            raise ValueError(f"the torque of films: {no_balance_message(balance)}")
+            raise UndrivenBallsError(f"the torque of films: {no_balance_message(balance)}")
         self.last = balance
         pumped = np.array([0.0 if film is None else film.rolling_moment for film in running])
         pumped = pumped.reshape(-1, 2) * np.abs(balance.kinematics[..., 3])

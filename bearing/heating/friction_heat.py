@@ -14,6 +14,10 @@ from .conductances import Conductance
 from .network import node_values
 
 
+class UndrivenBallsError(ValueError):
+    """At a temperature the friction of films balances the balls at no motion."""
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FrictionHeat:
     """Heat of one state of a bearing, and conductances of its contacts."""

@@ -10,6 +10,7 @@ its matrix, which gives the stability as well; without that, and the clearance, 
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from math import ceil
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from ehl.units import ZERO_CELSIUS
 
 from ..geometry import Array
 from .capacities import heat_capacities
+from .friction_heat import UndrivenBallsError
 from .heat_balance import HeatBalance
 from .heat_state import HeatState, SelfHeatingProblem, broyden, heat_state
 from .network import NODES
@@ -34,6 +36,8 @@ FALL = (
     0.02  # of the friction with the temperature, for the first step, oils have 0.015 to 0.04 [1/K]
 )
 LARGEST_STEP = 25.0  # [K]
+HOTTER = 10.0  # than a temperature at which the balls are not driven, where the search begins [K]
+HALVINGS = 4  # of a step to where they are not driven
 STEP = 0.5  # of the film temperature for differences [K]
 CLEARANCE_STEP = 0.5e-6  # likewise [m]
 
@@ -193,7 +197,8 @@ def _nearby(search: _Search, near: float) -> HeatState:
     states = 2 if near == NEAR else LAST_STATES  # Newton's method goes on from a secant
     coldest = min(around.ambient, around.oil_supply)
     at = min(max(problem.operation.temperature, coldest), problem.hottest)
-    state = search.at(at, problem.clearance(np.full(len(NODES), at)))
+    state = _begun(search, at)
+    at = state.film_temperature
     low: float | None = None
     high: float | None = None
     known: list[tuple[float, float]] = []  # temperatures and what is found above each [K]
@@ -209,9 +214,43 @@ def _nearby(search: _Search, near: float) -> HeatState:
         wanted = _root(known)
         wanted = at - excess / slope if wanted is None else wanted
         at = _inside(wanted, at, (low, high), (coldest, problem.hottest))
-        moved = at - state.film_temperature
-        state = search.at(at, problem.clearance(state.temperatures + moved - excess))
+        state = _moved(search, state, at)
+        at = state.film_temperature
     return state
+
+
+def _begun(search: _Search, at: float) -> HeatState:
+    """A state at a temperature, or at the next higher one at which thinner oil lets the races
+    drive the balls [K].
+    """
+    problem = search.problem
+    while True:
+        try:
+            return search.at(at, problem.clearance(np.full(len(NODES), at)))
+        except UndrivenBallsError:
+            if at + HOTTER >= problem.hottest:
+                raise
+            at += HOTTER
+
+
+def _moved(search: _Search, state: HeatState, at: float) -> HeatState:
+    """A state at another temperature; where the balls are not driven there, at the next higher one
+    at which they are, or, on the way down, before that [K]. Its clearance is that of the last
+    state's temperatures, moved together.
+    """
+    problem = search.problem
+    warmer = at > state.film_temperature
+    tries = ceil((problem.hottest - at) / HOTTER) if warmer else HALVINGS
+    for left in range(tries, -1, -1):
+        moved = at - state.found_temperature
+        try:
+            return search.at(at, problem.clearance(state.temperatures + moved))
+        except UndrivenBallsError:
+            if not left:
+                raise
+            at = at + HOTTER if warmer else 0.5 * (at + state.film_temperature)
+            at = min(at, problem.hottest)
+    raise AssertionError("a state is returned, or an error raised")
 
 
 def _root(known: list[tuple[float, float]]) -> float | None:

@@ -103,7 +103,8 @@ def film_shapes(places: Array, central: Array) -> FilmShapes:
         some = share > 0.0
         if some.any():
             vectors[some] += share[some, None] * _vectors(path, places[some])
-    own, load = _split(vectors), np.exp(places[:, 0])
+    own = _split(vectors)
+    load = np.exp(places[:, 0])
     # s^2
     wider = np.where(places[:, PLACE - 1] > 0.0, central * load * np.exp(-_central(own)), 1.0)
     zone = _stretched(_zone(own), wider)

@@ -278,8 +278,9 @@ def factored_sums(lines, law, axis, motions, weights, surface, out):
             block_sums(nodes[k], law, surface, room)
             area = max(nodes[k, COLD_AREA].sum(), TINY)
             for n in range(count):
-                # root mean square of the sliding over the area of the line's nodes
-                slide = np.sqrt(room[SQUARES + n] / area)
+                # root mean square of the sliding over the area of the line's nodes, on strips
+                # beside a line of no length maybe negative
+                slide = np.sqrt(max(room[SQUARES + n], 0.0) / area)
                 place = (np.log(max(slide, TINY)) - axis[0]) * axis[1]
                 factor = factor_at(factors[k], weights[first + n], near[n], place)
                 out[first + n, 0] += factor * room[F_X + n]

@@ -175,7 +175,9 @@ def _grid_films(study: _Study, axes: Array) -> list[list[FilmSample]]:
     keys = {place: (round(place[0], 9), round(place[1], 9)) for row in rows for place in row}
     known = [study.films.get(key) for key in keys.values()]
     response = wanted_responses(
-        list(keys), [film is not None and film.response is not None for film in known]
+        study.contact,
+        list(keys),
+        [film is not None and film.response is not None for film in known],
     )
     missing = [
         (place, wanted)
@@ -216,7 +218,8 @@ def _table(study: _Study) -> tuple[TractionTable, NDArray[np.float32]]:
     nodes = [_axis_nodes(axis) for axis in axes[2:]]
     raw, largest = grid_values(study.contact, study.range, films, nodes, study.options.workers)
     # 2. splines: values over their largest, logarithms of what depends on load and speed alone
-    scalars = [_scalars(films), log_responses(study.contact, films), np.log(largest)]
+    responses, filled = log_responses(study.contact, films)
+    scalars = [_scalars(films), responses, np.log(largest)]
     unchecked = TableError(
         **dict.fromkeys(ERRORS, np.inf), films=0, motions=0, tolerance=study.options.tolerance
     )
@@ -234,15 +237,13 @@ def _table(study: _Study) -> tuple[TractionTable, NDArray[np.float32]]:
         message="",
     )
     # 3. check
-    return _with_message(study, replace(table, error=_checked(study, table))), raw
+    return _with_message(study, replace(table, error=_checked(study, table)), filled), raw
 
 
-def _with_message(study: _Study, table: TractionTable) -> TractionTable:
-    """Whether it converged, and what did not."""
+def _with_message(study: _Study, table: TractionTable, filled: int) -> TractionTable:
+    """Whether it converged, and what did not; at how many nodes the response is filled in."""
     films = [*study.films.values(), *study.checks]
     bad = sum(not film.film.converged for film in films)
-    responses = [film.response for film in study.films.values() if film.response is not None]
-    filled = sum(not response.converged for response in responses)
     error = table.error
     faults = []
     if not error.reached:
@@ -257,7 +258,7 @@ def _with_message(study: _Study, table: TractionTable) -> TractionTable:
     if error.largest_spin > error.tolerance:
         message += f"; moments of spin are off by up to {error.largest_spin:.2%} of their largest"
     if filled:
-        few = f"{filled} of {len(responses)} films"
+        few = f"{filled} of {int(table.axes[0, 2] * table.axes[1, 2])} films"
         message += f"; stiffness and damping of {few} are those of neighbouring loads"
     return replace(table, converged=not faults, message=message)
 

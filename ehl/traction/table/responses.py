@@ -6,17 +6,21 @@ to the next. But they do so at a load that grows with the speed: over
 .. math:: x = 5\,[1 - (W/W_0)^{-1/5}], \qquad W = Q\,u^{-2/3},
 
 W_0 the smallest one, nodes of other speeds stand between those of one, and what is left over
-ln(u) is smooth. Responses are solved at nodes that are far apart over both, and their logarithms,
-of the stiffness that over Hertz', interpolated by cubes of distances (Duchon, 1977).
+ln(u) is smooth. Responses are solved wherever a film turns, and else at nodes that are far apart
+over both; their logarithms, of the stiffness that over Hertz', are interpolated by cubes of
+distances (Duchon, 1977).
 """
 
 from collections.abc import Sequence
+from math import exp
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import RBFInterpolator
 
 from ...arrays import Array
+from ...scaling import scale_contact
+from ..atlas.films import atlas_load
 from ..response.normal import dry_stiffness
 from .film import FilmSample
 from .table import TableContact
@@ -27,31 +31,41 @@ SHARPEST = 0.2  # power of W in x: loads where a film turns are the lightest of 
 # of ln(speed) beside x: where nodes are chosen, and where values are interpolated
 CHOICE_SCALE = 0.31
 SPEED_SCALE = 0.16
-APART = 0.17  # distance to the nearest node that is solved, at most
+APART = 0.2  # distance to the nearest node that is solved, at most
 FEWEST = 6  # responses to interpolate from
+# A = a^2/(Rx^2 sqrt(2 U)) between which films turn: there nodes are not far enough from each other
+TURN = (1.4, 6.0)
+ALL_OF = 24  # nodes of a table so small that all have their own
 
 Place = tuple[float, float]  # ln(load), ln(speed)
 Mask = NDArray[np.bool_]
 
 
-def wanted_responses(places: Sequence[Place], known: Sequence[bool]) -> list[bool]:
-    """At which nodes of a table to have the response: known ones and those of extreme loads and
-    speeds, then always the node that is farthest from these, until none is far from all.
+def wanted_responses(
+    contact: TableContact, places: Sequence[Place], known: Sequence[bool]
+) -> list[bool]:
+    """At which nodes of a table to have the response: known ones, those of films that turn and of
+    extreme loads and speeds, then always the node that is farthest from these, until none is far
+    from all; at all of few.
     """
     points = _coordinates(places, CHOICE_SCALE)
-    chosen = np.array(known) | _corners(places)
+    chosen = np.array(known) | _corners(places) | _turning(contact, places)
+    if chosen.size <= ALL_OF:
+        return [True] * chosen.size
     while True:
         distances = np.linalg.norm(points[:, None] - points[chosen], axis=-1).min(axis=1)
         farthest = int(np.argmax(distances))
-        if distances[farthest] <= APART:
+        if distances[farthest] <= APART and np.count_nonzero(chosen) > FEWEST:
             return [bool(one) for one in chosen]
         chosen[farthest] = True
 
 
-def log_responses(contact: TableContact, films: Sequence[Sequence[FilmSample]]) -> Array:
+def log_responses(
+    contact: TableContact, films: Sequence[Sequence[FilmSample]]
+) -> tuple[Array, int]:
     """Logarithms of stiffness [N/m] and damping [N s/m] of films over load and speed, shape (nQ,
-    nU, 2); those of neighbouring loads where the response did not converge. ValueError where it
-    did at none.
+    nU, 2); those of neighbouring loads where the response did not converge, or nodes between have
+    none near them that did, and at how many. ValueError where it did at none.
     """
     rows = [film for row in films for film in row]
     places = [film.place for film in rows]
@@ -64,7 +78,8 @@ def log_responses(contact: TableContact, films: Sequence[Sequence[FilmSample]]) 
     values[:, 0] -= np.log(unit)
     _interpolate(values, asked, _coordinates(places, SPEED_SCALE))
     values[:, 0] += np.log(unit)
-    return _filled(values.reshape(len(films), -1, 2))
+    gaps = int(np.count_nonzero(np.isnan(values[:, 0])))
+    return _filled(values.reshape(len(films), -1, 2)), gaps
 
 
 def _interpolate(values: Array, asked: Mask, points: Array) -> None:
@@ -88,6 +103,13 @@ def _coordinates(places: Sequence[Place], scale: float) -> Array:
     load = log_load - LOAD_BY_SPEED * log_speed
     x = (1.0 - np.exp(-SHARPEST * (load - load.min()))) / SHARPEST
     return np.stack([x, scale * log_speed], axis=1)
+
+
+def _turning(contact: TableContact, places: Sequence[Place]) -> Mask:
+    """At which places a film turns."""
+    low, high = TURN
+    loads = [atlas_load(scale_contact(contact.conditions(exp(q), exp(u)))) for q, u in places]
+    return np.array([low < load < high for load in loads])
 
 
 def _corners(places: Sequence[Place]) -> Mask:

@@ -11,6 +11,8 @@ from numpy.testing import assert_allclose, assert_array_equal
 
 from ehl import Lubricant
 from ehl.oil.rheology import Rheology
+from ehl.scaling import scale_contact
+from ehl.traction.atlas.films import atlas_load
 from ehl.traction.response.normal import NormalResponse, ResponseValue, dry_stiffness
 from ehl.traction.table.film import FilmSample
 from ehl.traction.table.responses import log_responses, wanted_responses
@@ -61,11 +63,18 @@ def films(wanted, failed=()):
     return [rows[k : k + SPEEDS.size] for k in range(0, len(rows), SPEEDS.size)]
 
 
-def test_responses_of_less_than_half_of_the_films_give_those_of_all():
-    wanted = wanted_responses(NODES, [False] * len(NODES))
-    assert sum(wanted) <= 0.45 * len(NODES)
-    expected = log_responses(CONTACT, films([True] * len(NODES)))
-    found = log_responses(CONTACT, films(wanted))
+def turns(place):
+    """Whether its film turns."""
+    load, speed = (float(value) for value in np.exp(place))
+    return 1.4 < atlas_load(scale_contact(CONTACT.conditions(load, speed))) < 6.0
+
+
+def test_responses_of_some_of_the_films_give_those_of_all():
+    wanted = wanted_responses(CONTACT, NODES, [False] * len(NODES))
+    assert sum(wanted) <= 0.65 * len(NODES)
+    expected = log_responses(CONTACT, films([True] * len(NODES)))[0]
+    found, gaps = log_responses(CONTACT, films(wanted))
+    assert gaps == 0
     chosen = np.array(wanted).reshape(LOADS.size, -1)
     assert_allclose(found[chosen], expected[chosen], rtol=1e-12)
     assert np.all(np.abs(found - expected) < [0.025, 0.05])
@@ -73,27 +82,29 @@ def test_responses_of_less_than_half_of_the_films_give_those_of_all():
 
 
 def test_nodes_between_known_ones_are_not_asked_for_again():
-    known = wanted_responses(NODES, [False] * len(NODES))
-    assert wanted_responses(NODES, known) == known
+    known = wanted_responses(CONTACT, NODES, [False] * len(NODES))
+    assert wanted_responses(CONTACT, NODES, known) == known
     loads = 0.5 * (LOADS[1:] + LOADS[:-1])
     more = [(float(load), float(speed)) for load, speed in product(loads, SPEEDS)]
-    again = wanted_responses(NODES + more, [*known, *[False] * len(more)])
+    again = wanted_responses(CONTACT, NODES + more, [*known, *[False] * len(more)])
     assert again[: len(NODES)] == known
-    assert sum(again[len(NODES) :]) <= 2
+    assert sum(own and not turns(place) for own, place in zip(again, NODES + more, strict=True)) <= 2 + sum(known)
+    assert sum(again[len(NODES) :]) < len(more) / 2
 
 
 def test_loads_that_are_far_apart_all_have_their_response():
     far = [(load, 2.0) for load in np.log(11.0) + 0.5 * np.arange(4)]
-    assert wanted_responses(far, [False] * 4) == [True] * 4
+    assert wanted_responses(CONTACT, far, [False] * 4) == [True] * 4
 
 
 def test_films_near_one_without_a_response_take_that_of_neighbouring_loads():
-    wanted = wanted_responses(NODES, [False] * len(NODES))
+    wanted = wanted_responses(CONTACT, NODES, [False] * len(NODES))
     lightest = NODES[: SPEEDS.size]
-    found = log_responses(CONTACT, films(wanted, [lightest[0]]))
-    expected = log_responses(CONTACT, films(wanted))
+    found, gaps = log_responses(CONTACT, films(wanted, [lightest[0]]))
+    expected, _ = log_responses(CONTACT, films(wanted))
     first = int(np.argmax(found[:, 0, 1] != found[0, 0, 1]))
     assert 2 <= first <= 4
+    assert 1 <= gaps <= first
     assert_array_equal(found[:first, 0], np.broadcast_to(found[0, 0], (first, 2)))
     assert_allclose(found[first:], expected[first:], rtol=0.0, atol=0.05)
     with pytest.raises(ValueError, match="no film has a stiffness and damping"):
@@ -104,7 +115,30 @@ def test_few_responses_are_not_interpolated_over_both():
     """As many as the corners only: those of the loads beside."""
     corners = [place[0] in (LOADS[0], LOADS[-1]) and place[1] in (SPEEDS[0], SPEEDS[-1]) for place in NODES]
     rows = [[row[0], row[-1]] for row in films(corners)]
-    found = log_responses(CONTACT, rows)
+    found, _ = log_responses(CONTACT, rows)
     assert np.isfinite(found).all()
     straight = np.linspace(found[0], found[-1], LOADS.size)
     assert_allclose(found[..., 1], straight[..., 1], rtol=1e-12)
+
+
+@pytest.mark.parametrize("loads", [(100.0, 140.0, 12), (500.0, 1000.0, 12), (100.0, 140.0, 6)])
+def test_narrow_ranges_have_responses_enough(loads):
+    """Where four corners are close to all nodes; of few nodes each has its own."""
+    places = [(float(q), float(u)) for q, u in product(np.log(np.geomspace(*loads)), np.log(np.linspace(5.0, 6.0, 4)))]
+    wanted = np.array(wanted_responses(CONTACT, places, [False] * len(places)))
+    assert wanted.all() if len(places) <= 24 else wanted.sum() > 6
+    rows = [
+        FilmSample(place=p, film=None, scales=(1.0,) * 3, moment=1.0, response=response(p) if own else None)
+        for p, own in zip(places, wanted, strict=True)
+    ]
+    found, gaps = log_responses(CONTACT, [rows[k : k + 4] for k in range(0, len(rows), 4)])
+    assert np.isfinite(found).all() and gaps == 0
+
+
+def test_films_that_turn_all_have_their_response():
+    """In a wide range, where those turn at twenty times its lightest load."""
+    loads = np.log(np.geomspace(0.5, 150.0, 19))
+    places = [(float(q), float(u)) for q, u in product(loads, np.log(np.geomspace(15.0, 50.0, 4)))]
+    wanted = wanted_responses(CONTACT, places, [False] * len(places))
+    assert all(own or not turns(place) for own, place in zip(wanted, places, strict=True))
+    assert sum(wanted) < len(places)
