@@ -311,7 +311,7 @@ def test_what_the_operation_tells_is_not_told_again_of_each_load_case():
     messages = summary(run_case(case(warm + CYCLE)))["messages"]
     assert sum("internal geometry is estimated" in message for message in messages) == 1
     assert [message.split(",")[0] for message in messages if message.startswith("load case 2: ")] == [
-        "load case 2: operation.temperature: computed at 33.9 C"
+        "load case 2: operation.temperature: computed at 33.8 C"
     ]
 
 

@@ -146,3 +146,27 @@ def test_seals_that_leave_no_balance_leave_the_temperature_that_the_case_gives()
     assert not any("and cooling agree" in message for message in messages)
     assert any(message.startswith("operation.temperature: not self-heated, no balance") for message in messages)
     assert any(message.startswith("self_heating: null, not converged: no balance") for message in messages)
+
+
+LIGHT = """
+schema_version = 1
+bearing = {{name = "7014C"}}
+lubricant = {{name = "iso vg 68"}}
+ehl = {{film_maps = "none"}}
+[operation]
+inner_speed_rpm = 9000.0
+axial_load_N = 300.0
+temperature_C = {start}
+temperature = "self-heated"
+[friction]
+heat_transfer_W_K = 4.0
+ambient_C = 20.0
+"""
+
+
+@pytest.mark.parametrize("start", [20.0, 60.0, 90.0])
+def test_temperatures_do_not_go_by_the_oil_that_the_search_begins_with(start):
+    """Up to some 70 C so thick an oil lets the races drive no ball of this light bearing."""
+    warm, document = found(LIGHT.format(start=start))
+    assert document["converged"] and warm["converged"]
+    assert warm["temperature_C"] == pytest.approx(107.855, abs=0.01)

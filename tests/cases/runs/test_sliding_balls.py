@@ -29,14 +29,15 @@ def sliding(tmp_path, monkeypatch):
 
 
 def test_the_lag_of_sliding_balls_is_said(sliding):
-    code, messages = sliding(0.069)
+    """4.7 %; with 0.03 of the cavity 13.5 % on films that are not solved, 11.3 % on solved ones."""
+    code, messages = sliding(0.01)
     assert code == 0
-    assert "their orbits are 4.8% slower than by 'half and half'" in messages
-    assert "orbits are" not in sliding(0.03)[1]
+    assert "their orbits are 4.7% slower than by 'half and half'" in messages
+    assert "orbits are" not in sliding(0.0)[1]
 
 
 def test_balls_that_nothing_drives_are_named_as_what_did_not_converge(sliding):
-    """From a fraction of 0.11 of the cavity on; at 0.1 they find a balance now that all of their friction counts."""
+    """So they are with 0.069 of the cavity, on films that are not solved and on solved ones."""
     code, messages = sliding(0.12)
     assert code == 1
     reasons = messages.partition("the results are flagged:")[2]
