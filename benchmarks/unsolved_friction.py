@@ -15,8 +15,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from bearing.friction._kernels import film_frictions, thin_sums
-from bearing.friction.film_nodes import THIN, ShearedFilm, unsolved_nodes
+from bearing.friction._kernels import film_frictions
+from bearing.friction.film_nodes import ShearedFilm, joined_nodes, unsolved_nodes
 from bearing.friction.films import MIN_SLIDING
 from bearing.friction.unsolved_film import UnsolvedFilm, hertz_size
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
@@ -92,12 +92,10 @@ def errors(conditions):
     slides = tuple(np.ascontiguousarray(part) for part in motions.T[:3])
     solved = -sliding_forces(film_quadrature(solution, law, u), slides, np.zeros(len(motions)), 0.0)
     film = UnsolvedFilm(conditions=conditions, central=solution.film_central, minimum=None, size=size)
-    _, block = unsolved_nodes([ShearedFilm(film, 0.0, size[1])], SHEAR, None)
-    nodes, thin = np.ascontiguousarray(block.nodes[:, 0]), np.empty((1, THIN))
-    thin_sums(np.ascontiguousarray(nodes[:, block.pressed :]), thin[0])
+    own, block = unsolved_nodes([ShearedFilm(film, 0.0, size[1])] * len(motions), SHEAR, None)
+    *films, own = joined_nodes([block], own)
     friction, slope = np.empty((len(motions), 4)), np.empty((len(motions), 4, 4))
-    parts, own = np.array([[0, block.pressed, nodes.shape[1]]]), np.zeros(len(motions), dtype=np.int64)
-    film_frictions(nodes, parts, thin, block.laws, motions, own, MIN_SLIDING, friction, slope)
+    film_frictions(*films, motions, own, MIN_SLIDING, friction, slope)
     k = np.tile(PART, len(RATIOS))
     found, known = friction[np.arange(len(k)), k], solved[np.arange(len(k)), k]
     return (found / known - 1.0).reshape(len(RATIOS), len(DIRECTIONS))

@@ -59,7 +59,7 @@ class FilmNodes(NamedTuple):
     own: NDArray[np.int64]  # (contacts,) film of each contact; the first one has no nodes
 
 
-class _Block(NamedTuple):
+class FilmBlock(NamedTuple):
     """Nodes of films of equal size (7, films, n), those of oil at ambient pressure behind the
     others.
     """
@@ -90,7 +90,7 @@ def film_nodes(
     films = [film for state in states for film in state]
     places = [n for state in states for n in range(len(state))]
     own = np.zeros(len(films), dtype=np.int64)
-    blocks = [_Block(np.empty((ROWS, 1, 0)), 0, np.zeros((1, 4)))]
+    blocks = [FilmBlock(np.empty((ROWS, 1, 0)), 0, np.zeros((1, 4)))]
     temperature = solution.operation.temperature
     # 1. solved films, one by one
     known: dict[tuple[int, float], int] = {}
@@ -113,11 +113,11 @@ def film_nodes(
         own[list(others)] = len(blocks) + like
         blocks.append(found)
     ends = np.cumsum([len(state) for state in states])
-    joined = _joined(blocks, own)
+    joined = joined_nodes(blocks, own)
     return [joined._replace(own=part) for part in np.split(own, ends[:-1])]
 
 
-def _joined(blocks: Sequence[_Block], own: NDArray[np.int64]) -> FilmNodes:
+def joined_nodes(blocks: Sequence[FilmBlock], own: NDArray[np.int64]) -> FilmNodes:
     """Films one after the other."""
     counts = [block.nodes.shape[1] for block in blocks]
     sizes = np.repeat([block.nodes.shape[2] for block in blocks], counts)
@@ -159,7 +159,9 @@ def _laws(rheology: Rheology, oil: Lubricant, mean_pressure: Array) -> Array:
     return laws
 
 
-def _solved_nodes(sheared: ShearedFilm, rheology: Rheology, temperature: float | None) -> _Block:
+def _solved_nodes(
+    sheared: ShearedFilm, rheology: Rheology, temperature: float | None
+) -> FilmBlock:
     """Those of a solved film; sums of `integrate_traction`."""
     solved = sheared.film
     assert not isinstance(solved, UnsolvedFilm)
@@ -180,12 +182,12 @@ def _solved_nodes(sheared: ShearedFilm, rheology: Rheology, temperature: float |
     nodes = np.stack([*rows, x[chosen], y, surface])
     full = film.pressure[chosen] > 0.0
     nodes = np.concatenate([nodes[:, full], nodes[:, ~full]], axis=1)
-    return _Block(nodes[:, None], int(full.sum()), _law(rheology)[None])
+    return FilmBlock(nodes[:, None], int(full.sum()), _law(rheology)[None])
 
 
 def unsolved_nodes(
     films: Sequence[ShearedFilm], rheology: Rheology, temperature: float | None
-) -> tuple[NDArray[np.int64], _Block]:
+) -> tuple[NDArray[np.int64], FilmBlock]:
     """Which of the films that are not solved and differ each one is, and these; one at least, all
     of one oil.
     """
@@ -201,7 +203,7 @@ def unsolved_nodes(
     shapes = _shapes(places[first], unsolved[0].conditions.lubricant, rheology, temperature)
     # the same shapes with other gaps, of films as they run and flooded
     gaps = np.array([(film.gap, film.share) for film in unsolved])
-    chosen, kinds = _alike(np.column_stack([like + 1.0, gaps]))
+    chosen, kinds = _alike(np.column_stack([like, gaps]))
     return kinds, _with_gaps(shapes, like[chosen], gaps[chosen])
 
 
@@ -225,7 +227,7 @@ def _shape_numbers(films: Sequence[UnsolvedFilm]) -> list[tuple[float, ...]]:
 
 def _shapes(
     places: Array, oil: Lubricant, rheology: Rheology, temperature: float | None
-) -> _Block:
+) -> FilmBlock:
     """Films of gaps of one in the contact, around it [m], of numbers as `_shape_numbers` with
     curvature and width of the surface.
     """
@@ -241,10 +243,10 @@ def _shapes(
     surface = curvature_height(curvature, width, y)
     rows = (a * b * area, 1.0 / film, viscosity, limit, a * x, y, surface)
     laws = _laws(rheology, oil, MEAN_PRESSURE_RATIO * largest[:, 0])
-    return _Block(np.stack(rows), zone.shape[2], laws)
+    return FilmBlock(np.stack(rows), zone.shape[2], laws)
 
 
-def _with_gaps(shapes: _Block, chosen: NDArray[np.int64], gaps: Array) -> _Block:
+def _with_gaps(shapes: FilmBlock, chosen: NDArray[np.int64], gaps: Array) -> FilmBlock:
     """Chosen shapes with gaps in the contact [m], and shares of the flooded ones that they are
     [-]: oil that leaves the contact fills strips as wide.
     """
@@ -253,4 +255,4 @@ def _with_gaps(shapes: _Block, chosen: NDArray[np.int64], gaps: Array) -> _Block
     nodes[1, :, : shapes.pressed] /= gap
     behind = nodes[:, :, shapes.pressed :]
     behind[0] *= np.where(behind[4] > 0.0, share, 1.0)
-    return _Block(nodes, shapes.pressed, shapes.laws[chosen])
+    return FilmBlock(nodes, shapes.pressed, shapes.laws[chosen])

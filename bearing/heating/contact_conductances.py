@@ -28,9 +28,8 @@ POINTS = 129  # of a solved film along rolling, at most, that a contact is march
 PRESSED = 2.0
 
 Ends = tuple[float, float, float]  # value, low and high end [W/K]
-KnownFilm = tuple[
-    ContactSolution | UnsolvedFilm, float
-]  # with the relative error of its thickness
+# with the relative error of its thickness
+KnownFilm = tuple[ContactSolution | UnsolvedFilm, float]
 
 
 def contact_conductances(

@@ -8,9 +8,8 @@ a parabola through the last states on T_f alone, then Newton's method on both wi
 its matrix, which gives the stability as well; without that, and the clearance, parabolas go on.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import ceil
 
 import numpy as np
 
@@ -223,14 +222,8 @@ def _begun(search: _Search, at: float) -> HeatState:
     """A state at a temperature, or at the next higher one at which thinner oil lets the races
     drive the balls [K].
     """
-    problem = search.problem
-    while True:
-        try:
-            return search.at(at, problem.clearance(np.full(len(NODES), at)))
-        except UndrivenBallsError:
-            if at + HOTTER >= problem.hottest:
-                raise
-            at += HOTTER
+    places = [at, *np.arange(at + HOTTER, search.problem.hottest, HOTTER).tolist()]
+    return _driven(search, places, lambda there: np.full(len(NODES), there))
 
 
 def _moved(search: _Search, state: HeatState, at: float) -> HeatState:
@@ -238,19 +231,29 @@ def _moved(search: _Search, state: HeatState, at: float) -> HeatState:
     at which they are, or, on the way down, before that [K]. Its clearance is that of the last
     state's temperatures, moved together.
     """
-    problem = search.problem
-    warmer = at > state.film_temperature
-    tries = ceil((problem.hottest - at) / HOTTER) if warmer else HALVINGS
-    for left in range(tries, -1, -1):
-        moved = at - state.found_temperature
+    before = state.film_temperature
+    hottest = search.problem.hottest
+    if at > before:
+        places = [*np.arange(at, hottest, HOTTER).tolist(), hottest]
+    else:
+        places = [before + (at - before) * 0.5**k for k in range(HALVINGS + 1)]
+    still = state.temperatures - state.found_temperature
+    return _driven(search, places, lambda there: still + there)
+
+
+def _driven(
+    search: _Search, places: Sequence[float], temperatures: Callable[[float], Array]
+) -> HeatState:
+    """The state at the first of some film temperatures at which the balls are driven, its
+    clearance by the temperatures of the nodes [K].
+    """
+    *others, last = places
+    for at in others:
         try:
-            return search.at(at, problem.clearance(state.temperatures + moved))
+            return search.at(at, search.problem.clearance(temperatures(at)))
         except UndrivenBallsError:
-            if not left:
-                raise
-            at = at + HOTTER if warmer else 0.5 * (at + state.film_temperature)
-            at = min(at, problem.hottest)
-    raise AssertionError("a state is returned, or an error raised")
+            continue
+    return search.at(last, search.problem.clearance(temperatures(last)))
 
 
 def _root(known: list[tuple[float, float]]) -> float | None:

@@ -80,12 +80,12 @@ def _makes_sense(name: str, numbers: list[float]) -> bool:
 
 def _made(name: str, numbers: list[float]) -> Distribution:
     """A law by its numbers; whole numbers as both ends of a range give whole numbers."""
+    from scipy import stats
+
     if name == "uniform" and all(isinstance(number, int) for number in numbers):
         return Distribution(partial(_whole, int(numbers[0]), int(numbers[1])), True)
     if name == "uniform":
-        return Distribution(partial(_even, numbers[0], numbers[1]), True)
-    from scipy import stats
-
+        return Distribution(stats.uniform(numbers[0], numbers[1] - numbers[0]).ppf, True)
     if name == "normal":
         return Distribution(stats.norm(*numbers).ppf, False)
     if name == "lognormal":
@@ -97,11 +97,6 @@ def _made(name: str, numbers: list[float]) -> Distribution:
     first, mode, last = numbers
     width = last - first
     return Distribution(stats.triang((mode - first) / width, loc=first, scale=width).ppf, True)
-
-
-def _even(first: float, last: float, shares: Array) -> Array:
-    """Numbers between the first and the last, each as likely."""
-    return shares * (last - first) + first
 
 
 def _whole(first: int, last: int, shares: Array) -> Any:

@@ -48,10 +48,10 @@ def wanted_responses(
     extreme loads and speeds, then always the node that is farthest from these, until none is far
     from all; at all of few.
     """
+    if len(places) <= ALL_OF:
+        return [True] * len(places)
     points = _coordinates(places, CHOICE_SCALE)
     chosen = np.array(known) | _corners(places) | _turning(contact, places)
-    if chosen.size <= ALL_OF:
-        return [True] * chosen.size
     while True:
         distances = np.linalg.norm(points[:, None] - points[chosen], axis=-1).min(axis=1)
         farthest = int(np.argmax(distances))

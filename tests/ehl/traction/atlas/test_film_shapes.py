@@ -10,8 +10,8 @@ import pytest
 
 import ehl
 from bearing.contacts.film_numbers import film_numbers_of
-from bearing.friction._kernels import film_frictions, thin_sums
-from bearing.friction.film_nodes import THIN, ShearedFilm, unsolved_nodes
+from bearing.friction._kernels import film_frictions
+from bearing.friction.film_nodes import ShearedFilm, joined_nodes, unsolved_nodes
 from bearing.friction.films import MIN_SLIDING
 from bearing.friction.unsolved_film import UnsolvedFilm, hertz_size
 from ehl.oil.rheology import Rheology, ShearLaw, contact_rheology
@@ -45,16 +45,10 @@ def frictions(contacts, films, moved):
         ShearedFilm(UnsolvedFilm(conditions=own, central=film, minimum=None, size=size), CURVATURE, size[1])
         for own, film, size in zip(contacts, films, sizes, strict=True)
     ]
-    own, (nodes, pressed, laws) = unsolved_nodes(places, SHEAR, None)
-    count, each = nodes.shape[1:]
-    thin = np.empty((count, THIN))
-    for n, sums in enumerate(thin):
-        thin_sums(np.ascontiguousarray(nodes[:, n, pressed:]), sums)
+    own, block = unsolved_nodes(places, SHEAR, None)
+    *films_of, own = joined_nodes([block], own)
     found, slope = np.empty((len(moved), 4)), np.empty((len(moved), 4, 4))
-    first = each * np.arange(count)
-    parts = np.stack([first, first + pressed, first + each], axis=1)
-    flat = np.ascontiguousarray(nodes.reshape(len(nodes), -1))
-    film_frictions(flat, parts, thin, laws, moved, own, MIN_SLIDING, found, slope)
+    film_frictions(*films_of, moved, own, MIN_SLIDING, found, slope)
     return -found
 
 
