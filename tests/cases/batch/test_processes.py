@@ -179,21 +179,13 @@ def test_kernels_are_compiled_by_one_worker(tmp_path):
         assert stamp.exists()
 
 
-def kept_points(out):
-    """Number of points that a batch at work has kept so far."""
-    try:
-        with closing(sqlite3.connect(f"file:{out / 'points.sqlite'}?mode=ro", uri=True)) as file:
-            return file.execute("SELECT count(*) FROM points").fetchone()[0]
-    except sqlite3.OperationalError:
-        return 0  # there is no file yet, or no table in it
-
-
 def test_an_interrupt_ends_the_workers_and_keeps_the_points(tmp_path, monkeypatch):
-    (tmp_path / "sweep.toml").write_text(SWEEP + ONE_BALL)
+    (tmp_path / "sweep.toml").write_text(FEW)
     words = [*OILFILM, "batch", str(tmp_path / "sweep.toml"), "-o", "out", "--workers", "1"]
     process = subprocess.Popen(words, cwd=tmp_path, stderr=subprocess.PIPE, text=True)
     deadline = time.monotonic() + 240.0
-    while not kept_points(tmp_path / "out") and process.poll() is None and time.monotonic() < deadline:
+    wal = tmp_path / "out" / "points.sqlite-wal"  # has 20 kB before the first point, then 10 to 30 kB with each
+    while not (wal.exists() and wal.stat().st_size > 40_000) and time.monotonic() < deadline:
         time.sleep(0.02)
     process.send_signal(signal.SIGINT)
     _, stderr = process.communicate(timeout=240.0)
@@ -205,7 +197,7 @@ def test_an_interrupt_ends_the_workers_and_keeps_the_points(tmp_path, monkeypatc
     answer = CliRunner().invoke(app, [*words[len(OILFILM) :], "--resume", "--json"])
     assert answer.exit_code == 0
     document = json.loads(answer.stdout)
-    assert 1 <= document["resumed"] < 16
+    assert 1 <= document["resumed"] < 6
     assert document["converged"] is True
 
 
