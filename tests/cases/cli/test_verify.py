@@ -230,11 +230,11 @@ def test_interrupted_sweep_keeps_what_is_finished(tmp_path, monkeypatch):
 def test_an_interrupt_gives_up_the_contacts_under_way(tmp_path):
     """A film cannot be stopped; here each takes far longer than the patience of this test."""
     code = f"""
-import sys, time
+import os, sys, time
 from cases.cli.start import main
 from verification import robustness
 def slow(draw, points):
-    print("up", flush=True)
+    os.write(1, b"up\\n")  # in one piece: print of two threads may mix
     time.sleep(600)
 robustness.solve_draw = slow
 sys.argv = ["oilfilm", "verify", "--robustness", "3", "--quick", "-o", {str(tmp_path)!r}]
