@@ -1,5 +1,6 @@
 """Quasi-static equilibrium of rings and balls.
 
+_ball_kernels     - balance of balls and its derivatives, compiled
 ball_equilibrium  - equilibrium of every ball at a given position of the ring, Newton's method
 balls             - balls between the races: forces at given positions
 contact_stiffness - Hertz stiffness of ball and race as a smooth function of the contact angle

@@ -6,14 +6,17 @@ the rest is a mild perturbation. All balls are iterated together, and all deriva
 complex-step evaluation.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..geometry import Array
-from .balls import EDGE_COSINE, BallProblem, ball_balance, ball_state
+from ..operation import BallKinematics
+from ._ball_kernels import INNER_CONTROL, MEAN_ANGLE, OUTER_CONTROL, balances
+from .balls import EDGE_COSINE, BallProblem, ball_state
 from .contact_stiffness import stiffness_at
+from .kinematics import INNER_PART
 
 COMPLEX_STEP = 1.0e-30  # [m]
 # a ball that carries less than this part of the largest forces is measured against these [-]
@@ -24,6 +27,14 @@ BALL_TARGET = 1.0e-13  # residual of a ball over its forces at which iterating s
 BALL_TOLERANCE = 1.0e-11
 MAX_HALVINGS = 12
 MAX_BALL_STEPS = 30
+CODES = {
+    BallKinematics.OUTER_RACE_CONTROL: OUTER_CONTROL,
+    BallKinematics.INNER_RACE_CONTROL: INNER_CONTROL,
+}
+# code of a hypothesis for the kernel, and what of the couple the inner race holds [-]
+HYPOTHESES = {
+    kind: (CODES.get(kind, MEAN_ANGLE), INNER_PART.get(kind, 0.0)) for kind in BallKinematics
+}
 
 
 class BallsEquilibrium(NamedTuple):
@@ -84,14 +95,31 @@ class _Evaluation(NamedTuple):
 
 def _evaluate(u: Array, V: Array, problem: BallProblem) -> _Evaluation:
     """Balance and its derivatives by a complex step in each of u_x, u_r, w_x, w_r."""
-    z = np.broadcast_to(np.concatenate([u, V - u])[:, None, :], (4, 4, u.shape[1])).astype(
-        np.complex128
+    count = u.shape[1]
+    values = np.empty((6, count))
+    size = np.empty(count)
+    jacobian = np.empty((6, 4, count))
+    balances(u, V, _given(problem, count), COMPLEX_STEP, values, size, jacobian)
+    return _Evaluation(u, values, size, jacobian)
+
+
+def _given(problem: BallProblem, balls: int) -> tuple[Any, ...]:
+    """What the kernel takes of a problem."""
+    prescribed = problem.prescribed
+    known = np.empty((0, balls))
+    if prescribed is not None:
+        motion = prescribed.motion
+        frictions = (prescribed.inner_friction, prescribed.outer_friction)
+        known = np.stack([motion.orbit_speed, motion.spin_speed, *motion.attitude, *frictions])
+    return (
+        (problem.inner_length, problem.outer_length, problem.inner_groove_radius),
+        (problem.ball_diameter, problem.pitch_diameter, problem.mass, problem.nominal_couple),
+        (problem.inner_speed, problem.outer_speed),
+        HYPOTHESES[problem.kinematics],
+        known,
+        problem.inner_series,
+        problem.outer_series,
     )
-    z[range(4), range(4)] += 1j * COMPLEX_STEP
-    state = ball_state(z[:2], z[2:], problem)
-    result = ball_balance(state, problem)
-    size = (state.inner_load + state.outer_load + state.centrifugal_force).real[0]
-    return _Evaluation(u, result.real[:, 0], size, result.imag / COMPLEX_STEP)
 
 
 def _round_off(current: _Evaluation, problem: BallProblem) -> Array:

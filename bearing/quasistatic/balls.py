@@ -182,29 +182,6 @@ def _transmissible_share(
     return _smooth_step(FRICTION_LIMIT * load, part * couple / problem.ball_diameter)
 
 
-def ball_balance(state: BallState, problem: BallProblem) -> Numbers:
-    """Residual of the ball equilibrium and what the ball does to the rings, shape (6, ...): force
-    on the ball (x, r) [N], force on the inner ring (x, r) [N], couple on it about e_t [N m], for
-    the friction acts r_i away from the groove's centre, where the normal force passes, and the
-    centrifugal force that the outer ring takes beyond that of the inner [N].
-    """
-    inner_friction, outer_friction = state.inner_friction, state.outer_friction
-    from_inner_x = state.inner_load * state.inner.sin + inner_friction * state.inner.cos
-    from_inner_r = state.inner_load * state.inner.cos - inner_friction * state.inner.sin
-    from_outer_x = -state.outer_load * state.outer.sin - outer_friction * state.outer.cos
-    from_outer_r = -state.outer_load * state.outer.cos + outer_friction * state.outer.sin
-    return np.stack(
-        [
-            from_inner_x + from_outer_x,
-            from_inner_r + from_outer_r + state.centrifugal_force,
-            -from_inner_x,
-            -from_inner_r,
-            -inner_friction * problem.inner_groove_radius,
-            state.centrifugal_force + 0.0 * from_inner_r,
-        ]
-    )
-
-
 def _power(approach: Numbers) -> Numbers:
     """max(approach, 0)^1.5 [m^1.5]."""
     pressed = np.where(approach.real > 0.0, approach, 0.0)

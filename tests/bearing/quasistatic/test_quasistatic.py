@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
@@ -10,8 +10,12 @@ from numpy.testing import assert_allclose
 
 from bearing import BallKinematics, Curvature, Operation, QuasistaticModel, solve_quasistatic
 from bearing.operation import HYPOTHESES
-from bearing.quasistatic.balls import ball_balance, ball_problem, ball_state
+from bearing.quasistatic.ball_equilibrium import _evaluate
+from bearing.quasistatic.balls import ball_problem, ball_state
+from bearing.quasistatic.kinematics import PrescribedBalls
 from bearing.quasistatic.ring import ring_of
+
+from ...reference.balls import balances_twin, ball_balance
 
 FREE = (None, None)
 COMBINED = {"force": (900.0, 700.0, -300.0), "moment": (2.0, -5.0), "tilt": FREE}
@@ -59,6 +63,27 @@ def test_gyroscopic_friction_is_tangential_and_gives_the_couple(bearings):
     assert couple == pytest.approx(state.gyroscopic_moment[0], rel=1e-10)
     lever, on_ring = problem.inner_groove_radius * n_inner, -on_ball_inner  # from the groove's centre to the contact
     assert total[4, 0] == pytest.approx(lever[0] * on_ring[1] - lever[1] * on_ring[0], rel=1e-10)
+
+
+@pytest.mark.parametrize("prescribed", [False, True])
+@pytest.mark.parametrize("kinematics", HYPOTHESES)
+def test_compiled_balance_agrees_with_its_twin(bearings, kinematics, prescribed):
+    """Balls pressed, free, off the groove and beyond its edge: 1e-13 of the largest of each row."""
+    problem = ball_problem(bearings.b218, 1000.0, -80.0, QuasistaticModel(ball_kinematics=kinematics))
+    generator = np.random.default_rng(20261127)
+    angles = generator.uniform([-0.3, -0.5], [1.55, 1.6], (400, 2)).T
+    lengths = np.array([problem.outer_length, problem.inner_length])[:, None] * generator.uniform(0.98, 1.02, (2, 400))
+    lengths[1, :5] *= 0.3
+    u, w = (size * np.stack([np.sin(a), np.cos(a)]) for size, a in zip(lengths, angles, strict=True))
+    if prescribed:
+        names = [field.name for field in fields(PrescribedBalls)]
+        motion = dict(zip(names, generator.uniform(1.0, 2.0, (len(names), 400)), strict=True))
+        problem = replace(problem, prescribed=PrescribedBalls(**motion))
+    found = _evaluate(u, u + w, problem)
+    values, size, jacobian = balances_twin(u, u + w, problem)
+    assert_allclose(found.size, size, rtol=1e-12)
+    for own, other in zip((*found.values, *found.jacobian), (*values, *jacobian), strict=True):
+        assert_allclose(own, other, rtol=1e-11, atol=1e-13 * np.abs(other).max())
 
 
 @pytest.mark.parametrize("kinematics", HYPOTHESES)
