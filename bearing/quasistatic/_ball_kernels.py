@@ -8,7 +8,7 @@ import numpy as np
 
 from ehl.compiled import compiled
 
-from .balls import EDGE_COSINE, FRICTION_LIMIT
+from .limits import EDGE_COSINE, FRICTION_LIMIT
 
 OUTER_CONTROL = 0  # codes of hypotheses
 INNER_CONTROL = 1

@@ -14,9 +14,10 @@ from numpy.typing import NDArray
 from ..geometry import Array
 from ..operation import BallKinematics
 from ._ball_kernels import INNER_CONTROL, MEAN_ANGLE, OUTER_CONTROL, balances
-from .balls import EDGE_COSINE, BallProblem, ball_state
+from .balls import BallProblem, ball_state
 from .contact_stiffness import stiffness_at
 from .kinematics import INNER_PART
+from .limits import EDGE_COSINE
 
 COMPLEX_STEP = 1.0e-30  # [m]
 # a ball that carries less than this part of the largest forces is measured against these [-]

@@ -35,12 +35,7 @@ from .kinematics import (
     gyroscopic_moment,
     rolling_motion,
 )
-
-# friction over load beyond which a hypothesis asks more than a contact gives: above SKF's
-# coefficient of boundary lubrication, 0.12 running and 0.15 at the start (`torque.skf`) [-]
-FRICTION_LIMIT = 0.2
-# cosine of 80 degrees: beyond, the load fades to none at 90, where no groove reaches [-]
-EDGE_COSINE = 0.17
+from .limits import EDGE_COSINE, FRICTION_LIMIT
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
