@@ -18,7 +18,7 @@ def solved(bearing, force, model):
     return solution.displacement[0] if solution.converged else f"preload_force {force!r} N: {solution.message}"
 
 
-@pytest.mark.parametrize("highest, some_fail", [(5e9, False), (60e9, True)])
+@pytest.mark.parametrize(("highest", "some_fail"), [(5e9, False), (60e9, True)])
 @pytest.mark.parametrize("curvature", Curvature)
 def test_closed_form_agrees_with_the_equilibrium(curvature, highest, some_fail):
     """Play, contact angles, interference; what no row can carry is refused with the solver's words. With
