@@ -42,9 +42,10 @@ class FilmsHeat:
         rheology: Rheology,
         inlet: InletFactors,
         running: Sequence[RunningFilm | None] | None = None,
+        balance: BalancedFriction | None = None,
     ) -> FrictionHeat:
-        """Of films of formulas as they run, without seals [N m], [W]; `running`: these films,
-        where they are known.
+        """Of films of formulas as they run, without seals [N m], [W]; `running`, `balance`: these
+        films, and the balls in balance on them, where they are known.
 
         Raises
         ------
@@ -60,7 +61,8 @@ class FilmsHeat:
             none = (None,) * len(contacts)
             running = films_as_they_run(solution, contacts, none, self.friction, inlet)
         resistance = self.friction.resistance(solution.bearing, oil)
-        balance = film_balance(solution, contacts, running, rheology, resistance, self.last)
+        if balance is None:
+            balance = film_balance(solution, contacts, running, rheology, resistance, self.last)
         if not balance.converged:
             raise UndrivenBallsError(f"the torque of films: {no_balance_message(balance)}")
         self.last = balance
