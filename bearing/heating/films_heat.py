@@ -23,6 +23,10 @@ from ..torque.shear_torque import no_balance_message
 from .contact_conductances import contact_conductances
 from .friction_heat import FrictionHeat, UndrivenBallsError, loaded_half
 
+# films as they run, and the balls in balance on them
+KnownFriction = tuple[Sequence[RunningFilm | None] | None, BalancedFriction | None]
+UNKNOWN: KnownFriction = (None, None)
+
 
 @dataclass(slots=True, kw_only=True)
 class FilmsHeat:
@@ -41,11 +45,10 @@ class FilmsHeat:
         oil: Lubricant,
         rheology: Rheology,
         inlet: InletFactors,
-        running: Sequence[RunningFilm | None] | None = None,
-        balance: BalancedFriction | None = None,
+        known: KnownFriction = UNKNOWN,
     ) -> FrictionHeat:
-        """Of films of formulas as they run, without seals [N m], [W]; `running`, `balance`: these
-        films, and the balls in balance on them, where they are known.
+        """Of films of formulas as they run, without seals [N m], [W]; `known`: these films, and
+        the balls in balance on them, where they are known.
 
         Raises
         ------
@@ -57,6 +60,7 @@ class FilmsHeat:
             # loads of one equilibrium at several temperatures are one array
             if before.inner_load is solution.inner_load and same == oil:
                 return heat
+        running, balance = known
         if running is None:
             none = (None,) * len(contacts)
             running = films_as_they_run(solution, contacts, none, self.friction, inlet)

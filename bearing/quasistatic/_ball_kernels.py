@@ -1,5 +1,5 @@
-"""Compiled balance of balls and its derivatives by complex steps; the equations are those of
-`balls` and `kinematics`, whose NumPy functions are its twins.
+"""Compiled balance of balls for complex steps; the equations are those of `balls` and
+`kinematics`, whose NumPy functions are its twins.
 
 Numbers are complex with imaginary parts so small that their products vanish.
 """
@@ -157,29 +157,3 @@ def balance(u, w, lengths, sizes, speeds, hypothesis, prescribed, inner_series, 
     left_r = inner_r - outer_load * outer[1] + at_outer * outer[0] + force
     size = (inner_load + outer_load + force).real
     return (left_x, left_r, -inner_x, -inner_r, -at_inner * groove, force), size
-
-
-@compiled
-def balances(u, V, given, step, values, size, jacobian):
-    """Of all balls at u (2, Z) and V (2, Z) [m]: values (6, Z) and their derivatives (6, 4, Z) by
-    u_x, u_r, w_x, w_r, sums of forces (Z,) [N].
-
-    given: lengths, sizes, speeds, hypothesis, prescribed (6, Z) or (0, Z), series of both races.
-    """
-    lengths, sizes, speeds, hypothesis, prescribed, inner_series, outer_series = given
-    turned = np.zeros(4)
-    for z in range(u.shape[1]):
-        known = prescribed[:, z]
-        for k in range(4):
-            turned[:] = 0.0
-            turned[k] = step
-            at = (complex(u[0, z], turned[0]), complex(u[1, z], turned[1]))
-            reach = (complex(V[0, z] - u[0, z], turned[2]), complex(V[1, z] - u[1, z], turned[3]))
-            found, forces = balance(
-                at, reach, lengths, sizes, speeds, hypothesis, known, inner_series, outer_series
-            )
-            for f in range(6):
-                jacobian[f, k, z] = found[f].imag / step
-                if k == 0:
-                    values[f, z] = found[f].real
-            size[z] = forces

@@ -18,10 +18,11 @@ from ..operation import Operation
 from ..rings.compliance import RingCompliance, ring_compliance
 from ..rings.elastic_ring import ElasticRings
 from ..rows import SINGLE, Row, per_ball, row_azimuths, row_directions
-from .ball_equilibrium import ROUND_OFF, BallsEquilibrium, solve_balls
+from .ball_equilibrium import BallsEquilibrium, solve_balls
 from .balls import BallProblem
 from .contact_stiffness import stiffness_at
 from .elastic_balls import BetweenRings, solve_between_elastic_rings
+from .limits import ROUND_OFF
 from .thrust import thrust_position
 
 # What follows, and the constants of `ball_equilibrium`, were measured on 60 random bearings at 0.3

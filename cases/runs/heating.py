@@ -242,7 +242,7 @@ def _printed_heat(case: Case, given: HeatingInput, printed: Printed) -> FilmsHea
     rheology = given.rheology(oil)
     same = films is not None and rheology == case.rheology
     balance = printed.balance if same else None
-    begun.heat(printed.state, printed.contacts, oil, rheology, inlet, films, balance)
+    begun.heat(printed.state, printed.contacts, oil, rheology, inlet, (films, balance))
     return begun
 
 
