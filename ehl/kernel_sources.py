@@ -8,6 +8,7 @@ PACKAGES = ("ehl", "bearing")
 CONSTANTS = (  # modules from which kernels take constants and types, beside other kernels
     "bearing/dynamics/arrays.py",
     "bearing/dynamics/layout.py",
+    "bearing/quasistatic/limits.py",
     "bearing/vibration/arrays.py",
     "ehl/arrays.py",
     "ehl/oil/heat_properties.py",

@@ -23,6 +23,10 @@ from ..torque.shear_torque import no_balance_message
 from .contact_conductances import contact_conductances
 from .friction_heat import FrictionHeat, UndrivenBallsError, loaded_half
 
+# films as they run, and the balls in balance on them
+KnownFriction = tuple[Sequence[RunningFilm | None] | None, BalancedFriction | None]
+UNKNOWN: KnownFriction = (None, None)
+
 
 @dataclass(slots=True, kw_only=True)
 class FilmsHeat:
@@ -41,10 +45,10 @@ class FilmsHeat:
         oil: Lubricant,
         rheology: Rheology,
         inlet: InletFactors,
-        running: Sequence[RunningFilm | None] | None = None,
+        known: KnownFriction = UNKNOWN,
     ) -> FrictionHeat:
-        """Of films of formulas as they run, without seals [N m], [W]; `running`: these films,
-        where they are known.
+        """Of films of formulas as they run, without seals [N m], [W]; `known`: these films, and
+        the balls in balance on them, where they are known.
 
         Raises
         ------
@@ -56,11 +60,13 @@ class FilmsHeat:
             # loads of one equilibrium at several temperatures are one array
             if before.inner_load is solution.inner_load and same == oil:
                 return heat
+        running, balance = known
         if running is None:
             none = (None,) * len(contacts)
             running = films_as_they_run(solution, contacts, none, self.friction, inlet)
         resistance = self.friction.resistance(solution.bearing, oil)
-        balance = film_balance(solution, contacts, running, rheology, resistance, self.last)
+        if balance is None:
+            balance = film_balance(solution, contacts, running, rheology, resistance, self.last)
         if not balance.converged:
             raise UndrivenBallsError(f"the torque of films: {no_balance_message(balance)}")
         self.last = balance

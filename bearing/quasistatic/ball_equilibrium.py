@@ -2,28 +2,33 @@
 
 With constant Hertz stiffness and without gyroscopic couple the equilibrium is the minimum of an
 energy convex in the ball's position, so Newton's method with backtracking finds the one solution;
-the rest is a mild perturbation. All balls are iterated together, and all derivatives come from one
-complex-step evaluation.
+the rest is a mild perturbation. Every ball is iterated by itself, compiled, and all derivatives
+come from complex steps.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..geometry import Array
-from .balls import EDGE_COSINE, BallProblem, ball_balance, ball_state
+from ..operation import BallKinematics
+from ._ball_kernels import INNER_CONTROL, MEAN_ANGLE, OUTER_CONTROL
+from ._equilibrium_kernels import balanced_balls
+from .balls import BallProblem
 from .contact_stiffness import stiffness_at
+from .kinematics import INNER_PART
+from .limits import EDGE_COSINE
 
-COMPLEX_STEP = 1.0e-30  # [m]
 # a ball that carries less than this part of the largest forces is measured against these [-]
 LIGHT_LOAD_RATIO = 1.0e-4
-ROUND_OFF = 8.0 * float(np.finfo(np.float64).eps)  # [-]
-BALL_TARGET = 1.0e-13  # residual of a ball over its forces at which iterating stops [-]
-# residual of a ball over its forces that is accepted when it falls no further [-]
-BALL_TOLERANCE = 1.0e-11
-MAX_HALVINGS = 12
-MAX_BALL_STEPS = 30
+CODES = {
+    BallKinematics.OUTER_RACE_CONTROL: OUTER_CONTROL,
+    BallKinematics.INNER_RACE_CONTROL: INNER_CONTROL,
+}
+# code of a hypothesis for the kernel, and what of the couple the inner race holds [-]
+HYPOTHESES = {
+    kind: (CODES.get(kind, MEAN_ANGLE), INNER_PART.get(kind, 0.0)) for kind in BallKinematics
+}
 
 
 class BallsEquilibrium(NamedTuple):
@@ -51,117 +56,39 @@ def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallsE
     curvature at each ball [m]; `u_start` (2, Z): guess of the ball positions [m].
     """
     u = _start(V, u_start, problem)
-    current = _evaluate(u, V, problem)
-    for _ in range(MAX_BALL_STEPS):
-        # 1. balls not yet in balance
-        _, values, size, jacobian = current
-        active = np.hypot(values[0], values[1]) > np.maximum(
-            BALL_TARGET * size, _round_off(current, problem)
-        )
-        if not active.any():
-            break
-        # 2. Newton step; where it leads uphill in energy, that of springs in the two contacts
-        step = _solve_2x2(jacobian[:2, :2] - jacobian[:2, 2:], -values[:2])
-        uphill = ~((step * values[:2]).sum(axis=0) > 0.0)
-        if (uphill & active).any():
-            step = np.where(uphill, _elastic_step(u, V, values, problem), step)
-        step = _limit(step, 0.25 * problem.outer_length)
-        # 3. halved until the force left on the ball falls
-        trial, improved = _backtrack(u, np.where(active, step, 0.0), V, current, problem)
-        if not improved.any():
-            break
-        u = trial[0]
-        current = trial
-    return _condensed(current, problem)
-
-
-class _Evaluation(NamedTuple):
-    u: Array
-    values: Array  # (6, Z)
-    size: Array  # (Z,) sum of the forces [N]
-    jacobian: Array  # (6, 4, Z), with respect to u_x, u_r, w_x, w_r
-
-
-def _evaluate(u: Array, V: Array, problem: BallProblem) -> _Evaluation:
-    """Balance and its derivatives by a complex step in each of u_x, u_r, w_x, w_r."""
-    z = np.broadcast_to(np.concatenate([u, V - u])[:, None, :], (4, 4, u.shape[1])).astype(
-        np.complex128
-    )
-    z[range(4), range(4)] += 1j * COMPLEX_STEP
-    state = ball_state(z[:2], z[2:], problem)
-    result = ball_balance(state, problem)
-    size = (state.inner_load + state.outer_load + state.centrifugal_force).real[0]
-    return _Evaluation(u, result.real[:, 0], size, result.imag / COMPLEX_STEP)
-
-
-def _round_off(current: _Evaluation, problem: BallProblem) -> Array:
-    """Force [N] that rounding the positions is worth: the approach is a small difference of
-    lengths.
-    """
-    stiffness: Array = np.abs(current.jacobian[:2]).max(axis=(0, 1))
-    return ROUND_OFF * (problem.inner_length + problem.outer_length) * stiffness
-
-
-def _condensed(current: _Evaluation, problem: BallProblem) -> BallsEquilibrium:
-    """Condense: du/dV from the ball equilibrium, then the change of the forces on the ring
-    with V.
-    """
-    u, values, size, jacobian = current
-    by_w = jacobian[:, 2:]
-    by_u = jacobian[:, :2] - by_w
-    du_dV = np.stack([_solve_2x2(by_u[:2], -by_w[:2, k]) for k in range(2)], axis=1)
-    ring_dV = by_w[2:] + np.einsum("fuz,uvz->fvz", by_u[2:], du_dV)
-    norm = np.hypot(values[0], values[1])
+    count = u.shape[1]
+    shapes = ((6,), (2, 2), (4, 2), (2,))
+    out = tuple(np.empty((*shape, count)) for shape in shapes)
+    balanced_balls(u, np.ascontiguousarray(V), _prescribed(problem, count), _given(problem), out)
+    values, du_dV, ring_dV, (size, rounding) = out
     scale = np.maximum(size, LIGHT_LOAD_RATIO * size.max())
     scale = np.where(scale > 0.0, scale, 1.0)
-    noise = float((_round_off(current, problem) / scale).max())
-    return BallsEquilibrium(u, values, du_dV, ring_dV, norm / scale, noise)
+    residual = np.hypot(values[0], values[1]) / scale
+    return BallsEquilibrium(u, values, du_dV, ring_dV, residual, float((rounding / scale).max()))
 
 
-def _backtrack(
-    u: Array, step: Array, V: Array, current: _Evaluation, problem: BallProblem
-) -> tuple[_Evaluation, NDArray[np.bool_]]:
-    """Shorten the step of each ball until its residual falls or the force no longer opposes it;
-    else it stays.
-    """
-    norm = np.hypot(current.values[0], current.values[1])
-    factor = np.where((step != 0.0).any(axis=0), 1.0, 0.0)
-    for _ in range(MAX_HALVINGS):
-        trial = _evaluate(u + factor * step, V, problem)
-        smaller = np.hypot(trial.values[0], trial.values[1]) < (1.0 - 1e-4 * factor) * norm
-        along = (trial.values[:2] * step).sum(axis=0) > 0.0
-        failed = (factor > 0.0) & ~(smaller | (along & (norm > BALL_TOLERANCE * current.size)))
-        if not failed.any():
-            break
-        stuck = failed & (norm <= BALL_TOLERANCE * current.size)
-        factor = np.where(stuck, 0.0, np.where(failed, 0.4 * factor, factor))
-    return trial, factor > 0.0
+def _prescribed(problem: BallProblem, balls: int) -> Array:
+    """Motion and friction of the balls where they are prescribed, (balls, 6), else (balls, 0)."""
+    known = problem.prescribed
+    if known is None:
+        return np.empty((balls, 0))
+    motion = known.motion
+    frictions = (known.inner_friction, known.outer_friction)
+    columns = (motion.orbit_speed, motion.spin_speed, *motion.attitude, *frictions)
+    return np.stack(columns, axis=1)
 
 
-def _elastic_step(u: Array, V: Array, values: Array, problem: BallProblem) -> Array:
-    """Step with the Hertz stiffness alone, which always leads along the force.
-
-    Each contact gives K (1.5 delta^0.5 n n + delta^1.5/l (1 - n n)), l the distance from its
-    groove's centre; what changes body forces and friction with the angles is left out, and a trace
-    of stiffness is added in their place.
-    """
-    state = ball_state(u, V - u, problem)
-    matrix = np.zeros((2, 2, u.shape[1]))
-    weight = state.outer_load + state.inner_load + problem.nominal_force
-    for pull, side, length in (
-        (u, state.outer_load, problem.outer_length),
-        (V - u, state.inner_load, problem.inner_length),
-    ):
-        distance = np.maximum(np.hypot(pull[0], pull[1]), 1e-6 * length)
-        normal = pull / distance
-        along = np.einsum("az,bz->abz", normal, normal)
-        approach = distance - length
-        stiff = np.where(side > 0.0, 1.5 * side / np.maximum(approach, 1e-12 * length), 0.0)
-        identity = np.eye(2)[:, :, None]
-        matrix += (
-            stiff * along + side / distance * (identity - along) + 0.1 * weight / length * identity
-        )
-    return _solve_2x2(matrix, values[:2])
+def _given(problem: BallProblem) -> tuple[Any, ...]:
+    """What the kernel takes of a problem."""
+    return (
+        (problem.inner_length, problem.outer_length, problem.inner_groove_radius),
+        (problem.ball_diameter, problem.pitch_diameter, problem.mass, problem.nominal_couple),
+        (problem.inner_speed, problem.outer_speed),
+        HYPOTHESES[problem.kinematics],
+        problem.inner_series,
+        problem.outer_series,
+        problem.nominal_force,
+    )
 
 
 def _start(V: Array, u_start: Array | None, problem: BallProblem) -> Array:
@@ -190,24 +117,3 @@ def _start(V: Array, u_start: Array | None, problem: BallProblem) -> Array:
     if u_start is None:
         return cold
     return np.where(~free & (np.hypot(u_start[0], u_start[1]) > outer), u_start, cold)
-
-
-def _solve_2x2(matrix: Array, right: Array) -> Array:
-    """Solve 2 x 2 systems, matrix (2, 2, Z), right (2, Z); balls free of all force (matrix zero)
-    do not move.
-    """
-    (a, b), (c, d) = matrix
-    determinant = a * d - b * c
-    scale = a * a + b * b + c * c + d * d
-    safe = np.abs(determinant) > 1e-14 * scale
-    inverse = np.where(safe, 1.0, 0.0) / np.where(safe, determinant, 1.0)
-    adjugate = [d * right[0] - b * right[1], a * right[1] - c * right[0]]
-    solved = np.stack(adjugate) * inverse
-    # the matrix is negative: step along the force
-    gradient = -right / np.sqrt(np.where(scale > 0.0, scale, 1.0))
-    return np.where(safe, solved, np.where(scale > 0.0, gradient, 0.0))
-
-
-def _limit(step: Array, longest: float) -> Array:
-    length = np.hypot(step[0], step[1])
-    return step * np.minimum(1.0, longest / np.maximum(length, 1e-300))

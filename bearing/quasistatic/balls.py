@@ -35,12 +35,7 @@ from .kinematics import (
     gyroscopic_moment,
     rolling_motion,
 )
-
-# friction over load beyond which a hypothesis asks more than a contact gives: above SKF's
-# coefficient of boundary lubrication, 0.12 running and 0.15 at the start (`torque.skf`) [-]
-FRICTION_LIMIT = 0.2
-# cosine of 80 degrees: beyond, the load fades to none at 90, where no groove reaches [-]
-EDGE_COSINE = 0.17
+from .limits import EDGE_COSINE, FRICTION_LIMIT
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -180,29 +175,6 @@ def _transmissible_share(
     """1 where the load [N] transmits the friction `part` Mg/D of an attitude, else less."""
     couple = problem.nominal_couple * beta.sin * np.sign(beta.sin.real)
     return _smooth_step(FRICTION_LIMIT * load, part * couple / problem.ball_diameter)
-
-
-def ball_balance(state: BallState, problem: BallProblem) -> Numbers:
-    """Residual of the ball equilibrium and what the ball does to the rings, shape (6, ...): force
-    on the ball (x, r) [N], force on the inner ring (x, r) [N], couple on it about e_t [N m], for
-    the friction acts r_i away from the groove's centre, where the normal force passes, and the
-    centrifugal force that the outer ring takes beyond that of the inner [N].
-    """
-    inner_friction, outer_friction = state.inner_friction, state.outer_friction
-    from_inner_x = state.inner_load * state.inner.sin + inner_friction * state.inner.cos
-    from_inner_r = state.inner_load * state.inner.cos - inner_friction * state.inner.sin
-    from_outer_x = -state.outer_load * state.outer.sin - outer_friction * state.outer.cos
-    from_outer_r = -state.outer_load * state.outer.cos + outer_friction * state.outer.sin
-    return np.stack(
-        [
-            from_inner_x + from_outer_x,
-            from_inner_r + from_outer_r + state.centrifugal_force,
-            -from_inner_x,
-            -from_inner_r,
-            -inner_friction * problem.inner_groove_radius,
-            state.centrifugal_force + 0.0 * from_inner_r,
-        ]
-    )
 
 
 def _power(approach: Numbers) -> Numbers:

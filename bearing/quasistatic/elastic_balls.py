@@ -13,8 +13,9 @@ import numpy as np
 
 from ..geometry import Array
 from ..rings.compliance import RingCompliance
-from .ball_equilibrium import ROUND_OFF, BallsEquilibrium, solve_balls
+from .ball_equilibrium import BallsEquilibrium, solve_balls
 from .balls import BallProblem
+from .limits import ROUND_OFF
 
 MAX_STEPS = 40
 MAX_HALVINGS = 20

@@ -18,10 +18,12 @@ from ..operation import Operation
 from ..rings.compliance import RingCompliance, ring_compliance
 from ..rings.elastic_ring import ElasticRings
 from ..rows import SINGLE, Row, per_ball, row_azimuths, row_directions
-from .ball_equilibrium import ROUND_OFF, BallsEquilibrium, solve_balls
+from .ball_equilibrium import BallsEquilibrium, solve_balls
 from .balls import BallProblem
 from .contact_stiffness import stiffness_at
 from .elastic_balls import BetweenRings, solve_between_elastic_rings
+from .limits import ROUND_OFF
+from .thrust import thrust_position
 
 # What follows, and the constants of `ball_equilibrium`, were measured on 60 random bearings at 0.3
 # to 4 GPa: each halved and doubled leaves all of them converged, the loads equal to 8e-12 of the
@@ -258,14 +260,10 @@ def _guess(ring: Ring, problem: BallProblem) -> Array:
     axial = ring.load[0]
     radial = hypot(ring.load[1], ring.load[2])
     if axial != 0.0 and radial < MAX_THRUST_LOAD_RATIO * abs(axial) and ring.free[0]:
-        low = ring.free_axial
-        high = ring.free_axial + ring.distance
-        for _ in range(40):  # F = Z K (|V| - A)^1.5 sin(angle), increasing in x
-            x = 0.5 * (low + high)
-            length = hypot(x, ring.facing)
-            force = balls * (max(length - ring.distance, 0.0) / compliance) ** 1.5 * x / length
-            low, high = (low, x) if force > abs(axial) else (x, high)
-        q[0] = np.sign(axial) * low - offset
+        beyond = ring.free_axial + ring.distance
+        each = abs(axial) / balls
+        place = thrust_position(each, ring.distance, ring.facing, lambda _: compliance) or beyond
+        q[0] = np.sign(axial) * min(place, beyond) - offset
     elif radial > 0.0 and (ring.free[1] or ring.free[2]):
         length = ring.distance + compliance * (5.0 * hypot(axial, radial) / balls) ** (2.0 / 3.0)
         angle = min(atan2(abs(axial), radial), asin(min(1.0, ring.free_axial / ring.distance)))

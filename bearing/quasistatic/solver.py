@@ -18,9 +18,10 @@ from ..geometry import Array, Bearing, Race, contact_modulus, reduced_radii
 from ..operation import DEGREES_OF_FREEDOM, BallKinematics, Operation, QuasistaticModel
 from ..rows import SINGLE, Row, per_ball, row_azimuths, row_directions
 from .ball_equilibrium import BallsEquilibrium
-from .balls import EDGE_COSINE, BallProblem, BallState, ball_problem, ball_state
+from .balls import BallProblem, BallState, ball_problem, ball_state
 from .contact_stiffness import stiffness_at
 from .kinematics import PrescribedBalls
+from .limits import EDGE_COSINE
 from .ring import RESIDUAL_TOLERANCE, Ring, RingPoint, RingStart, ring_of, solve_ring
 from .solution import QuasistaticSolution, _cage_speed
 

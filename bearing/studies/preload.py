@@ -6,10 +6,17 @@ in balance with that force in both.
 """
 
 from enum import Enum
+from math import atan2, sin
 
-from ..geometry import Bearing
-from ..operation import Operation, QuasistaticModel
-from ..quasistatic.solver import solve_quasistatic
+import numpy as np
+
+from ehl.closed_form.hertz import hertz_contact
+
+from .. import quasistatic
+from ..geometry import Bearing, Race, contact_modulus, reduced_radii
+from ..operation import Curvature, Operation, QuasistaticModel
+from ..quasistatic.contact_stiffness import stiffness_at, stiffness_series
+from ..quasistatic.thrust import thrust_position
 from ..rows import Row
 
 
@@ -38,8 +45,43 @@ def preload_offset(
         raise ValueError(f"preload_force must not be negative, got {preload_force!r} N")
     if preload_force == 0.0:
         return bearing.free_axial_position
+    model = model or QuasistaticModel()
+    offset = None
+    if model.rings is None:
+        offset = _rigid_offset(bearing, preload_force / bearing.balls, model.curvature)
+    return _solved_offset(bearing, preload_force, model) if offset is None else offset
+
+
+def _rigid_offset(bearing: Bearing, thrust: float, curvature: Curvature) -> float | None:
+    """The same of rigid rings with a thrust [N] on each ball, in closed form [m]; None where it
+    is not valid.
+    """
+    series = [stiffness_series(bearing, race, curvature) for race in Race]
+
+    def compliance(cosine: float) -> float:
+        values = [float(stiffness_at(one, np.array([cosine]))[0]) for one in series]
+        return sum(value ** (-2.0 / 3.0) for value in values)
+
+    distance = bearing.curvature_centre_distance
+    facing = distance - 0.5 * bearing.diametral_clearance
+    offset = thrust_position(thrust, distance, facing, compliance)
+    if offset is None:
+        return None
+    angle = atan2(offset, facing)
+    for race in Race:
+        radii = reduced_radii(bearing, race, angle)
+        contact = hertz_contact(thrust / sin(angle), *radii, contact_modulus(bearing, race))
+        if contact.semi_axis_y > 0.5 * bearing.ball_diameter:
+            return None
+    return offset
+
+
+def _solved_offset(bearing: Bearing, preload_force: float, model: QuasistaticModel) -> float:
+    """The same by the equilibrium of the whole row, which elastic rings need [m]; its message is
+    the error where there is none.
+    """
     operation = Operation(inner_speed=0.0, force=(preload_force, 0.0, 0.0))
-    solution = solve_quasistatic(bearing, operation, model)
+    solution = quasistatic.solve_quasistatic(bearing, operation, model)
     if not solution.converged:
         raise ValueError(f"preload_force {preload_force!r} N: {solution.message}")
     return float(solution.displacement[0])

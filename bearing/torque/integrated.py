@@ -95,7 +95,9 @@ def solved_shear(
         sheared = sheared_films(solution, contacts, whole, rheology, nodes[1])
         flooded = _flooded_torque(solution, contacts, whole, sheared, resistance, balance)
     tractions = _tractions(solution, contacts, films, rheology, balance)
-    return replace(shear, asperity_share=mean, tractions=tractions, flooded=flooded)
+    return replace(
+        shear, asperity_share=mean, tractions=tractions, flooded=flooded, balance=balance
+    )
 
 
 def _asperity_share(contacts: Sequence[BearingContact], films: RunningFilms) -> float:

@@ -113,6 +113,7 @@ class SolvedShear:
     # part by which the balls' orbits lag behind those of the hypothesis, seen from the outer ring,
     # mean by load of the balls that the inner race drives [-]; None without a balance
     orbit_lag: float | None = None
+    balance: BalancedFriction | None = None  # of `balanced`, where films shear
     note: str = ""  # why there is no balanced one, or why it does not count as one
     # why parts of the torque are None, by name
     missing_components: dict[str, str] = field(default_factory=dict)

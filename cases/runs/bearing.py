@@ -12,6 +12,7 @@ from bearing.contacts.finite_bodies import FiniteBodies, finite_bodies, with_fin
 from bearing.friction.formula_films import FormulaFilm, formula_film
 from bearing.friction.running_films import RunningFilms
 from bearing.friction.sources import FilmTraction, LawTraction
+from bearing.geometry import Array
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.frequencies import bearing_frequencies
 from bearing.rating.life import bearing_life
@@ -136,7 +137,7 @@ def _in_balance(results: BearingResults, case: Case) -> BearingResults:
     state = results.quasistatic
     contacts = results.contacts
     running = _running(case, state, contacts, results.films, results.torque)
-    printed = _printed(case, state, contacts, results.torque, running)
+    printed = _printed(case, results.torque, running, (state, contacts, results.conductances))
     assert printed is not None
     return replace(results, heating=at_its_balance(heating, case, printed))
 
@@ -308,7 +309,7 @@ def _friction(
         notify(0, 1, "self-heating")
     running = _running(case, state, contacts, films.known, torque)
     conductances = film_conductances(case, state, contacts, running)
-    printed = _printed(case, state, contacts, torque, running)
+    printed = _printed(case, torque, running, (state, contacts, conductances))
     heating = self_heated(case, printed) if state.converged else None
     return {
         "tractions": tractions,
@@ -337,16 +338,20 @@ def _running(
 
 def _printed(
     case: Case,
-    state: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
     torque: TorqueBreakdown | None,
     running: RunningFilms | None,
+    known: tuple[QuasistaticSolution, Sequence[BearingContact], Array | None],
 ) -> Printed | None:
-    """The total with its films as they run [N m]; None where there is none."""
+    """The total with its films as they run [N m]; None where there is none. `known`: equilibrium,
+    contacts and conductances of films [W/K].
+    """
     if torque is None or torque.total is None:
         return None
+    state, contacts, conductances = known
     seal = torque.models[INTEGRATED].components.get("seal", 0.0)
-    return Printed(state, contacts, torque.total, seal, None if case.heating is None else running)
+    running = None if case.heating is None else running
+    balance = None if torque.shear is None else torque.shear.balance
+    return Printed(state, contacts, torque.total, seal, running, balance, conductances)
 
 
 def _torque(

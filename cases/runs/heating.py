@@ -10,6 +10,7 @@ import numpy as np
 
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.last import LastOf
+from bearing.friction.balance import BalancedFriction
 from bearing.friction.running_films import RunningFilm, RunningFilms
 from bearing.geometry import Array
 from bearing.heating.films_heat import FilmsHeat, formula_conductances, running_conductances
@@ -43,6 +44,8 @@ class Printed(NamedTuple):
     total: float
     seal: float
     films: Sequence[RunningFilm | None] | None = None  # of the contacts, as they run
+    balance: BalancedFriction | None = None  # of the balls on these films
+    conductance: Array | None = None  # through these films, `film_conductances` [W/K]
 
 
 def at_its_temperature(case: Case, heating: SelfHeatingSolution | None = None) -> Case:
@@ -213,7 +216,9 @@ def _friction_model(
     factor = (printed.total - printed.seal) / found.torque
     ratio = np.ones(2)
     if printed.films is not None:
-        solved = running_conductances(printed.state, printed.contacts, printed.films)
+        solved = printed.conductance
+        if solved is None:
+            solved = running_conductances(printed.state, printed.contacts, printed.films)
         sums = solved[0].sum(axis=0), found.conductance[0].sum(axis=0)
         ratio = np.where(sums[1] > 0.0, sums[0] / np.maximum(sums[1], 1e-300), 1.0)
     return partial(_scaled_heat, by_formulas, factor, printed.seal, ratio)
@@ -223,8 +228,8 @@ _LAST: LastOf[FilmsHeat] = LastOf()
 
 
 def _printed_heat(case: Case, given: HeatingInput, printed: Printed) -> FilmsHeat:
-    """Heat of films of formulas, begun at what is printed; films that are these are not found
-    again.
+    """Heat of films of formulas, begun at what is printed; films that are these, and the balls
+    on them, are not found again.
     """
     assert case.friction is not None  # of every bearing case
     begun = FilmsHeat(friction=case.friction)
@@ -234,7 +239,10 @@ def _printed_heat(case: Case, given: HeatingInput, printed: Printed) -> FilmsHea
     if films is not None and any(film is not None and not film.unsolved for film in films):
         films = None
     films = films if inlet == case.inlet else None
-    begun.heat(printed.state, printed.contacts, oil, given.rheology(oil), inlet, films)
+    rheology = given.rheology(oil)
+    same = films is not None and rheology == case.rheology
+    balance = printed.balance if same else None
+    begun.heat(printed.state, printed.contacts, oil, rheology, inlet, (films, balance))
     return begun
 
 

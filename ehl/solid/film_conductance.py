@@ -29,6 +29,7 @@ import scipy
 from numpy.typing import ArrayLike
 
 from ..arrays import Array
+from ._conductance_kernels import marched_sums
 from .heat import SolidThermal, history_weights
 
 SERIES_BELOW = 1.0e-2  # of beta sqrt(t), where the closed form cancels [-]
@@ -137,12 +138,11 @@ def marched_flux(film: Array, rates: Array) -> Array:
 
     film: H, shape (nx, n), zero outside the contact; rates: `history_rate` of each line, (n,).
     """
+    film = np.ascontiguousarray(film)
+    sums = np.empty(film.shape[1])
     weights = history_weights(film.shape[0], 1.0)
-    flux = np.zeros_like(film)
-    for i in np.flatnonzero(film.any(axis=1)):
-        before = rates * (weights[i:0:-1] @ flux[:i])
-        flux[i] = film[i] * (1.0 - before) / (1.0 + film[i] * rates * weights[0])
-    return np.asarray(flux.sum(axis=0))
+    marched_sums(film, rates, weights, np.empty_like(film), sums)
+    return sums
 
 
 def _joint(first: SolidThermal, second: SolidThermal) -> float:

@@ -70,20 +70,24 @@ def _add_oil(at, step, oils, features, out):
 
 
 @compiled
-def look_up(x, features, low, step, lattice, oils, out):
-    """ln(Hc A), ln(Hmin A), Hc - H0 and the derivatives by ln A of first and last, `out` of shape
-    (n, 5), at x of shape (n, 3) with oils of `oil_features`, shape (n, 5): a cubic through the
-    lattice of the oil of the solves, and between the nodes of that of others, shape (..., 5, 3).
+def look_up(x, features, shares, low, step, lattice, oils, out):
+    """Add to `out` of shape (n, 5) ln(Hc A), ln(Hmin A), Hc - H0 and the derivatives by ln A of
+    first and last, of a patch with `shares` and their derivatives by ln A, shape (2, n), at x of
+    shape (n, 3) with oils of `oil_features`, shape (n, 5): a cubic through the lattice of the oil
+    of the solves, and between the nodes of that of others, shape (..., 5, 3).
     """
     weights = np.empty((3, 4))
     slopes = np.empty((3, 4))
     first = np.empty(3, dtype=np.int64)
     at = np.empty(3)
+    own = np.empty(5)
     for n in range(x.shape[0]):
+        if not shares[0, n] > 0.0:
+            continue
         for k in range(3):
             at[k] = (x[n, k] - low[k]) / step[k]
             first[k] = _cubic(at[k], lattice.shape[k], weights[k], slopes[k])
-        out[n] = 0.0
+        own[:] = 0.0
         for i in range(4):
             for j in range(4):
                 both = weights[0, i] * weights[1, j]
@@ -91,11 +95,15 @@ def look_up(x, features, low, step, lattice, oils, out):
                 for k in range(4):
                     node = lattice[first[0] + i, first[1] + j, first[2] + k]
                     weight = both * weights[2, k]
-                    out[n, 0] += weight * node[0]
-                    out[n, 1] += weight * node[1]
-                    out[n, 2] += weight * node[2]
-                    out[n, 3] += steep * weights[2, k] * node[0]
-                    out[n, 4] += steep * weights[2, k] * node[2]
-        out[n, 3:] /= step[0]
+                    own[0] += weight * node[0]
+                    own[1] += weight * node[1]
+                    own[2] += weight * node[2]
+                    own[3] += steep * weights[2, k] * node[0]
+                    own[4] += steep * weights[2, k] * node[2]
+        own[3:] /= step[0]
         if features[n, 0] != 0.0 or features[n, 1] != 0.0:
-            _add_oil(at, step[0], oils, features[n], out[n])
+            _add_oil(at, step[0], oils, features[n], own)
+        for f in range(5):
+            out[n, f] += shares[0, n] * own[f]
+        out[n, 3] += shares[1, n] * own[0]
+        out[n, 4] += shares[1, n] * own[2]

@@ -39,7 +39,7 @@ from .table import (
 NODES = ((225, 13, 17), (25, 21, 41))
 RATIOS = 129  # of ln D for f, within 2e-9; half as many within 3e-8
 FUNCTIONS = 3  # ln(Hc A), ln(Hmin A), Hc - H0
-RISING = (0, 2)  # of these, whose derivatives by ln A are looked up as well
+KNOWN = FUNCTIONS + 2  # with the derivatives by ln A of first and last
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -128,18 +128,13 @@ def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
 
 
 def _found(place: "_Places") -> Array:
-    """The functions and the derivatives by ln A of those in `RISING`, shape (n, 5) [-]."""
+    """The functions and the derivatives by ln A of first and last, shape (n, 5) [-]."""
     share, rise = heavy_share(place.x[:, 0])
     features = oil_features(place.x, place.alpha, place.z)
-    found = np.zeros((len(share), FUNCTIONS + len(RISING)))
-    signs = ((1.0 - share, -rise), (share, rise))
-    for lattice, (weight, slope) in zip(_lattices(), signs, strict=True):
-        own = np.flatnonzero(weight > 0.0)
-        values = np.empty((len(own), FUNCTIONS + len(RISING)))
-        x = slanted(place.x[own], lattice.slant)
-        _lookup_kernels.look_up(x, features[own], *lattice[1:], values)
-        found[own] += weight[own, None] * values
-        found[own, FUNCTIONS:] += slope[own, None] * values[:, RISING]
+    found = np.zeros((len(share), KNOWN))
+    for lattice, shares in zip(_lattices(), ((1.0 - share, -rise), (share, rise)), strict=True):
+        x = slanted(place.x, lattice.slant)
+        _lookup_kernels.look_up(x, features, np.stack(shares), *lattice[1:], found)
     return found
 
 

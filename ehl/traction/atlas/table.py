@@ -90,14 +90,15 @@ def bars_of(x: Array, base: NDArray[np.bool_]) -> Array:
     that of the solves, shape (m,).
     """
     light, _, known, at_step = table()
-    heavy = (x[:, 0] >= log(SEAM[0])).astype(int)
-    wide = (x[:, 2] > 0.0).astype(int)
-    bars = np.where(
-        base[:, None], known[heavy, wide], np.maximum(known[heavy, wide], known[heavy, 2])
-    )
+    heavy = x[:, 0] >= log(SEAM[0])
+    wide = x[:, 2] > 0.0
     away = np.abs(slanted(x, light.slant)[:, 0] - light.step[0])
-    there = ((away < STEP) & (heavy == 0))[:, None]
-    return np.where(there, np.maximum(bars, at_step[wide, np.where(base, 0, 1)]), bars)
+    # 1. errors of all kinds: by load, ratio and oil, then of light contacts at the step
+    plain = np.stack([known[:, :2], np.maximum(known[:, :2], known[:, 2:])], axis=2)
+    kinds = np.concatenate([plain, np.maximum(plain[:1], at_step)]).reshape(-1, known.shape[2])
+    # 2. kinds of these contacts
+    first = np.where((away < STEP) & ~heavy, 2, heavy)
+    return np.asarray(kinds[4 * first + 2 * wide + ~base])
 
 
 def heavy_share(log_load: Array, seam: tuple[float, float] = SEAM) -> tuple[Array, Array]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
@@ -10,8 +10,13 @@ from numpy.testing import assert_allclose
 
 from bearing import BallKinematics, Curvature, Operation, QuasistaticModel, solve_quasistatic
 from bearing.operation import HYPOTHESES
-from bearing.quasistatic.balls import ball_balance, ball_problem, ball_state
+from bearing.quasistatic._equilibrium_kernels import differentiated
+from bearing.quasistatic.ball_equilibrium import _given, _prescribed, solve_balls
+from bearing.quasistatic.balls import ball_problem, ball_state
+from bearing.quasistatic.kinematics import PrescribedBalls
 from bearing.quasistatic.ring import ring_of
+
+from ...reference.balls import balances_twin, ball_balance, solve_balls_twin
 
 FREE = (None, None)
 COMBINED = {"force": (900.0, 700.0, -300.0), "moment": (2.0, -5.0), "tilt": FREE}
@@ -59,6 +64,51 @@ def test_gyroscopic_friction_is_tangential_and_gives_the_couple(bearings):
     assert couple == pytest.approx(state.gyroscopic_moment[0], rel=1e-10)
     lever, on_ring = problem.inner_groove_radius * n_inner, -on_ball_inner  # from the groove's centre to the contact
     assert total[4, 0] == pytest.approx(lever[0] * on_ring[1] - lever[1] * on_ring[0], rel=1e-10)
+
+
+@pytest.mark.parametrize("prescribed", [False, True])
+@pytest.mark.parametrize("kinematics", HYPOTHESES)
+def test_compiled_balance_agrees_with_its_twin(bearings, kinematics, prescribed):
+    """Balls pressed, free, off the groove and beyond its edge: 1e-13 of the largest of each row."""
+    problem = ball_problem(bearings.b218, 1000.0, -80.0, QuasistaticModel(ball_kinematics=kinematics))
+    generator = np.random.default_rng(20261127)
+    angles = generator.uniform([-0.3, -0.5], [1.55, 1.6], (400, 2)).T
+    lengths = np.array([problem.outer_length, problem.inner_length])[:, None] * generator.uniform(0.98, 1.02, (2, 400))
+    lengths[1, :5] *= 0.3
+    u, w = (size * np.stack([np.sin(a), np.cos(a)]) for size, a in zip(lengths, angles, strict=True))
+    if prescribed:
+        names = [field.name for field in fields(PrescribedBalls)]
+        motion = dict(zip(names, generator.uniform(1.0, 2.0, (len(names), 400)), strict=True))
+        problem = replace(problem, prescribed=PrescribedBalls(**motion))
+    known, given = _prescribed(problem, 400), _given(problem)
+    found, slopes = np.empty((400, 6)), np.empty((400, 6, 4))
+    sizes = [
+        differentiated(*at, given, values, slope)
+        for *at, values, slope in zip(u.T, (u + w).T, known, found, slopes, strict=True)
+    ]
+    values, size, jacobian = balances_twin(u, u + w, problem)
+    assert_allclose(sizes, size, rtol=1e-12)
+    for own, other in zip((*found.T, *slopes.transpose(1, 2, 0)), (*values, *jacobian), strict=True):
+        assert_allclose(own, other, rtol=1e-11, atol=1e-13 * np.abs(other).max())
+
+
+@pytest.mark.parametrize("speed", [0.0, 300.0, 1500.0])
+@pytest.mark.parametrize("kinematics", HYPOTHESES)
+def test_compiled_equilibrium_agrees_with_its_twin(bearings, kinematics, speed):
+    """Balls pressed by 0.3 to 60 um, free, floating and past the groove's edge, all to round-off of their loads."""
+    problem = ball_problem(bearings.b218, speed, -0.1 * speed, QuasistaticModel(ball_kinematics=kinematics))
+    generator = np.random.default_rng(20261201)
+    approach = np.exp(generator.uniform(np.log(3e-7), np.log(6e-5), 300)) * generator.choice([-1.0, 1.0, 1.0], 300)
+    angle = generator.uniform(-0.2, 1.3, 300)
+    V = (problem.inner_length + problem.outer_length + approach) * np.stack([np.sin(angle), np.cos(angle)])
+    found, other = (solve(V, None, problem) for solve in (solve_balls, solve_balls_twin))
+    balanced = (found.residual < 1e-11) & (other.residual < 1e-11)
+    assert_allclose(found.residual < 1e-11, other.residual < 1e-11)
+    assert balanced.mean() > 0.6
+    for name, scale in (("u", problem.outer_length), ("values", None), ("du_dV", 1.0), ("ring_dV", None)):
+        own, twin = (getattr(state, name)[..., balanced] for state in (found, other))
+        scale = np.abs(twin).max() if scale is None else scale
+        assert_allclose(own, twin, rtol=1e-8, atol=1e-10 * scale)
 
 
 @pytest.mark.parametrize("kinematics", HYPOTHESES)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from math import pi
 
+import numpy as np
 import pytest
 
 from cases.cli.new.case_text import case_of_designation
@@ -12,6 +13,7 @@ from cases.cli.new.first_operation import FirstOperation
 from cases.format.case import case_from_text
 from cases.format.problems import CaseError
 from cases.runs.bearing import run_case
+from cases.runs.heating import self_heated
 from postprocess import summary
 
 TEXT = """
@@ -170,3 +172,18 @@ def test_temperatures_do_not_go_by_the_oil_that_the_search_begins_with(start):
     warm, document = found(LIGHT.format(start=start))
     assert document["converged"] and warm["converged"]
     assert warm["temperature_C"] == pytest.approx(107.855, abs=0.01)
+
+
+def test_a_temperature_foreseen_is_that_of_a_balance_looked_at():
+    """The search of a run ends where its last three states lead, the other one in a state: 1e-4 K each, at most."""
+    rng = np.random.default_rng(20261129)
+    for name in ("7012AC", "6208", "7014C", "6310"):
+        axial, speed, start = rng.uniform((800.0, 3000.0, 20.0), (3000.0, 9000.0, 90.0))
+        text = (
+            LIGHT.format(start=start).replace("7014C", name).replace("300.0", f"{axial}").replace("9000.0", f"{speed}")
+        )
+        case = case_from_text(text, "case.toml")
+        foreseen, looked_at = self_heated(case, judged=False).balance, self_heated(case).balance
+        assert foreseen.converged and looked_at.converged
+        assert foreseen.temperature == pytest.approx(looked_at.temperature, abs=1.5e-4)
+        assert foreseen.evaluations < looked_at.evaluations

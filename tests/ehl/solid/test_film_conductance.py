@@ -14,10 +14,13 @@ from ehl.solid.film_conductance import (
     exchanged_heat,
     film_conductance,
     marched_conductance,
+    marched_flux,
     moving_speed,
     spot_conductance,
 )
 from ehl.solid.heat import SolidThermal
+
+from ...reference.ehl.marched import marched_flux_twin
 
 STEEL = SolidThermal(conductivity=21.0, density=7850.0, specific_heat=460.0)
 NITRIDE = SolidThermal(conductivity=29.0, density=3250.0, specific_heat=700.0)
@@ -101,3 +104,12 @@ def test_a_marched_even_film_is_the_closed_form():
     for h in (1e4, 4e5, 1e7):
         marched = marched_conductance(u, x, y, np.where(inside, h, 0.0), *PAIR)
         assert marched == pytest.approx(film_conductance(10.0, AXES, h, *PAIR), rel=0.02)
+
+
+def test_the_compiled_march_agrees_with_its_twin():
+    """Lines of other lengths, a gap in some, rows without film at both ends."""
+    rng = np.random.default_rng(20261130)
+    film = np.exp(rng.uniform(9.0, 16.0, (40, 70))) * (rng.random((40, 70)) < 0.9)
+    film[[0, 1, -1]] = 0.0
+    rates = np.exp(rng.uniform(-15.0, -8.0, 70))
+    np.testing.assert_allclose(marched_flux(film, rates), marched_flux_twin(film, rates), rtol=1e-12)

@@ -1,0 +1,3 @@
+from .solver import solve_quasistatic
+
+__all__ = ["solve_quasistatic"]

@@ -1,0 +1,231 @@
+"""Compiled equilibrium of balls at a given position of the inner ring, each by itself; the NumPy
+twin, of all balls together, is `solve_balls_twin` of tests/reference.
+"""
+
+import numpy as np
+
+from ehl.compiled import compiled
+
+from ._ball_kernels import balance, pressed_load
+from .limits import ROUND_OFF
+
+COMPLEX_STEP = 1.0e-30  # [m]
+BALL_TARGET = 1.0e-13  # residual of a ball over its forces at which iterating stops [-]
+# residual of a ball over its forces that is accepted when it falls no further [-]
+BALL_TOLERANCE = 1.0e-11
+SUFFICIENT_DECREASE = 1.0e-4  # Armijo's constant (Nocedal and Wright, 2006, sec. 3.1) [-]
+CUT = 0.4  # of a step that leads nowhere [-]
+MAX_HALVINGS = 12
+MAX_BALL_STEPS = 30
+LONGEST_STEP = 0.25  # over the distance of the ball's centre from that of the outer groove [-]
+SINGULAR = 1.0e-14  # determinant over squared entries of a matrix at which it counts as singular
+STIFFENED = 0.1  # trace of stiffness in place of that of body forces, over forces and length [-]
+
+
+@compiled
+def differentiated(u, V, known, given, values, jacobian):
+    """Values (6,) of `balance` of a ball at u and V, (x, r) each [m], and by a complex step their
+    derivatives (6, 4) by u_x, u_r, w_x, w_r; returns the sum of forces [N].
+
+    known: motion and friction where they are prescribed, (6,), else none; given: lengths, sizes,
+    speeds, hypothesis, series of both races, force at the free contact angle.
+    """
+    lengths, sizes, speeds, hypothesis, inner_series, outer_series, _ = given
+    size = 0.0
+    turned = np.zeros(4)
+    for k in range(4):
+        turned[:] = 0.0
+        turned[k] = COMPLEX_STEP
+        at = (complex(u[0], turned[0]), complex(u[1], turned[1]))
+        reach = (complex(V[0] - u[0], turned[2]), complex(V[1] - u[1], turned[3]))
+        found, size = balance(
+            at, reach, lengths, sizes, speeds, hypothesis, known, inner_series, outer_series
+        )
+        for f in range(6):
+            jacobian[f, k] = found[f].imag / COMPLEX_STEP
+            values[f] = found[f].real
+    return size
+
+
+@compiled
+def rounding(jacobian, lengths):
+    """Force [N] that rounding the position is worth: the approach is a small difference of
+    lengths.
+    """
+    largest = 0.0
+    for f in range(2):
+        for k in range(4):
+            largest = max(largest, abs(jacobian[f, k]))
+    return ROUND_OFF * (lengths[0] + lengths[1]) * largest
+
+
+@compiled
+def solved_2x2(a, b, c, d, x, y):
+    """Solve ((a, b), (c, d)) (s, t) = (x, y); along the force where the matrix, which is negative,
+    is singular; a ball free of all force (matrix zero) does not move.
+    """
+    determinant = a * d - b * c
+    scale = a * a + b * b + c * c + d * d
+    if abs(determinant) > SINGULAR * scale:
+        return (d * x - b * y) / determinant, (a * y - c * x) / determinant
+    if scale > 0.0:
+        return -x / np.sqrt(scale), -y / np.sqrt(scale)
+    return 0.0, 0.0
+
+
+@compiled
+def contact_load(pull, length, series):
+    """Load [N] of a contact whose groove's centre lies at a distance (x, r) of the ball's [m], and
+    that distance; none far from the race.
+    """
+    distance = np.hypot(pull[0], pull[1])
+    if not distance > length:
+        return 0.0, distance
+    cosine = complex(pull[1] / distance, 0.0)
+    return pressed_load(series, complex(distance, 0.0), length, cosine).real, distance
+
+
+@compiled
+def elastic_step(u, V, values, given):
+    """Step [m] with the Hertz stiffness alone, which always leads along the force.
+
+    Each contact gives K (1.5 delta^0.5 n n + delta^1.5/l (1 - n n)), l the distance from its
+    groove's centre; what changes body forces and friction with the angles is left out, and a trace
+    of stiffness is added in their place.
+    """
+    lengths, _, _, _, inner_series, outer_series, nominal = given
+    own = (u[0], u[1])
+    outer, outer_distance = contact_load(own, lengths[1], outer_series)
+    reach = (V[0] - u[0], V[1] - u[1])
+    inner = 0.0
+    inner_distance = np.hypot(reach[0], reach[1])
+    if reach[1] > 0.0:
+        inner, inner_distance = contact_load(reach, lengths[0], inner_series)
+    weight = outer + inner + nominal
+    xx = xr = rr = 0.0
+    for side in range(2):
+        load = inner if side == 0 else outer
+        length = lengths[side]
+        pull = reach if side == 0 else own
+        distance = max(inner_distance if side == 0 else outer_distance, 1e-6 * length)
+        n_x = pull[0] / distance
+        n_r = pull[1] / distance
+        stiff = 0.0
+        if load > 0.0:
+            stiff = 1.5 * load / max(distance - length, 1e-12 * length)
+        across = load / distance
+        trace = STIFFENED * weight / length
+        xx += stiff * n_x * n_x + across * (1.0 - n_x * n_x) + trace
+        xr += (stiff - across) * n_x * n_r
+        rr += stiff * n_r * n_r + across * (1.0 - n_r * n_r) + trace
+    return solved_2x2(xx, xr, xr, rr, values[0], values[1])
+
+
+@compiled
+def newton_step(u, V, values, jacobian, given):
+    """Newton step of a ball [m]; where it leads uphill in energy, that of springs in the two
+    contacts; at most a part of the outer length long.
+    """
+    j = jacobian
+    x, r = solved_2x2(
+        j[0, 0] - j[0, 2],
+        j[0, 1] - j[0, 3],
+        j[1, 0] - j[1, 2],
+        j[1, 1] - j[1, 3],
+        -values[0],
+        -values[1],
+    )
+    if not x * values[0] + r * values[1] > 0.0:
+        x, r = elastic_step(u, V, values, given)
+    shorter = min(1.0, LONGEST_STEP * given[0][1] / max(np.hypot(x, r), 1e-300))
+    return x * shorter, r * shorter
+
+
+@compiled
+def backtracked(u, V, known, given, step, size, trial):
+    """Shorten the step of a ball until its residual falls or the force no longer opposes it; the
+    sum of forces there [N], below zero where it stays.
+
+    trial: position (2,), values (6,) and derivatives (6, 4), before and after.
+    """
+    at, values, jacobian = trial
+    norm = np.hypot(values[0], values[1])
+    rough = norm > BALL_TOLERANCE * size
+    factor = 1.0
+    forces = -1.0
+    for _ in range(MAX_HALVINGS):
+        at[0] = u[0] + factor * step[0]
+        at[1] = u[1] + factor * step[1]
+        forces = differentiated(at, V, known, given, values, jacobian)
+        left = np.hypot(values[0], values[1])
+        smaller = left < (1.0 - SUFFICIENT_DECREASE * factor) * norm
+        along = values[0] * step[0] + values[1] * step[1] > 0.0
+        if smaller or (along and rough):
+            return forces
+        if not rough:
+            return -1.0
+        factor *= CUT
+    return forces
+
+
+@compiled
+def balanced(u, V, known, given, values, jacobian):
+    """Balance of a ball begun at u (2,) [m], which it changes with values and derivatives as in
+    `differentiated`; returns the sum of forces [N].
+    """
+    size = differentiated(u, V, known, given, values, jacobian)
+    trial = (np.empty(2), np.empty(6), np.empty((6, 4)))
+    for _ in range(MAX_BALL_STEPS):
+        # 1. done at the target
+        if np.hypot(values[0], values[1]) <= max(BALL_TARGET * size, rounding(jacobian, given[0])):
+            break
+        # 2. Newton step, 3. shortened until the force left on the ball falls
+        step = newton_step(u, V, values, jacobian, given)
+        if step[0] == 0.0 and step[1] == 0.0:
+            break
+        trial[1][:] = values
+        forces = backtracked(u, V, known, given, step, size, trial)
+        if forces < 0.0:
+            break
+        size = forces
+        u[:] = trial[0]
+        values[:] = trial[1]
+        jacobian[:] = trial[2]
+    return size
+
+
+@compiled
+def balanced_balls(u, V, prescribed, given, out):
+    """Of all balls, begun at u (2, Z) [m], which it changes, at V (2, Z) [m]: values (6, Z), du/dV
+    (2, 2, Z), change of the forces on the ring with V (4, 2, Z), sums of forces and what rounding
+    is worth (2, Z).
+
+    prescribed: (Z, 6) or (Z, 0); given: as in `differentiated`.
+    """
+    values, du_dV, ring_dV, sizes = out
+    own = np.empty(6)
+    jacobian = np.empty((6, 4))
+    at = np.empty(2)
+    reach = np.empty(2)
+    for z in range(u.shape[1]):
+        at[:] = u[:, z]
+        reach[:] = V[:, z]
+        sizes[0, z] = balanced(at, reach, prescribed[z], given, own, jacobian)
+        sizes[1, z] = rounding(jacobian, given[0])
+        u[:, z] = at
+        values[:, z] = own
+        j = jacobian
+        for k in range(2):
+            x, r = solved_2x2(
+                j[0, 0] - j[0, 2],
+                j[0, 1] - j[0, 3],
+                j[1, 0] - j[1, 2],
+                j[1, 1] - j[1, 3],
+                -j[0, 2 + k],
+                -j[1, 2 + k],
+            )
+            du_dV[0, k, z] = x
+            du_dV[1, k, z] = r
+            for f in range(4):
+                by_u = (j[2 + f, 0] - j[2 + f, 2]) * x + (j[2 + f, 1] - j[2 + f, 3]) * r
+                ring_dV[f, k, z] = j[2 + f, 2 + k] + by_u

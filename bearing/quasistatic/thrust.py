@@ -1,0 +1,40 @@
+"""A row at rest under a thrust alone, in closed form but for one root.
+
+Balls without body forces lie on the line between the grooves' centres, L = hypot(x, facing) apart,
+and both contacts carry the same load at the same angle (Harris and Kotzalas, Rolling Bearing
+Analysis, on thrust)::
+
+    F/Z = Q x/L,   Q = [(L - A)/(K_i^(-2/3) + K_o^(-2/3))]^1.5
+"""
+
+from collections.abc import Callable
+from math import hypot, sqrt
+
+import scipy
+
+from .limits import EDGE_COSINE
+
+X_RTOL = 4.0 * 2.0**-52  # the least that `brentq` takes [-]
+
+
+def thrust_position(
+    thrust: float, distance: float, facing: float, compliance: Callable[[float], float]
+) -> float | None:
+    """Axial distance x of the grooves' middles at which a ball carries a thrust [m]; None where it
+    would climb beyond 80 degrees.
+
+    `thrust`: of each ball, above zero [N]; `distance`: A, of the grooves' centres at first touch
+    [m]; `facing`: the same of facing grooves [m]; `compliance`: K_i^(-2/3) + K_o^(-2/3) at a
+    cosine of the contact angle [m/N^(2/3)].
+    """
+
+    def surplus(x: float) -> float:
+        length = hypot(x, facing)
+        approach = max(length - distance, 0.0)
+        return (approach / compliance(facing / length)) ** 1.5 * x / length - thrust
+
+    touch = sqrt(max(distance**2 - facing**2, 0.0))
+    edge = facing * sqrt(1.0 / EDGE_COSINE**2 - 1.0)
+    if not (touch < edge and surplus(edge) > 0.0):
+        return None
+    return float(scipy.optimize.brentq(surplus, touch, edge, xtol=1e-300, rtol=X_RTOL))

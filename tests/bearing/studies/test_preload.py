@@ -1,0 +1,44 @@
+"""A preload as a force in closed form and by the equilibrium of a row at rest."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from bearing import Curvature, Operation, QuasistaticModel, preload_offset, solve_quasistatic
+
+from ..quasistatic.test_random_bearings import load_at, random_bearing
+
+
+def solved(bearing, force, model):
+    """Displacement of the ring at rest [m], or why there is none."""
+    solution = solve_quasistatic(bearing, Operation(inner_speed=0.0, force=(force, 0.0, 0.0)), model)
+    return solution.displacement[0] if solution.converged else f"preload_force {force!r} N: {solution.message}"
+
+
+@pytest.mark.parametrize(("highest", "some_fail"), [(5e9, False), (60e9, True)])
+@pytest.mark.parametrize("curvature", Curvature)
+def test_closed_form_agrees_with_the_equilibrium(curvature, highest, some_fail):
+    """Play, contact angles, interference; what no row can carry is refused with the solver's words. With
+    interference rounding of the lengths is worth up to 1e-10 of the offset.
+    """
+    rng = np.random.default_rng(20261128)
+    model = QuasistaticModel(curvature=curvature)
+    failed = 0
+    for _ in range(30):
+        bearing = random_bearing(rng)
+        if rng.random() < 0.25:
+            bearing = replace(bearing, diametral_clearance=-rng.uniform(1e-4, 3e-3) * bearing.ball_diameter)
+        carried = load_at(bearing, rng.uniform(0.05e9, highest)) * bearing.balls
+        force = carried * np.sin(max(bearing.free_contact_angle, 0.1))
+        expected = solved(bearing, force, model)
+        if isinstance(expected, str):
+            failed += 1
+            with pytest.raises(ValueError) as error:
+                preload_offset(bearing, force, model)
+            assert str(error.value) == expected
+        else:
+            assert preload_offset(bearing, force, model) == pytest.approx(expected, rel=1e-9)
+    assert (failed > 0) == some_fail
