@@ -9,7 +9,7 @@ from numba import carray, types
 from numba.core import cgutils
 from numba.extending import intrinsic, overload
 
-from ..compiled import compiled
+from ..compiled import compiled, inlined
 from ..oil._rheology_kernels import inverse_sine
 from .coefficient_kernels import coefficient as coefficient_formula
 
@@ -17,6 +17,9 @@ from .coefficient_kernels import coefficient as coefficient_formula
 X, Y, AREA, FILM, VISCOSITY, LIMIT, SPREAD_X, SPREAD_Y = range(8)
 # of a table's values: F_x, F_y, M_n, M_y of sliding, over the film's largest force and moments
 COLUMNS = 4
+CACHE_LINE = 32  # whole numbers of a table
+# what no sum of some of a table's whole numbers is
+IMPOSSIBLE = np.iinfo(np.int64).min
 # of a table's films, logarithms: scales of the motions, central film, hydrodynamic moment,
 # response, largest force and moments of sliding
 SCALE_X, SCALE_Y, SCALE_SPIN, CENTRAL_FILM, HYDRODYNAMIC = range(5)
@@ -55,6 +58,20 @@ def _weights(place, axis):
     inner = (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0
     outer = (4.0 - 6.0 * r * r + 3.0 * r * r * r) / 6.0
     return i, (r * r * r / 6.0, inner, outer, t * t * t / 6.0)
+
+
+@compiled
+def _inner_weights(place, axis):
+    """As `_weights`, of the coefficients of the nodes alone, counted from the first of them: those
+    beyond follow, c_0 = 4 c_1 - 6 c_2 + 4 c_3 - c_4, by the splines' end conditions.
+    """
+    i, (w_0, w_1, w_2, w_3) = _weights(place, axis)
+    last = int(axis[2]) - 4
+    if i == 0:
+        return 0, (w_1 + 4.0 * w_0, w_2 - 6.0 * w_0, w_3 + 4.0 * w_0, -w_0)
+    if i > last + 1:
+        return last, (-w_3, w_0 + 4.0 * w_3, w_1 - 6.0 * w_3, w_2 + 4.0 * w_3)
+    return i - 1, (w_0, w_1, w_2, w_3)
 
 
 @compiled
@@ -104,14 +121,17 @@ def _motion_scale(scale, turn, b_axis, constants):
 
 
 @compiled
-def _film_value(film, column):
-    """What a spline over load and speed has a logarithm of: scalars, first indices and weights."""
-    scalars, i0, i1, w0, w1 = film
-    total = 0.0
+def _film_values(scalars, i0, i1, w0, w1, film):
+    """What splines over load and speed have logarithms of, all columns at once, into film."""
+    columns = scalars.shape[2]
+    film[:columns] = 0.0
     for a in range(4):
         for b in range(4):
-            total += w0[a] * w1[b] * scalars[i0 + a, i1 + b, column]
-    return np.exp(total)
+            weight = w0[a] * w1[b]
+            for k in range(columns):
+                film[k] += weight * scalars[i0 + a, i1 + b, k]
+    for k in range(columns):
+        film[k] = np.exp(film[k])
 
 
 @compiled
@@ -143,14 +163,14 @@ def _motion_places(film, axes, constants, motions, load):
     limit_y = constants[RANGE_Y]
     shift = vertex_slide(turn, b_axis, constants[RADIUS_X], constants[CURVATURE])
     top = slide_x + (_fading_shift(shift, slide_x, limit_x) if weight > 0.0 else shift)
-    scale = _motion_scale(_film_value(film, SCALE_X), turn, b_axis, constants)
+    scale = _motion_scale(film[SCALE_X], turn, b_axis, constants)
     part = _standing_part(min(abs(top), limit_x)) / _standing_part(limit_x)
     x, beyond_x = _scaled(top, scale, limit_x, axes[2], part, weight)
     spread = constants[SPACING_SPIN] * turn * constants[UNIT_AXIS_X] * root / constants[RADIUS_X]
-    scale = np.hypot(_film_value(film, SCALE_Y), spread)
+    scale = np.hypot(film[SCALE_Y], spread)
     part = min(abs(slide_y) / limit_y, 1.0)
     y, beyond_y = _scaled(slide_y, scale, limit_y, axes[3], part, weight)
-    scale = _film_value(film, SCALE_SPIN)
+    scale = film[SCALE_SPIN]
     n, beyond_n = _scaled(turn, scale, constants[RANGE_SPIN], axes[4], 0.0, 0.0)
     flag = (SLIDE_X if beyond_x else 0) + (SLIDE_Y if beyond_y else 0)
     return x, y, n, flag + (SPIN if beyond_n else 0)
@@ -182,12 +202,31 @@ def _compiled_row_sums():
 
 
 @compiled
+def _read(flat, start, steps, span):
+    """Have all numbers around a place on their way from memory before the first is used, and the
+    sum of some: in a table larger than the cache lookups wait for each motion in turn otherwise,
+    three times as long. steps: between motions; span: numbers of one.
+    """
+    some = 0
+    for c in range(4):
+        for d in range(4):
+            for e in range(4):
+                here = start + c * steps[0] + d * steps[1] + e * steps[2]
+                some += flat[np.uint64(here)] + flat[np.uint64(here + CACHE_LINE)]
+                some += flat[np.uint64(here + span - 1)]
+                for k in range(2 * CACHE_LINE, span - 1, CACHE_LINE):
+                    some += flat[np.uint64(here + k)]
+    return some
+
+
+@compiled
 def _spline_sum(values, first, w0, w1, w2, w3, w4):
     """Sums of the 4^5 coefficients around a place, weighted along each axis.
 
-    values, shape (nX + 2, nY + 2, nS + 2, nQ + 2, nU + 2, 4): those of 4 loads and 4 speeds lie
-    close together, in 4 rows of 16, which are summed at once over the motions; the weights along
-    load and speed come last. (Written so that the compiler keeps them in a few wide registers.)
+    values, shape (nX + 2, nY + 2, nS + 2, nQ, nU, 4): those of 4 loads and 4 speeds lie close
+    together, of tables with 4 speeds side by side, and are summed over the motions at once; the
+    weights along load and speed come last. (Written so that the compiler keeps them in a few wide
+    registers.)
     """
     i0, i1, i2, i3, i4 = first
     _, n3, n4, n0, n1, _ = values.shape
@@ -195,20 +234,36 @@ def _spline_sum(values, first, w0, w1, w2, w3, w4):
     sums = _row_sums()
     for k in range(16 * COLUMNS):
         sums[k] = 0.0
-    place = n0 * n1 * COLUMNS  # numbers of one motion
     row = n1 * COLUMNS
-    start = (i0 * n1 + i1) * COLUMNS
+    place = n0 * row  # numbers of one motion
+    start = ((i2 * n3 + i3) * n4 + i4) * place + (i0 * n1 + i1) * COLUMNS
+    span = 3 * row + 4 * COLUMNS
+    if _read(flat, start, (n3 * n4 * place, n4 * place, place), span) == IMPOSSIBLE:
+        return 0.0, 0.0, 0.0, 0.0
     for c in range(4):
         for d in range(4):
             weight = w2[c] * w3[d]
             v = (weight * w4[0], weight * w4[1], weight * w4[2], weight * w4[3])
-            here = (((i2 + c) * n3 + i3 + d) * n4 + i4) * place + start
+            here = start + (c * n3 + d) * n4 * place
+            if n1 == 4:
+                for k in range(16 * COLUMNS):
+                    m = np.uint64(here + k)
+                    part = v[0] * flat[m] + v[1] * flat[m + np.uint64(place)]
+                    part += v[2] * flat[m + np.uint64(2 * place)]
+                    sums[k] += part + v[3] * flat[m + np.uint64(3 * place)]
+                continue
             for a in range(4):
                 for k in range(4 * COLUMNS):
                     m = np.uint64(here + a * row + k)
                     part = v[0] * flat[m] + v[1] * flat[m + np.uint64(place)]
                     part += v[2] * flat[m + np.uint64(2 * place)]
                     sums[4 * COLUMNS * a + k] += part + v[3] * flat[m + np.uint64(3 * place)]
+    return _over_films(sums, w0, w1)
+
+
+@inlined
+def _over_films(sums, w0, w1):
+    """Sums of motions weighted along load and speed."""
     t0 = t1 = t2 = t3 = 0.0
     for a in range(4):
         for b in range(4):
@@ -228,10 +283,11 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
 
     axes, shape (5, 3): start, nodes per unit, nodes of -load^LOAD_POWER, ln(speed), and the three
     scaled motions. constants, shape (12,), and scalars, shape (nQ + 2, nU + 2, 10): as named
-    above. values, shape (nX + 2, nY + 2, nS + 2, nQ + 2, nU + 2, 4), whole numbers. Both are
-    B-spline coefficients. out, 8 numbers: F_x, F_y on body 1 [N], M_n, M_y on body 1 [N m], power
-    lost [W], central film [m], stiffness [N/m], damping [N s/m]. Outside, the nearest place in the
-    table counts, forces per load, below the speeds the hydrodynamic moment in proportion to them.
+    above. values, shape (nX + 2, nY + 2, nS + 2, nQ, nU, 4), whole numbers. Both are B-spline
+    coefficients, of values those of the nodes of load and speed alone. out, 8 numbers: F_x, F_y on
+    body 1 [N], M_n, M_y on body 1 [N m], power lost [W], central film [m], stiffness [N/m],
+    damping [N s/m]. Outside, the nearest place in the table counts, forces per load, below the
+    speeds the hydrodynamic moment in proportion to them.
     """
     # 1. place on the axes of load and speed, and the film there
     q, side = _clamped(-(max(load, 1e-300) ** LOAD_POWER), axes[0])
@@ -240,7 +296,10 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
     flag += BELOW_SPEED if side < 0 else (ABOVE_SPEED if side > 0 else 0)
     i0, w0 = _weights(q, axes[0])
     i1, w1 = _weights(u, axes[1])
-    film = (scalars, i0, i1, w0, w1)
+    film = _row_sums()
+    _film_values(scalars, i0, i1, w0, w1, film)
+    i0, w0 = _inner_weights(q, axes[0])
+    i1, w1 = _inner_weights(u, axes[1])
     # 2. place on the axes of the motions, the half above slide_y = 0
     mirror = 1.0 if slide_y >= 0.0 else -1.0
     size = max(abs(speed), constants[LEAST_SPEED], 1e-300)
@@ -256,20 +315,20 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
     t = _spline_sum(values, (i0, i1, i2, i3, i4), w0, w1, w2, w3, w4)
     per_load = load / table_load
     unit = constants[VALUE_UNIT]
-    hydrodynamic = -_film_value(film, HYDRODYNAMIC) * per_load
+    hydrodynamic = -film[HYDRODYNAMIC] * per_load
     if side < 0:  # no oil is drawn in at rest
         hydrodynamic *= abs(speed) * np.exp(-axes[1, 0])
-    force = _film_value(film, LARGEST_FORCE) * per_load
+    force = film[LARGEST_FORCE] * per_load
     out[0] = unit * t[0] * force + 0.5 * constants[DIFFERENCE] * hydrodynamic
     out[1] = unit * mirror * t[1] * force
-    out[2] = unit * mirror * t[2] * _film_value(film, LARGEST_SPIN) * per_load
-    out[3] = unit * t[3] * _film_value(film, LARGEST_ROLLING) * per_load + hydrodynamic
+    out[2] = unit * mirror * t[2] * film[LARGEST_SPIN] * per_load
+    out[3] = unit * t[3] * film[LARGEST_ROLLING] * per_load + hydrodynamic
     # 4. power and film
     rolling = speed / radius - 0.5 * constants[DIFFERENCE] * slide_x
     out[4] = -(out[0] * slide_x + out[1] * slide_y + out[2] * spin + out[3] * rolling)
-    out[5] = _film_value(film, CENTRAL_FILM)
-    out[6] = _film_value(film, STIFFNESS)
-    out[7] = _film_value(film, DAMPING)
+    out[5] = film[CENTRAL_FILM]
+    out[6] = film[STIFFNESS]
+    out[7] = film[DAMPING]
     return flag
 
 
