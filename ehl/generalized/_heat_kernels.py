@@ -209,7 +209,9 @@ def column_transport(
         mass[j, i, k] = height * carried_to(k, cumulative, flow, work)
     before = i - 1 if mass[j, i, n - 1] >= 0.0 else i + 1
     inside = 0 <= before < nx
-    by_x, by_y, by_height = 1.0 / mesh[0], 1.0 / mesh[1], 1.0 / height
+    by_x = 1.0 / mesh[0]
+    by_y = 1.0 / mesh[1]
+    by_height = 1.0 / height
     by_step = -by_x if mass[j, i, n - 1] < 0.0 else by_x
     whole = (mass[j, i, n - 1] - mass[j, before, n - 1]) * by_step if inside else 0.0
     for k in range(n):
