@@ -268,13 +268,28 @@ def _with_message(study: _Study, table: TractionTable, filled: int) -> TractionT
     message += _of_atlas(films)
     if error.largest_spin > error.tolerance:
         message += f"; moments of spin are off by up to {error.largest_spin:.2%} of their largest"
-    if max(error.largest_stiffness, error.largest_damping) > RESPONSE_TOLERANCE:
-        message += f"; between its films stiffness is off by up to {error.largest_stiffness:.1%}"
-        message += f", damping by {error.largest_damping:.1%}"
+    message += of_responses(study.checks, error)
     if filled:
         few = f"{filled} of {int(table.axes[0, 2] * table.axes[1, 2])} films"
         message += f"; stiffness and damping of {few} are those of neighbouring loads"
     return replace(table, converged=not faults, message=message)
+
+
+def of_responses(checks: Sequence[FilmSample], error: TableError) -> str:
+    """By how much stiffness and damping are off between the films, beside their own error bars;
+    nothing where that is little.
+    """
+    stiffness, damping = error.largest_stiffness, error.largest_damping
+    if not max(stiffness, damping) > RESPONSE_TOLERANCE:
+        return ""
+    solved = [film.response for film in checks if film.response and film.response.converged]
+    bars = np.max(
+        [[v.uncertainty / v.value for v in (one.stiffness, one.damping)] for one in solved], axis=0
+    )
+    off = (
+        f"; between its films stiffness is off by up to {stiffness:.1%}, damping by {damping:.1%}"
+    )
+    return f"{off} (error bars of those solved there: up to {bars[0]:.1%} and {bars[1]:.1%})"
 
 
 def _of_atlas(films: Sequence[FilmSample]) -> str:
