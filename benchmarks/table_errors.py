@@ -28,12 +28,17 @@ def main(name: str, points: int = 129, films: int = 12, motions: int = 400) -> N
     began = process_time()
     tables = build_race_tables(state, case.lubricant, case.rheology, options, solids=case.films.solids)
     print(f"built in {process_time() - began:.0f} s of processor time")
-    unseen = TableOptions(points=points, sample=sample, seed=SEED, check_films=films, check_motions=motions)
+    unseen = TableOptions(
+        points=points, sample=sample, seed=SEED, check_films=films, check_motions=motions, check_responses=films
+    )
     for race, table in tables.items():
         error = check_table(table, table.contact, unseen)
         nodes = " x ".join(f"{count:.0f}" for count in table.axes[:, 2])
         print(f"{race.value} race, {nodes} nodes: {table.message}")
         print(f"  own check {table.error.largest:.2%}, near rolling {table.error.largest_straight:.2%}")
+        print(
+            f"  stiffness {error.largest_stiffness:.1%}, damping {error.largest_damping:.1%} at {error.responses} films"
+        )
         print(f"  unseen {error.largest:.2%}, near rolling {error.largest_straight:.2%}, 95 % {error.quantile:.2%}")
 
 

@@ -16,7 +16,7 @@ from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.traction._kernels import table_lookup
 from ehl.traction.film_quadrature import film_quadrature, sliding_forces
-from ehl.traction.table.build import START
+from ehl.traction.table.build import HEATED_START, START
 from ehl.traction.table.packing import VALUE_STEP
 from ehl.traction.table.table import load_place
 
@@ -38,19 +38,19 @@ def many(axes, constants, scalars, values, motions, out):
     return total
 
 
-def random_table(random: np.random.Generator) -> tuple[Array, Array, Array, NDArray[np.int16]]:
-    """Arrays of a table of the size that the 6208's starts with; its numbers are noise."""
-    nodes = np.array(START, dtype=np.float64)
+def random_table(random: np.random.Generator, start: tuple[int, ...]) -> tuple[Array, Array, Array, NDArray[np.int16]]:
+    """Arrays of a table of the nodes that the 6208's starts with; its numbers are noise."""
+    nodes = np.array(start, dtype=np.float64)
     first = np.array([load_place(LOAD[0]), np.log(SPEED[0]), -1.0, 0.0, -1.0])
     last = np.array([load_place(LOAD[1]), np.log(SPEED[1]), 1.0, 1.0, 1.0])
     axes = np.stack([first, (nodes - 1.0) / (last - first), nodes], axis=1)
     constants = np.array([RADIUS, -125.0, 2.0, 1.0, 0.6, 1.5e-4, CURVATURE, VALUE_STEP, 2e-5, 0.1, 0.15, 0.0])
-    scalars = random.random((START[0] + 2, START[1] + 2, 10)) - np.array([8.0, 8.0, 3.0, *[0.0] * 7])
+    scalars = random.random((start[0] + 2, start[1] + 2, 10)) - np.array([8.0, 8.0, 3.0, *[0.0] * 7])
     return (
         axes,
         constants,
         scalars,
-        random.integers(-3000, 3000, (*(START[k] + 2 for k in (2, 3, 4, 0, 1)), 4)).astype(np.int16),
+        random.integers(-3000, 3000, (*(start[k] + 2 for k in (2, 3, 4)), *start[:2], 4)).astype(np.int16),
     )
 
 
@@ -87,11 +87,13 @@ def main(count: int) -> None:
     motions = random.uniform(-1.0, 1.0, (count, 5)) ** 3 * [0.0, 0.0, 20.0, 10.0, 1500.0]
     motions[:, :2] = np.exp(random.uniform(*np.log(np.transpose([LOAD, SPEED])), (count, 2)))
     near = motions[0] * (1.0 + 1e-4 * random.random(motions.shape))
-    arrays = random_table(random)
-    here, anywhere, sums = lookup_time(arrays, near), lookup_time(arrays, motions), shear_time(motions[:200])
-    print(f"table of {arrays[3].nbytes / 1e6:.0f} MB, nodes {START}")
-    print(f"lookup around one place {1e6 * here:.2f} us, all over the table {1e6 * anywhere:.2f} us")
-    print(f"shear sums over a film {1e6 * sums:.1f} us: {sums / here:.0f} and {sums / anywhere:.0f} lookups")
+    sums = shear_time(motions[:200])
+    print(f"shear sums over a film {1e6 * sums:.1f} us")
+    for name, start in (("without", START), ("with", HEATED_START)):
+        arrays = random_table(random, start)
+        here, anywhere = lookup_time(arrays, near), lookup_time(arrays, motions)
+        print(f"table {name} heat, {arrays[3].nbytes / 1e6:.0f} MB, nodes {start}:")
+        print(f"lookup around one place {1e6 * here:.2f} us, all over the table {1e6 * anywhere:.2f} us")
 
 
 if __name__ == "__main__":

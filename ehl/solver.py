@@ -1,6 +1,7 @@
 """Solve one lubricated contact: its mesh, its fields, its film values with error bars."""
 
 import time
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import log2, sqrt
 
@@ -35,6 +36,8 @@ from .multigrid.verdict import (
     film_value,
     judged,
     resolution_message,
+    tolerance_judged,
+    tolerance_reached,
 )
 from .options import SolverOptions
 from .scaling import ScaledContact, scale_contact
@@ -100,7 +103,10 @@ def solve_attempts(
     given = replace(options, points=points)
     solution, result = _solve(problem, given, attempts, progress)
     while tolerance is not None and points < options.most_points:
-        if _reached(solution, tolerance) or film_over_radius(solution) > MAX_FILM_OVER_RADIUS:
+        if (
+            tolerance_reached(solution, tolerance)
+            or film_over_radius(solution) > MAX_FILM_OVER_RADIUS
+        ):
             break
         if error_by_box(result) > max(tolerance, 0.5 * solution.widest_bar):
             break  # of which no mesh takes anything away
@@ -117,9 +123,27 @@ def solve_attempts(
         _certify(result, progress)
         solution = _assembled(conditions, solution.options, result, progress)
     if tolerance is not None:
-        solution = _tolerance_judged(solution, tolerance, f"{points} points")
+        solution = tolerance_judged(solution, tolerance, f"{points} points")
     record = replace(solution.record, wall_time=time.perf_counter() - start)
     return replace(solution, options=options, record=record), result.state
+
+
+def solve_nested(
+    conditions: ContactConditions | MoesConditions, meshes: Sequence[SolverOptions]
+) -> Iterator[tuple[ContactSolution, Multigrid]]:
+    """A flooded contact on meshes each half as wide as the one before, on which it starts from
+    the levels of that; without tolerance.
+    """
+    domain = meshes[0].domain or choose_domain(scale_contact(conditions))
+    problem = _Problem(conditions, domain, None, None)
+    result = None
+    for options in meshes:
+        progress = Progress()
+        if result is None:
+            solution, result = _solve(problem, options, ATTEMPTS, progress)
+        else:
+            solution, result = _solve_finer(problem, options, result, ATTEMPTS, progress)
+        yield solution, result.state
 
 
 def solve_starved(
@@ -208,26 +232,6 @@ def _first_points(
     cells = (domain[1] - domain[0]) * contact.half_extent_x / mesh
     points = 2 ** max(round(log2(cells)), 0) + 1
     return min(max(points, FEWEST_POINTS), most)
-
-
-def _reached(solution: ContactSolution, tolerance: float) -> bool:
-    """Whether both films are within their tolerance."""
-    return solution.converged and solution.resolved and solution.widest_bar <= tolerance
-
-
-def _tolerance_judged(solution: ContactSolution, tolerance: float, mesh: str) -> ContactSolution:
-    """The solution; where it converged with wider bars than asked for the message says so."""
-    if not (solution.converged and solution.resolved) or _reached(solution, tolerance):
-        return solution
-    bars = [
-        film.relative_uncertainty
-        for film in (solution.film_central_dimensionless, solution.film_minimum_dimensionless)
-    ]
-    message = (
-        f"{solution.message}; tolerance {tolerance:g} not reached at {mesh}: error bars "
-        f"{bars[0]:.1e} central, {bars[1]:.1e} minimum film"
-    )
-    return replace(solution, message=message)
 
 
 @dataclass(frozen=True, slots=True)

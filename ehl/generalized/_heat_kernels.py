@@ -208,8 +208,12 @@ def column_transport(
     for k in range(n if renewed else 0):
         mass[j, i, k] = height * carried_to(k, cumulative, flow, work)
     before = i - 1 if mass[j, i, n - 1] >= 0.0 else i + 1
-    step = -mesh[0] if mass[j, i, n - 1] < 0.0 else mesh[0]
     inside = 0 <= before < nx
+    by_x = 1.0 / mesh[0]
+    by_y = 1.0 / mesh[1]
+    by_height = 1.0 / height
+    by_step = -by_x if mass[j, i, n - 1] < 0.0 else by_x
+    whole = (mass[j, i, n - 1] - mass[j, before, n - 1]) * by_step if inside else 0.0
     for k in range(n):
         dense = flow[CAPACITY, k]
         west = i - 1 if flow[U, k] >= 0.0 else i + 1
@@ -218,15 +222,14 @@ def column_transport(
         if symmetric and south < 0:
             south = 1
         from_y = temperature[south, i, k] if 0 <= south < ny else inlet
-        a_x, a_y = dense * abs(flow[U, k]) / mesh[0], dense * abs(flow[V, k]) / mesh[1]
+        a_x, a_y = dense * abs(flow[U, k]) * by_x, dense * abs(flow[V, k]) * by_y
         flow[INFLOW, k] = a_x + a_y
         flow[ADVECTED, k] = a_x * from_x + a_y * from_y
-        change = (mass[j, i, k] - mass[j, before, k]) / step if inside else 0.0
-        whole = (mass[j, i, n - 1] - mass[j, before, n - 1]) / step if inside else 0.0
+        change = (mass[j, i, k] - mass[j, before, k]) * by_step if inside else 0.0
         # the gain or loss of the film as a whole leaves sideways or in cavities, evenly over its
         # thickness
         own = dense / work[RHO, k]
-        flow[CROSSING, k] = -own * (change - section[0][k] * whole) / height
+        flow[CROSSING, k] = -own * (change - section[0][k] * whole) * by_height
 
 
 @compiled

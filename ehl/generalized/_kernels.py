@@ -34,6 +34,7 @@ ln(eta/eta_0) and mass weights at the nodes of a column.
 import numpy as np
 
 from ..compiled import compiled
+from ..oil._elementary_kernels import exponential
 from ..oil._kernels import column_density, column_log_viscosity, density_ratio, viscosity
 from ..oil._rheology_kernels import (
     CARREAU_YASUDA,
@@ -194,7 +195,10 @@ def column_properties(p, temperature, oil, section, work):
     column_log_viscosity(p, temperature, oil, work[LOG_ETA])
     column_density(p, temperature, oil, work[RHO])
     for k in range(section[1].size):
-        work[ETA, k] = oil[2] * np.exp(work[LOG_ETA, k])
+        work[ETA, k] = work[LOG_ETA, k]
+    exponential(work[ETA])
+    for k in range(section[1].size):
+        work[ETA, k] *= oil[2]
         mean += section[1][k] * temperature[k]
     return mean
 

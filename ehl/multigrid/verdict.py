@@ -53,6 +53,26 @@ def _centre(result: AttemptResult) -> float:
     return result.levels[-1].film[-1][CENTRAL] if result.levels else nan
 
 
+def tolerance_reached(solution: ContactSolution, tolerance: float) -> bool:
+    """Whether both films are within their tolerance."""
+    return solution.converged and solution.resolved and solution.widest_bar <= tolerance
+
+
+def tolerance_judged(solution: ContactSolution, tolerance: float, mesh: str) -> ContactSolution:
+    """The solution; where it converged with wider bars than asked for the message says so."""
+    if not (solution.converged and solution.resolved) or tolerance_reached(solution, tolerance):
+        return solution
+    bars = [
+        film.relative_uncertainty
+        for film in (solution.film_central_dimensionless, solution.film_minimum_dimensionless)
+    ]
+    message = (
+        f"{solution.message}; tolerance {tolerance:g} not reached at {mesh}: error bars "
+        f"{bars[0]:.1e} central, {bars[1]:.1e} minimum film"
+    )
+    return replace(solution, message=message)
+
+
 def judged(solution: ContactSolution, by_box: float = 0.0) -> ContactSolution:
     """The solution as its films let it stand: the minimum not above the centre, not converged
     where the film is outside the model, unresolved where a bar is wider than `LARGEST_BAR` or the

@@ -6,6 +6,7 @@ oil: the array of `numbers.oil_numbers`.
 import numpy as np
 
 from ..compiled import compiled
+from ._elementary_kernels import exponential, logarithm
 from .heat_properties import CAPACITY_POWER
 from .lubricant import (
     DOWSON_HIGGINSON_DENOMINATOR,
@@ -110,8 +111,16 @@ def column_log_viscosity(pressure, temperature, oil, out):
     """`log_viscosity_ratio` at the temperatures of a column, the law chosen once."""
     pressed = pressure_rise(pressure, oil)
     if int(oil[0]) == ROELANDS:
+        room = oil[4] - ROELANDS_TEMPERATURE
         for k in range(temperature.size):
-            out[k] = _log_roelands(pressed, temperature[k] - oil[4], oil)
+            out[k] = max(1.0 + (temperature[k] - oil[4]) / room, 1e-3)
+        logarithm(out)
+        for k in range(temperature.size):
+            power = -oil[5] * room / oil[V] * out[k]
+            out[k] = min(max(power, -EXPONENT_LIMIT), EXPONENT_LIMIT)
+        exponential(out)
+        for k in range(temperature.size):
+            out[k] = min(oil[V] * (pressed * out[k] - 1.0), EXPONENT_LIMIT)
     else:
         for k in range(temperature.size):
             out[k] = log_viscosity_at(pressure, pressed, temperature[k], oil)
@@ -137,7 +146,10 @@ def column_density(pressure, temperature, oil, out):
     else:
         pressed = density_ratio(pressure, oil[4], oil)
         for k in range(temperature.size):
-            out[k] = pressed * np.exp(-oil[6] * (temperature[k] - oil[4]))
+            out[k] = -oil[6] * (temperature[k] - oil[4])
+        exponential(out)
+        for k in range(temperature.size):
+            out[k] *= pressed
 
 
 @compiled

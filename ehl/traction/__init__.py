@@ -4,6 +4,7 @@ moments, tables.
 _block_kernels      - sums over the nodes of a film for many motions, compiled
 _kapitza_kernels    - integral of the pressure of rigid bodies, compiled
 _kernels            - sums over the nodes of a film, and lookups in a table, compiled
+_spline_kernels     - splines over the axes of a table, compiled
 atlas               - films and rolling moment of a contact from a table of solved ones
 coefficient_kernels - coefficients by the local sliding, each law whole: Coulomb, four constants
 film_quadrature     - quadrature over a solved film, and its sliding forces for many motions

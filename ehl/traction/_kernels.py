@@ -5,18 +5,14 @@ Everything is arrays and floats in SI. The NumPy twins stand in `tests/reference
 """
 
 import numpy as np
-from numba import carray, types
-from numba.core import cgutils
-from numba.extending import intrinsic, overload
 
 from ..compiled import compiled
 from ..oil._rheology_kernels import inverse_sine
+from ._spline_kernels import inner_weights, row_sums, spline_sum, spline_weights
 from .coefficient_kernels import coefficient as coefficient_formula
 
 # rows of the nodes of a film; spread: a twelfth of the squared size
 X, Y, AREA, FILM, VISCOSITY, LIMIT, SPREAD_X, SPREAD_Y = range(8)
-# of a table's values: F_x, F_y, M_n, M_y of sliding, over the film's largest force and moments
-COLUMNS = 4
 # of a table's films, logarithms: scales of the motions, central film, hydrodynamic moment,
 # response, largest force and moments of sliding
 SCALE_X, SCALE_Y, SCALE_SPIN, CENTRAL_FILM, HYDRODYNAMIC = range(5)
@@ -43,18 +39,6 @@ BELOW_LOAD, ABOVE_LOAD, BELOW_SPEED, ABOVE_SPEED = (1 << bit for bit in range(4)
 SLIDE_X, SLIDE_Y, SPIN = (1 << bit for bit in range(4, 7))
 
 coefficient = compiled(coefficient_formula)
-
-
-@compiled
-def _weights(place, axis):
-    """First index and cubic B-spline weights at a place on an axis (start, density, nodes)."""
-    t = (place - axis[0]) * axis[1]
-    i = min(max(int(np.floor(t)), 0), int(axis[2]) - 2)
-    t -= i
-    r = 1.0 - t
-    inner = (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0
-    outer = (4.0 - 6.0 * r * r + 3.0 * r * r * r) / 6.0
-    return i, (r * r * r / 6.0, inner, outer, t * t * t / 6.0)
 
 
 @compiled
@@ -104,14 +88,21 @@ def _motion_scale(scale, turn, b_axis, constants):
 
 
 @compiled
-def _film_value(film, column):
-    """What a spline over load and speed has a logarithm of: scalars, first indices and weights."""
-    scalars, i0, i1, w0, w1 = film
-    total = 0.0
+def _film_values(scalars, load, speed, film):
+    """What splines over load and speed have logarithms of, all columns at once, into film; load,
+    speed: first coefficient and weights.
+    """
+    i0, w0 = load
+    i1, w1 = speed
+    columns = scalars.shape[2]
+    film[:columns] = 0.0
     for a in range(4):
         for b in range(4):
-            total += w0[a] * w1[b] * scalars[i0 + a, i1 + b, column]
-    return np.exp(total)
+            weight = w0[a] * w1[b]
+            for k in range(columns):
+                film[k] += weight * scalars[i0 + a, i1 + b, k]
+    for k in range(columns):
+        film[k] = np.exp(film[k])
 
 
 @compiled
@@ -143,82 +134,17 @@ def _motion_places(film, axes, constants, motions, load):
     limit_y = constants[RANGE_Y]
     shift = vertex_slide(turn, b_axis, constants[RADIUS_X], constants[CURVATURE])
     top = slide_x + (_fading_shift(shift, slide_x, limit_x) if weight > 0.0 else shift)
-    scale = _motion_scale(_film_value(film, SCALE_X), turn, b_axis, constants)
+    scale = _motion_scale(film[SCALE_X], turn, b_axis, constants)
     part = _standing_part(min(abs(top), limit_x)) / _standing_part(limit_x)
     x, beyond_x = _scaled(top, scale, limit_x, axes[2], part, weight)
     spread = constants[SPACING_SPIN] * turn * constants[UNIT_AXIS_X] * root / constants[RADIUS_X]
-    scale = np.hypot(_film_value(film, SCALE_Y), spread)
+    scale = np.hypot(film[SCALE_Y], spread)
     part = min(abs(slide_y) / limit_y, 1.0)
     y, beyond_y = _scaled(slide_y, scale, limit_y, axes[3], part, weight)
-    scale = _film_value(film, SCALE_SPIN)
+    scale = film[SCALE_SPIN]
     n, beyond_n = _scaled(turn, scale, constants[RANGE_SPIN], axes[4], 0.0, 0.0)
     flag = (SLIDE_X if beyond_x else 0) + (SLIDE_Y if beyond_y else 0)
     return x, y, n, flag + (SPIN if beyond_n else 0)
-
-
-def _row_sums():
-    """Room for 4 loads times 4 speeds times COLUMNS numbers."""
-    return np.empty(16 * COLUMNS)
-
-
-@intrinsic
-def _room(typing):
-    """A pointer to as much on the stack: nothing to free, and known to overlap nothing."""
-    del typing
-
-    def build(context, builder, signature, arguments):
-        del signature, arguments
-        return cgutils.alloca_once(
-            builder, context.get_value_type(types.float64), size=16 * COLUMNS
-        )
-
-    return types.CPointer(types.float64)(), build
-
-
-@overload(_row_sums, inline="always")
-def _compiled_row_sums():
-    """`_row_sums` where it is compiled."""
-    return lambda: carray(_room(), (16 * COLUMNS,))
-
-
-@compiled
-def _spline_sum(values, first, w0, w1, w2, w3, w4):
-    """Sums of the 4^5 coefficients around a place, weighted along each axis.
-
-    values, shape (nX + 2, nY + 2, nS + 2, nQ + 2, nU + 2, 4): those of 4 loads and 4 speeds lie
-    close together, in 4 rows of 16, which are summed at once over the motions; the weights along
-    load and speed come last. (Written so that the compiler keeps them in a few wide registers.)
-    """
-    i0, i1, i2, i3, i4 = first
-    _, n3, n4, n0, n1, _ = values.shape
-    flat = values.reshape(-1)
-    sums = _row_sums()
-    for k in range(16 * COLUMNS):
-        sums[k] = 0.0
-    place = n0 * n1 * COLUMNS  # numbers of one motion
-    row = n1 * COLUMNS
-    start = (i0 * n1 + i1) * COLUMNS
-    for c in range(4):
-        for d in range(4):
-            weight = w2[c] * w3[d]
-            v = (weight * w4[0], weight * w4[1], weight * w4[2], weight * w4[3])
-            here = (((i2 + c) * n3 + i3 + d) * n4 + i4) * place + start
-            for a in range(4):
-                for k in range(4 * COLUMNS):
-                    m = np.uint64(here + a * row + k)
-                    part = v[0] * flat[m] + v[1] * flat[m + np.uint64(place)]
-                    part += v[2] * flat[m + np.uint64(2 * place)]
-                    sums[4 * COLUMNS * a + k] += part + v[3] * flat[m + np.uint64(3 * place)]
-    t0 = t1 = t2 = t3 = 0.0
-    for a in range(4):
-        for b in range(4):
-            weight = w0[a] * w1[b]
-            first_sum = (4 * a + b) * COLUMNS
-            t0 += weight * sums[first_sum]
-            t1 += weight * sums[first_sum + 1]
-            t2 += weight * sums[first_sum + 2]
-            t3 += weight * sums[first_sum + 3]
-    return t0, t1, t2, t3
 
 
 @compiled
@@ -228,19 +154,21 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
 
     axes, shape (5, 3): start, nodes per unit, nodes of -load^LOAD_POWER, ln(speed), and the three
     scaled motions. constants, shape (12,), and scalars, shape (nQ + 2, nU + 2, 10): as named
-    above. values, shape (nX + 2, nY + 2, nS + 2, nQ + 2, nU + 2, 4), whole numbers. Both are
-    B-spline coefficients. out, 8 numbers: F_x, F_y on body 1 [N], M_n, M_y on body 1 [N m], power
-    lost [W], central film [m], stiffness [N/m], damping [N s/m]. Outside, the nearest place in the
-    table counts, forces per load, below the speeds the hydrodynamic moment in proportion to them.
+    above. values, shape (nX + 2, nY + 2, nS + 2, nQ, nU, 4), whole numbers. Both are B-spline
+    coefficients, of values those of the nodes of load and speed alone. out, 8 numbers: F_x, F_y on
+    body 1 [N], M_n, M_y on body 1 [N m], power lost [W], central film [m], stiffness [N/m],
+    damping [N s/m]. Outside, the nearest place in the table counts, forces per load, below the
+    speeds the hydrodynamic moment in proportion to them.
     """
     # 1. place on the axes of load and speed, and the film there
     q, side = _clamped(-(max(load, 1e-300) ** LOAD_POWER), axes[0])
     flag = BELOW_LOAD if side < 0 else (ABOVE_LOAD if side > 0 else 0)
     u, side = _clamped(np.log(max(speed, 1e-300)), axes[1])
     flag += BELOW_SPEED if side < 0 else (ABOVE_SPEED if side > 0 else 0)
-    i0, w0 = _weights(q, axes[0])
-    i1, w1 = _weights(u, axes[1])
-    film = (scalars, i0, i1, w0, w1)
+    film = row_sums()
+    _film_values(scalars, spline_weights(q, axes[0]), spline_weights(u, axes[1]), film)
+    i0, w0 = inner_weights(q, axes[0])
+    i1, w1 = inner_weights(u, axes[1])
     # 2. place on the axes of the motions, the half above slide_y = 0
     mirror = 1.0 if slide_y >= 0.0 else -1.0
     size = max(abs(speed), constants[LEAST_SPEED], 1e-300)
@@ -249,27 +177,27 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
     motions = (slide_x / size, abs(slide_y) / size, mirror * spin * radius / size)
     x, y, n, beyond = _motion_places(film, axes, constants, motions, table_load)
     flag += beyond
-    i2, w2 = _weights(x, axes[2])
-    i3, w3 = _weights(y, axes[3])
-    i4, w4 = _weights(n, axes[4])
+    i2, w2 = spline_weights(x, axes[2])
+    i3, w3 = spline_weights(y, axes[3])
+    i4, w4 = spline_weights(n, axes[4])
     # 3. forces and moments: sliding over its largest, and the hydrodynamic moment
-    t = _spline_sum(values, (i0, i1, i2, i3, i4), w0, w1, w2, w3, w4)
+    t = spline_sum(values, (i0, i1, i2, i3, i4), w0, w1, w2, w3, w4)
     per_load = load / table_load
     unit = constants[VALUE_UNIT]
-    hydrodynamic = -_film_value(film, HYDRODYNAMIC) * per_load
+    hydrodynamic = -film[HYDRODYNAMIC] * per_load
     if side < 0:  # no oil is drawn in at rest
         hydrodynamic *= abs(speed) * np.exp(-axes[1, 0])
-    force = _film_value(film, LARGEST_FORCE) * per_load
+    force = film[LARGEST_FORCE] * per_load
     out[0] = unit * t[0] * force + 0.5 * constants[DIFFERENCE] * hydrodynamic
     out[1] = unit * mirror * t[1] * force
-    out[2] = unit * mirror * t[2] * _film_value(film, LARGEST_SPIN) * per_load
-    out[3] = unit * t[3] * _film_value(film, LARGEST_ROLLING) * per_load + hydrodynamic
+    out[2] = unit * mirror * t[2] * film[LARGEST_SPIN] * per_load
+    out[3] = unit * t[3] * film[LARGEST_ROLLING] * per_load + hydrodynamic
     # 4. power and film
     rolling = speed / radius - 0.5 * constants[DIFFERENCE] * slide_x
     out[4] = -(out[0] * slide_x + out[1] * slide_y + out[2] * spin + out[3] * rolling)
-    out[5] = _film_value(film, CENTRAL_FILM)
-    out[6] = _film_value(film, STIFFNESS)
-    out[7] = _film_value(film, DAMPING)
+    out[5] = film[CENTRAL_FILM]
+    out[6] = film[STIFFNESS]
+    out[7] = film[DAMPING]
     return flag
 
 

@@ -24,7 +24,8 @@ from ..arrays import Array
 from ..oil.lubricant import Lubricant
 from ..oil.rheology import Rheology, kernel_rheology, limiting_stress, shear_stress
 from ..solution import ContactSolution
-from . import _block_kernels, _kernels
+from . import _block_kernels
+from ._spline_kernels import COLUMNS
 from .shear import (
     Cavitation,
     bounded_viscosity,
@@ -316,7 +317,7 @@ def sliding_forces(
     slide: slide_x, slide_y [m/s] and spin [rad/s]; rolling: relative speed [rad/s]; curvature:
     1/(2R) of the loaded surface [1/m].
     """
-    out = np.zeros((slide[0].size, _kernels.COLUMNS))
+    out = np.zeros((slide[0].size, COLUMNS))
     law = kernel_rheology(film.rheology)[:4]
     surface = (curvature, film.half_width)
     _block_kernels.sliding_sums_many(film.nodes, law, (*slide, rolling), surface, out)

@@ -1,6 +1,6 @@
 """Stiffness and damping of a lubricated contact along its normal, with error bars."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from math import hypot, inf, nan, pi
 
@@ -10,10 +10,12 @@ from numpy.typing import NDArray
 from ...closed_form.hertz import hertz_contact
 from ...conditions import ContactConditions, MoesConditions
 from ...multigrid.bordered import LinearSolverError
+from ...multigrid.levels import Multigrid
 from ...multigrid.newton import MOST_NODES
 from ...options import SolverOptions
 from ...scaling import scale_contact
-from ...solver import solve_attempts, solve_behind_layer
+from ...solution import ContactSolution
+from ...solver import solve_attempts, solve_behind_layer, solve_nested
 from .linear import LinearContact, SlowResponse, linear_contact
 
 POINTS = (257, 513)  # the first that resolves the film, and half of them
@@ -86,12 +88,13 @@ def normal_response(
     fixed = given.points is not None
     finest = (max(given.most_points, COARSEST),) if fixed else POINTS
     counts = [max((finest[0] + 1) // 2, COARSEST), *finest]
+    plain = replace(given, tolerance=None, certify=False)
+    options_of = [replace(plain, points=points) for points in dict.fromkeys(counts)]
     meshes: list[_Mesh] = []
     fault = ""
-    for points in dict.fromkeys(counts):
-        one = replace(given, points=points, tolerance=None, certify=False)
+    for points, solved in zip(dict.fromkeys(counts), _solved(conditions, options_of), strict=True):
         try:
-            meshes.append(_mesh(conditions, one, frequencies))
+            meshes.append(_mesh(conditions, points, solved, frequencies))
         except LinearSolverError as error:
             fault = f"{points} points: {error}"
             continue
@@ -155,12 +158,22 @@ class _Mesh:
     over_frequency: tuple[tuple[float, float], ...]  # stiffness and damping
 
 
+Solved = tuple[ContactSolution, Multigrid]
+
+
+def _solved(conditions: ContactConditions, meshes: Sequence[SolverOptions]) -> Iterator[Solved]:
+    """The contact on one mesh after the other, behind a layer each by itself."""
+    if conditions.inlet_layer is None:
+        return solve_nested(conditions, meshes)
+    return (solve_behind_layer(conditions, options) for options in meshes)
+
+
 def _mesh(
-    conditions: ContactConditions, options: SolverOptions, frequencies: Sequence[float]
+    conditions: ContactConditions, points: int, solved: Solved, frequencies: Sequence[float]
 ) -> _Mesh:
-    """The response on the points of the options; `LinearSolverError` where there is none."""
+    """The response of a contact solved on so many points; `LinearSolverError` if there is none."""
     starved = conditions.inlet_layer is not None
-    solution, state = (solve_behind_layer if starved else solve_attempts)(conditions, options)
+    solution, state = solved
     if not solution.converged:
         raise LinearSolverError(solution.message)
     if state.levels[-1].P.size > MOST_NODES:
@@ -184,7 +197,7 @@ def _mesh(
         stiffness=unit * slow.stiffness,
         damping=unit * time * slow.damping,
         outside=unit * time * slow.damping_outside,
-        points=options.most_points,
+        points=points,
         resolved=solution.resolved,
         over_frequency=tuple(samples),
     )

@@ -33,12 +33,13 @@ SCALE_DEGREES = (3, 2)  # of the scales over load and speed, chosen by trial [-]
 GROWTH = 1.4  # of the nodes of a motion
 NARROW_LOADS = 6  # fewest nodes of a narrow range of loads
 NARROW_STEP = 0.2  # ln(load) between them
+# error of stiffness or damping that a table's message tells: their own error bars are 2 to 5 % [-]
+RESPONSE_TOLERANCE = 0.05
 
 # smallest motions of `straight_motions`: slide over the entrainment, spin over that over R_x; at
 # smaller ones traction goes with the motion
 SMALLEST_SLIDE = 1e-7
 SMALLEST_SPIN = 1e-5
-ERRORS = ("largest", "quantile", "rms", "largest_spin", "largest_rolling")
 Progress = Callable[[int, int, str], None]  # done, in all, what
 # film of a contact at a place (ln load, ln speed) of a range, of so many points along x, with
 # stiffness and damping or without
@@ -53,6 +54,7 @@ class TableOptions:
     tolerance: float = 0.01  # of the force over kappa_max Q at every point of the check [-]
     check_films: int = 8
     check_motions: int = 60  # random ones, at each film of the check
+    check_responses: int = 3  # films of the check that stiffness and damping are solved at, too
     rounds: int = 4  # refinements at most
     workers: int = 1  # films solved at a time
     seed: int = 52163  # of the random places of the check
@@ -119,7 +121,9 @@ def _study(
     )
     ends = np.array([[log(end) for end in ends] for ends in (limits.load, limits.speed)])
     places = latin_hypercube(ends, options.check_films, np.random.default_rng(options.seed)).T
-    study.checks = _solve(study, [((float(q), float(u)), False) for q, u in places])
+    measured = options.check_responses
+    wanted = [((float(q), float(u)), k < measured) for k, (q, u) in enumerate(places)]
+    study.checks = _solve(study, wanted)
     return study
 
 
@@ -221,7 +225,14 @@ def _table(study: _Study) -> tuple[TractionTable, NDArray[np.float32]]:
     responses, filled = log_responses(study.contact, films)
     scalars = [_scalars(films), responses, np.log(largest)]
     unchecked = TableError(
-        **dict.fromkeys(ERRORS, np.inf), films=0, motions=0, tolerance=study.options.tolerance
+        largest=np.inf,
+        quantile=np.inf,
+        rms=np.inf,
+        largest_spin=np.inf,
+        largest_rolling=np.inf,
+        films=0,
+        motions=0,
+        tolerance=study.options.tolerance,
     )
     table = TractionTable(
         contact=study.contact,
@@ -257,10 +268,28 @@ def _with_message(study: _Study, table: TractionTable, filled: int) -> TractionT
     message += _of_atlas(films)
     if error.largest_spin > error.tolerance:
         message += f"; moments of spin are off by up to {error.largest_spin:.2%} of their largest"
+    message += of_responses(study.checks, error)
     if filled:
         few = f"{filled} of {int(table.axes[0, 2] * table.axes[1, 2])} films"
         message += f"; stiffness and damping of {few} are those of neighbouring loads"
     return replace(table, converged=not faults, message=message)
+
+
+def of_responses(checks: Sequence[FilmSample], error: TableError) -> str:
+    """By how much stiffness and damping are off between the films, beside their own error bars;
+    nothing where that is little.
+    """
+    stiffness, damping = error.largest_stiffness, error.largest_damping
+    if not max(stiffness, damping) > RESPONSE_TOLERANCE:
+        return ""
+    solved = [film.response for film in checks if film.response and film.response.converged]
+    bars = np.max(
+        [[v.uncertainty / v.value for v in (one.stiffness, one.damping)] for one in solved], axis=0
+    )
+    off = (
+        f"; between its films stiffness is off by up to {stiffness:.1%}, damping by {damping:.1%}"
+    )
+    return f"{off} (error bars of those solved there: up to {bars[0]:.1%} and {bars[1]:.1%})"
 
 
 def _of_atlas(films: Sequence[FilmSample]) -> str:
@@ -322,6 +351,18 @@ def _errors(
     return np.asarray(np.stack(parts, axis=1) / unit)
 
 
+def _response_errors(table: TractionTable, films: Sequence[FilmSample]) -> Array:
+    """Relative errors of stiffness and damping at films that have them, shape (n, 2) [-]."""
+    errors = []
+    for film in films:
+        if film.response is None or not film.response.converged:
+            continue
+        found = table.forces(film.load, film.speed, 0.0, 0.0, 0.0)
+        solved = film.response.stiffness.value, film.response.damping.value
+        errors.append(np.abs(np.array([found.stiffness, found.damping]) / solved - 1.0))
+    return np.array(errors).reshape(-1, 2)
+
+
 def _checked(study: _Study, table: TractionTable) -> TableError:
     """Error at the films of the check, for motions drawn evenly in the table's coordinates, and
     for `straight_motions`.
@@ -340,6 +381,7 @@ def _checked(study: _Study, table: TractionTable) -> TableError:
         straight.append(force)
         spun.append(spin)
     every = np.concatenate(errors)
+    responses = _response_errors(table, study.checks)
     return TableError(
         largest=float(every[:, 0].max()),
         quantile=float(np.quantile(every[:, 0], 0.95)),
@@ -347,6 +389,9 @@ def _checked(study: _Study, table: TractionTable) -> TableError:
         largest_spin=float(max(every[:, 1].max(), *spun)),
         largest_rolling=float(every[:, 2].max()),
         largest_straight=float(max(straight)),
+        largest_stiffness=float(responses[:, 0].max()) if len(responses) else np.nan,
+        largest_damping=float(responses[:, 1].max()) if len(responses) else np.nan,
+        responses=len(responses),
         films=len(study.checks),
         motions=n,
         tolerance=study.options.tolerance,

@@ -9,6 +9,7 @@ import numpy as np
 from ...arrays import Array, lagrange_weights
 from ...oil.rheology import Rheology, kernel_rheology
 from .. import _kernels
+from .._spline_kernels import COLUMNS
 from ..film_quadrature import FilmQuadrature
 from ..heated.film import HeatedFilm, HeatedLines, slide_axis
 from . import _many_kernels
@@ -49,7 +50,7 @@ def _forces(
     with its half width and rheology, with heat that of lines.
     """
     slide, rolling, curvature = motions
-    out = np.zeros((slide[0].size, _kernels.COLUMNS))
+    out = np.zeros((slide[0].size, COLUMNS))
     flat = np.concatenate([strips.reshape(strips.shape[0], -1), low], axis=1)
     largest, change = _largest_sliding(flat, slide, rolling, curvature)
     if largest == 0.0:

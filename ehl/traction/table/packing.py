@@ -90,10 +90,14 @@ def _coefficients(numbers: Integers) -> Values:
 
 def whole_numbers(values: Values) -> tuple[Numbers, float]:
     """Values as the kernel of lookups takes them, load and speed last, where a lookup finds them
-    close together, and the unit of these whole numbers [-]: `VALUE_STEP`, or what lets them fit.
+    close together, and the unit of these whole numbers [-], the smallest that lets them fit.
+
+    Of load and speed the coefficients of the nodes alone, from which those beyond follow: 60 % of
+    all, of 4 speeds all in the order in which a lookup adds them.
     """
-    unit = max(VALUE_STEP, float(np.abs(values).max()) / LARGEST_NUMBER)
-    turned = np.moveaxis(values, (0, 1), (3, 4))
+    inner = values[1:-1, 1:-1]
+    unit = float(np.abs(inner).max()) / LARGEST_NUMBER or VALUE_STEP
+    turned = np.moveaxis(inner, (0, 1), (3, 4))
     return np.rint(turned / unit).astype(np.int16, order="C"), unit
 
 

@@ -117,6 +117,11 @@ class TableError:
     # of the force vector over kappa_max Q at as many motions without spin or with little, from
     # slides of 1e-7 of the entrainment on; NaN in files written before it was known [-]
     largest_straight: float = nan
+    # over those solved at `responses` films of the check; NaN where none converged and in files
+    # written before they were measured
+    largest_stiffness: float = nan  # of the stiffness over that solved [-]
+    largest_damping: float = nan  # of the damping [-]
+    responses: int = 0  # films of the check with both
 
     @property
     def reached(self) -> bool:

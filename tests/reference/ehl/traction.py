@@ -76,10 +76,14 @@ def coefficient(law, slide, speed):
     return np.minimum(s / law.dead_band, 1.0) * ((law.a + law.b * s) * np.exp(-law.c * s) + law.d)
 
 
-def table_forces(table, load, speed, slide_x, slide_y, spin):
-    """F_x, F_y, M_n, M_y, power, film, stiffness, damping as `table.forces`, within its range."""
-    numbers, unit = whole_numbers(table.values)
-    scalars, values = table.scalars, unit * np.moveaxis(numbers, (3, 4), (0, 1))
+def table_forces(table, load, speed, slide_x, slide_y, spin, whole=True):
+    """F_x, F_y, M_n, M_y, power, film, stiffness, damping as `table.forces`, within its range; whole: by the whole
+    numbers of lookups, else by the table's own.
+    """
+    scalars, values = table.scalars, table.values.astype(float)
+    if whole:
+        numbers, unit = whole_numbers(table.values)
+        values = unit * with_ends(with_ends(np.moveaxis(numbers, (3, 4), (0, 1)), 0), 1)
     for axis, place in enumerate((load_place(load), log(speed))):
         scalars, values = (along_first(part, place, table.axes[axis]) for part in (scalars, values))
     radius, difference, *limits = table.constants[:5]
@@ -102,6 +106,16 @@ def table_forces(table, load, speed, slide_x, slide_y, spin):
     rolling = speed / radius - 0.5 * difference * slide_x
     power = -(force @ [slide_x, slide_y] + moment @ [spin, rolling])
     return np.array([*force, *moment, power, exp(scalars[3]), exp(scalars[5]), exp(scalars[6])])
+
+
+def with_ends(inner, axis):
+    """Coefficients along an axis with those beyond its ends, where the third derivative is continuous at the second and
+    the last but one node.
+    """
+    c = np.moveaxis(inner.astype(float), axis, 0)
+    first = 4.0 * c[0] - 6.0 * c[1] + 4.0 * c[2] - c[3]
+    last = 4.0 * c[-1] - 6.0 * c[-2] + 4.0 * c[-3] - c[-4]
+    return np.moveaxis(np.concatenate([first[None], c, last[None]]), 0, axis)
 
 
 def along_first(coefficients, place, axis):

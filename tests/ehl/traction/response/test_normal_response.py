@@ -159,10 +159,10 @@ def test_a_coarse_mesh_that_fails_leaves_a_wide_bar(monkeypatch):
     """The finer one alone has bars as wide as its values; where that fails, too, there is nothing, and why."""
     asked = normal._mesh
 
-    def coarse_fails(conditions, options, frequencies):
-        if options.points < 129 or conditions.load > 200.0:
+    def coarse_fails(conditions, points, solved, frequencies):
+        if points < 129 or conditions.load > 200.0:
             raise LinearSolverError("no")
-        return asked(conditions, options, frequencies)
+        return asked(conditions, points, solved, frequencies)
 
     monkeypatch.setattr(normal, "_mesh", coarse_fails)
     alone = normal_response(STEEL, SolverOptions(points=129))
