@@ -29,11 +29,13 @@ from .stability import Slopes, Stability, stability
 NEAR = 1.0  # film temperature from which Newton's method takes over [K]
 TOLERANCE = 1.0e-4  # of the film temperature [K]
 CLEARANCE_TOLERANCE = 1.0e-10  # [m]
-SECANT_STEPS = 14
+MOST_STEPS = 30  # of the film temperature alone: friction over it may fall and rise
 LAST_STATES = 3  # that a step goes by: a parabola
 # of the tolerance that line and parabola may differ where the last one is not looked at: measured
-# on 48 states of a 7012AC the parabola was better than that difference [-]
+# on 48 states of a 7012AC the parabola was better than that difference [-]; at most so far away,
+# as without a limit bearings in the cold were taken for settled 20 K from their balance [K]
 FORESEEN = 0.1
+FORESEEN_REACH = 0.02
 NEWTON_STEPS = 8
 # of the viscosity with which the friction goes, for the first step: 0.37 to 0.46 in 24 states of a
 # 7012AC with films of the atlas [-]
@@ -130,7 +132,7 @@ def solve_self_heating(
         search = _Search(problem)
         alone = not (judged or search.floating)
         start, temperature = _nearby(search, TOLERANCE if alone else NEAR)
-        if start.film_temperature >= problem.hottest:
+        if temperature is None and start.film_temperature >= problem.hottest:
             return SelfHeatingSolution(
                 model=model,
                 around=around,
@@ -140,7 +142,7 @@ def solve_self_heating(
             )
         if alone:
             return _of_temperature(model, search, start, temperature)
-        state, slopes, converged = _newton(search, start)
+        state, slopes, converged = _at_rest(search, start)
         stable = _stability(problem, state, slopes) if judged else None
     except ValueError as error:
         return SelfHeatingSolution(model=model, around=around, balance=None, note=str(error))
@@ -220,7 +222,7 @@ def _nearby(search: _Search, near: float) -> tuple[HeatState, float | None]:
     low: float | None = None
     high: float | None = None
     known: list[tuple[float, float]] = []  # temperatures and what is found above each [K]
-    for _ in range(SECANT_STEPS):
+    for _ in range(MOST_STEPS):
         excess = state.found_temperature - state.film_temperature
         if abs(excess) <= near:
             return state, at
@@ -232,7 +234,10 @@ def _nearby(search: _Search, near: float) -> tuple[HeatState, float | None]:
         if ahead is not None and coldest <= ahead <= problem.hottest:
             return state, ahead
         wanted = _root(known)
-        wanted = _by_viscosity(problem, state, coldest) if wanted is None else wanted
+        if wanted is None and len(known) > 1:
+            wanted = at + _stride(known)
+        elif wanted is None:
+            wanted = _by_viscosity(problem, state, coldest)
         at = _inside(wanted, at, (low, high), (coldest, problem.hottest))
         state = _moved(search, state, at)
         at = state.film_temperature
@@ -304,6 +309,14 @@ def _root(known: list[tuple[float, float]]) -> float | None:
     return _crossing(known[-2:]) if whole is None else whole
 
 
+def _stride(known: list[tuple[float, float]]) -> float:
+    """Twice the last step, or what is found above the last temperature if that is more, toward the
+    balance: it lies beyond where what is found above does not fall [K].
+    """
+    (before, _), (at, excess) = known[-2:]
+    return float(np.copysign(max(2.0 * abs(at - before), abs(excess)), excess))
+
+
 def _foreseen(known: list[tuple[float, float]], near: float) -> float | None:
     """The root by a parabola where that by a line through its last two states, which is less
     exact, is not more than a part of `near` from it; None elsewhere [K].
@@ -314,7 +327,7 @@ def _foreseen(known: list[tuple[float, float]], near: float) -> float | None:
     line = _crossing(known[-2:])
     if parabola is None or line is None or abs(parabola - line) > FORESEEN * near:
         return None
-    return parabola
+    return parabola if abs(parabola - known[-1][0]) <= FORESEEN_REACH else None
 
 
 def _crossing(states: list[tuple[float, float]]) -> float | None:
@@ -335,6 +348,16 @@ def _inside(
     if low is not None and high is not None and not low < wanted < high:
         wanted = 0.5 * (low + high)
     return wanted
+
+
+def _at_rest(search: _Search, start: HeatState) -> tuple[HeatState, Slopes, bool]:
+    """As `_newton` from a state near the balance; where that does not lead to it, as where the
+    friction rises and falls on the way, from one that is right in its film temperature.
+    """
+    state, slopes, converged = _newton(search, start)
+    if converged:
+        return state, slopes, converged
+    return _newton(search, _nearby(search, TOLERANCE)[0])
 
 
 def _newton(search: _Search, state: HeatState) -> tuple[HeatState, Slopes, bool]:

@@ -14,6 +14,8 @@ import scipy
 
 from .limits import EDGE_COSINE
 
+X_XTOL = 1e-300  # [m]: with interference a small thrust stands at an angle as small
+X_STEPS = 2000  # halvings down to that
 X_RTOL = 4.0 * 2.0**-52  # the least that `brentq` takes [-]
 
 
@@ -21,7 +23,7 @@ def thrust_position(
     thrust: float, distance: float, facing: float, compliance: Callable[[float], float]
 ) -> float | None:
     """Axial distance x of the grooves' middles at which a ball carries a thrust [m]; None where it
-    would climb beyond 80 degrees.
+    would climb beyond 80 degrees, or carries it at no angle to the last digit.
 
     `thrust`: of each ball, above zero [N]; `distance`: A, of the grooves' centres at first touch
     [m]; `facing`: the same of facing grooves [m]; `compliance`: K_i^(-2/3) + K_o^(-2/3) at a
@@ -37,4 +39,7 @@ def thrust_position(
     edge = facing * sqrt(1.0 / EDGE_COSINE**2 - 1.0)
     if not (touch < edge and surplus(edge) > 0.0):
         return None
-    return float(scipy.optimize.brentq(surplus, touch, edge, xtol=1e-300, rtol=X_RTOL))
+    if surplus(touch) >= 0.0:  # a thrust below what rounding leaves of the approach
+        return touch
+    root = scipy.optimize.brentq(surplus, touch, edge, xtol=X_XTOL, rtol=X_RTOL, maxiter=X_STEPS)
+    return float(root) or None

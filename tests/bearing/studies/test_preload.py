@@ -42,3 +42,13 @@ def test_closed_form_agrees_with_the_equilibrium(curvature, highest, some_fail):
         else:
             assert preload_offset(bearing, force, model) == pytest.approx(expected, rel=1e-9)
     assert (failed > 0) == some_fail
+
+
+@pytest.mark.parametrize("clearance", [None, 0.0, -1e-6])
+def test_a_preload_far_below_rounding_stands_at_first_touch(clearance):
+    rng = np.random.default_rng(5)
+    for _ in range(5):
+        bearing = random_bearing(rng)
+        bearing = bearing if clearance is None else replace(bearing, diametral_clearance=clearance)
+        for power in (-320, -200, -40, -20):
+            assert preload_offset(bearing, 10.0**power) == pytest.approx(bearing.free_axial_position, abs=1e-9)
