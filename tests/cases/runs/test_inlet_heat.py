@@ -77,3 +77,24 @@ def test_a_slow_bearing_keeps_its_films():
 def test_no_key_takes_the_heat_away():
     with pytest.raises(CaseError, match="inlet_heating"):
         case_from_text(text("6010") + 'inlet_heating = "none"\n', "6010")
+
+
+FAST = """
+schema_version = 1
+bearing = {name = "7014C"}
+lubricant = {name = "iso vg 32"}
+ehl = {points = 129, film_maps = [0.0, 180.0], film_model = "thermal"}
+[operation]
+inner_speed_rpm = 20000.0
+axial_load_N = 300.0
+radial_load_N = 200.0
+temperature_C = 60.0
+"""
+
+
+@pytest.mark.slow
+def test_fast_films_with_heat_need_no_fallback():
+    """Oil that recirculates ahead of them takes heat upstream; without that they fell back on continuation."""
+    films = run_case(case_from_text(FAST, "case.toml")).films
+    assert [film.record.fallbacks for film in films if film is not None] == [(), (), ()]
+    assert all(film.converged for film in films if film is not None)
