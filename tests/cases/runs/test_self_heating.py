@@ -151,46 +151,7 @@ def test_seals_that_leave_no_balance_leave_the_temperature_that_the_case_gives()
     assert any(message.startswith("self_heating: null, not converged: no balance") for message in messages)
 
 
-LIGHT = """
-schema_version = 1
-bearing = {{name = "7014C"}}
-lubricant = {{name = "iso vg 68"}}
-ehl = {{film_maps = "none"}}
-[operation]
-inner_speed_rpm = 9000.0
-axial_load_N = 300.0
-temperature_C = {start}
-temperature = "self-heated"
-[friction]
-heat_transfer_W_K = 4.0
-ambient_C = 20.0
-"""
-
-
-@pytest.mark.parametrize("start", [20.0, 60.0, 90.0])
-def test_temperatures_do_not_go_by_the_oil_that_the_search_begins_with(start):
-    """Up to some 70 C so thick an oil lets the races drive no ball of this light bearing."""
-    warm, document = found(LIGHT.format(start=start))
-    assert document["converged"] and warm["converged"]
-    assert warm["temperature_C"] == pytest.approx(107.855, abs=0.01)
-
-
-def test_a_temperature_foreseen_is_that_of_a_balance_looked_at():
-    """The search of a run ends where its last three states lead, the other one in a state: 1e-4 K each, at most."""
-    rng = np.random.default_rng(20261129)
-    for name in ("7012AC", "6208", "7014C", "6310"):
-        axial, speed, start = rng.uniform((800.0, 3000.0, 20.0), (3000.0, 9000.0, 90.0))
-        text = (
-            LIGHT.format(start=start).replace("7014C", name).replace("300.0", f"{axial}").replace("9000.0", f"{speed}")
-        )
-        case = case_from_text(text, "case.toml")
-        foreseen, looked_at = self_heated(case, judged=False).balance, self_heated(case).balance
-        assert foreseen.converged and looked_at.converged
-        assert foreseen.temperature == pytest.approx(looked_at.temperature, abs=1.5e-4)
-        assert foreseen.evaluations < looked_at.evaluations
-
-
-COLD = """
+HEATED = """
 schema_version = 1
 bearing = {{name = "{name}"}}
 lubricant = {{name = "{oil}"}}
@@ -200,10 +161,44 @@ inner_speed_rpm = {speed}
 axial_load_N = {axial}
 radial_load_N = {radial}
 temperature_C = {start}
+temperature = "self-heated"
 [friction]
 heat_transfer_W_K = {conductance}
 ambient_C = {ambient}
 """
+LIGHT = {
+    "name": "7014C",
+    "oil": "iso vg 68",
+    "speed": 9000.0,
+    "axial": 300.0,
+    "radial": 0.0,
+    "conductance": 4.0,
+    "ambient": 20.0,
+}
+
+
+@pytest.mark.parametrize("start", [20.0, 60.0, 90.0])
+def test_temperatures_do_not_go_by_the_oil_that_the_search_begins_with(start):
+    """Up to some 70 C so thick an oil lets the races drive no ball of this light bearing."""
+    warm, document = found(HEATED.format(**LIGHT, start=start))
+    assert document["converged"] and warm["converged"]
+    assert warm["temperature_C"] == pytest.approx(107.855, abs=0.01)
+
+
+def test_a_temperature_foreseen_is_that_of_a_balance_looked_at():
+    """The search of a run ends where its last three states lead, the other one in a state: 1e-4 K each, at most."""
+    rng = np.random.default_rng(20261129)
+    for name in ("7012AC", "6208", "7014C", "6310"):
+        axial, speed, start = rng.uniform((800.0, 3000.0, 20.0), (3000.0, 9000.0, 90.0))
+        given = LIGHT | {"name": name, "axial": axial, "speed": speed}
+        text = HEATED.format(**given, start=start)
+        case = case_from_text(text, "case.toml")
+        foreseen, looked_at = self_heated(case, judged=False).balance, self_heated(case).balance
+        assert foreseen.converged and looked_at.converged
+        assert foreseen.temperature == pytest.approx(looked_at.temperature, abs=1.5e-4)
+        assert foreseen.evaluations < looked_at.evaluations
+
+
 FALLING_AND_RISING = {  # friction over the temperature on the way to the balance
     "6208": ("iso vg 32", 5763.306, 146.6667, 560.2097, 110.0, 28.534137, -30.0),
     "6208 thicker": ("iso vg 68", 4951.403, 138.875, 1065.887, 120.0, 10.29826, -10.0),
@@ -215,12 +210,12 @@ NAMES = ("oil", "speed", "axial", "radial", "start", "conductance", "ambient")
 def test_a_bearing_in_the_cold_finds_its_balance(which):
     """From a hot start and, to the same temperature, from near the balance."""
     given = dict(zip(NAMES, FALLING_AND_RISING[which], strict=True)) | {"name": which.split()[0]}
-    warm = self_heated(case_from_text(COLD.format(**given), "case.toml"))
+    warm = self_heated(case_from_text(HEATED.format(**given), "case.toml"))
     assert warm.converged
     temperature = warm.balance.temperature
     assert temperature == pytest.approx(
-        self_heated(case_from_text(COLD.format(**given), "case.toml"), judged=False).balance.temperature, abs=1.5e-4
+        self_heated(case_from_text(HEATED.format(**given), "case.toml"), judged=False).balance.temperature, abs=1.5e-4
     )
     given["start"] = temperature - 273.15 + 2.0
-    again = self_heated(case_from_text(COLD.format(**given), "case.toml"))
+    again = self_heated(case_from_text(HEATED.format(**given), "case.toml"))
     assert again.balance.temperature == pytest.approx(temperature, abs=3e-4)
