@@ -28,7 +28,8 @@ mass flux is -(rho/eta)_e h^3/12 grad p + h [rho'_e eta_e (u_b - u_a) + rho_e u_
 rheology: a `KernelRheology`;
 section: nodes, weights and cumulative matrix of a `Section`; work: rows for viscosity, density,
 1/eta*, the tangent fluidity (xx, xy, yy),
-ln(eta/eta_0) and mass weights at the nodes of a column.
+ln(eta/eta_0), mass weights and the change of 1/eta* with a steeper pressure at the nodes of a
+column.
 """
 
 import numpy as np
@@ -56,8 +57,9 @@ OVERSHOOT = 0.5  # share of the slope along a step that may remain beyond its mi
 HALVINGS = 60
 # share of the residual after a step from which on the next is as long as for an exponential law
 SLOW_REDUCTION = 0.2
+SMALLEST_SQUARE = 1e-300  # of a stress, keeps a quotient finite [Pa^2]
 # rows of the workspace
-ETA, RHO, FLUIDITY, T_XX, T_XY, T_YY, LOG_ETA, MASS, ROWS = range(9)
+ETA, RHO, FLUIDITY, T_XX, T_XY, T_YY, LOG_ETA, MASS, CHANGE, ROWS = range(10)
 
 
 @compiled
@@ -285,9 +287,39 @@ def column_tangent(section, work):
 
 
 @compiled
+def steeper_fluidity(middle, rise, section, work):
+    """d(1/eta*)/d(ln |grad p|) at the nodes of a column, to the workspace [1/(Pa s)].
+
+    The stress in the middle gives way so that the mean rate stays: sum of w T d(tau) = 0 with
+    d(tau) = d(tau_m) + (z/h - 1/2) h grad p, T the tangent fluidity; the secant one changes by
+    the tangent less the secant one along tau, per relative change of |tau|.
+    """
+    nodes, weights, _ = section
+    j_xx = j_xy = j_yy = b_x = b_y = 0.0
+    for k in range(nodes.size):
+        w = weights[k]
+        t_xx, t_xy, t_yy = w * work[T_XX, k], w * work[T_XY, k], w * work[T_YY, k]
+        x, y = (nodes[k] - 0.5) * rise[0], (nodes[k] - 0.5) * rise[1]
+        j_xx += t_xx
+        j_xy += t_xy
+        j_yy += t_yy
+        b_x += t_xx * x + t_xy * y
+        b_y += t_xy * x + t_yy * y
+    determinant = j_xx * j_yy - j_xy * j_xy
+    d_x = (j_xy * b_y - j_yy * b_x) / determinant
+    d_y = (j_xy * b_x - j_xx * b_y) / determinant
+    for k in range(nodes.size):
+        x, y = (nodes[k] - 0.5) * rise[0], (nodes[k] - 0.5) * rise[1]
+        t_x, t_y = middle[0] + x, middle[1] + y
+        square = max(t_x * t_x + t_y * t_y, SMALLEST_SQUARE)
+        bent = work[T_XX, k] + work[T_YY, k] - 2.0 * work[FLUIDITY, k]
+        work[CHANGE, k] = bent * (t_x * (d_x + x) + t_y * (d_y + y)) / square
+
+
+@compiled
 def flow_factors(
     p, h, gradient, speed_a, speed_b, temperature, oil, section, rheology, middle, poiseuille,
-    couette, tangent
+    couette, tangent, power
 ):  # fmt: skip
     """Factors of every column of a grid; returns the number of columns without a converged stress.
 
@@ -296,7 +328,8 @@ def flow_factors(
     its result [Pa], to be guessed here where it is not a number. Results, all over rho/eta or rho
     at the temperature of operation: poiseuille, tangent (2, ny, nx): the factor (rho/eta)_e and
     the tangent of the whole flux along x and y [-]; couette: (2, ny, nx), flux of the surfaces
-    over h [m/s]. Columns without a film keep 1 and the mean velocity.
+    over h [m/s]; power: d(ln (rho/eta)_e)/d(ln |grad p|) [-]. Columns without a film keep 1, the
+    mean velocity and 0.
     """
     ny, nx = p.shape
     unsolved = 0
@@ -309,6 +342,7 @@ def flow_factors(
             du, dv = speed_b[0, j, i] - u, speed_b[1, j, i] - v
             if height <= 0.0:
                 poiseuille[j, i] = tangent[0, j, i] = tangent[1, j, i] = 1.0
+                power[j, i] = 0.0
                 couette[0, j, i], couette[1, j, i] = u + 0.5 * du, v + 0.5 * dv
                 continue
             rise = (height * gradient[0, j, i], height * gradient[1, j, i])
@@ -322,10 +356,16 @@ def flow_factors(
             mean, moment, first, second = column_integrals(FLUIDITY, section, work)
             reference = density_ratio(p[j, i], oil[4], oil)
             thick = viscosity(p[j, i], oil[4], oil) / reference
-            poiseuille[j, i] = 12.0 * (moment / mean * first - second) * thick
+            factor = moment / mean * first - second
+            poiseuille[j, i] = 12.0 * factor * thick
             if newtonian:
                 tangent[0, j, i] = tangent[1, j, i] = poiseuille[j, i]
+                power[j, i] = 0.0
             else:
+                steeper_fluidity((middle[0, j, i], middle[1, j, i]), rise, section, work)
+                a, b, c, d = column_integrals(CHANGE, section, work)
+                change = (b * first + moment * c - moment / mean * first * a) / mean - d
+                power[j, i] = change / factor
                 along, across = column_tangent(section, work)
                 tangent[0, j, i], tangent[1, j, i] = along * thick, across * thick
             dense = (section[1] * work[RHO]).sum()

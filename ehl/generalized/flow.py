@@ -199,13 +199,7 @@ class GeneralizedFlow:
         """Factors and their derivatives; `middle`, the stress in the middle of the film [Pa], is
         a first guess that the solution replaces; thinning: k where it is known.
         """
-        poiseuille, couette, tangent, unsolved = self._evaluate(fields, middle, temperature)
-        # m by a difference quotient; the gradient thins no Newtonian oil
-        power = np.zeros_like(poiseuille)
-        if not self.rheology.newtonian:
-            steeper = replace(fields, gradient=(1.0 + STEP) * fields.gradient)
-            steep = self._evaluate(steeper, middle.copy(), temperature)[0]
-            power = np.maximum(np.log(steep / poiseuille) / np.log1p(STEP), 0.0)
+        poiseuille, couette, tangent, power, unsolved = self._evaluate(fields, middle, temperature)
         if thinning is None:
             thinning = self._thinning(fields, middle, temperature, poiseuille)
             if self.continuation.follow_pressure:
@@ -221,7 +215,7 @@ class GeneralizedFlow:
 
     def _known_thinning(self, last: FlowState | None) -> Array | None:
         """k of the last cycle where the flow has settled, shape (ny, nx) [-]; else None."""
-        if last is None or last.change > SETTLED_FLOW or not self.rheology.newtonian:
+        if last is None or last.change > SETTLED_FLOW or self.continuation.follow_pressure:
             return None
         return last.thinning
 
@@ -261,17 +255,21 @@ class GeneralizedFlow:
 
     def _evaluate(
         self, fields: FilmFields, middle: Array, temperature: Array
-    ) -> tuple[Array, Array, Array, int]:
-        """Poiseuille factor [-], Couette velocity [m/s], larger tangent [-], unsolved columns."""
+    ) -> tuple[Array, Array, Array, Array, int]:
+        """Poiseuille factor [-], Couette velocity [m/s], larger tangent [-], m [-], unsolved
+        columns.
+        """
         poiseuille = np.empty_like(fields.p)
         couette = np.empty_like(fields.gradient)
         tangent = np.empty_like(fields.gradient)
+        power = np.empty_like(fields.p)
         motion = (fields.gradient, fields.speed_1, fields.speed_2)
         numbers = oil_numbers(self.conditions.lubricant)
         oil = (numbers, self.section.integration, kernel_rheology(self._rheology))
         columns = (fields.p, fields.h, *motion, temperature, *oil)
-        unsolved = _kernels.flow_factors(*columns, middle, poiseuille, couette, tangent)
-        return poiseuille, couette, tangent.max(axis=0), int(unsolved)
+        results = (poiseuille, couette, tangent, power)
+        unsolved = _kernels.flow_factors(*columns, middle, *results)
+        return poiseuille, couette, tangent.max(axis=0), np.maximum(power, 0.0), int(unsolved)
 
 
 def film_fields(

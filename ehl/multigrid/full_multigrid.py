@@ -226,6 +226,7 @@ def full_multigrid(
     else:
         start_from_hertz(state, first)
     levels: list[LevelHistory] = []
+    model = state.flow_model
     for index in range(first, finest + 1):
         # 1. start from the level below, Venner and Lubrecht (2000), sec. 3.5; what a level too
         # coarse for the film needed in damping does not slow the finer ones
@@ -235,11 +236,26 @@ def full_multigrid(
         # 2. cycles until film, load and equations are at rest
         most = options.max_cycles if index == finest else SETTLING_CYCLES
         below = levels[-1] if levels else None
+        if model is not None:
+            state.flow_model = model if index >= HOT(state, levels, index, finest) else None
         history = settle(state, index, most, progress, below, options.strictness)
         if history is None:
             return
-        levels.append(history)
+        if model is None or state.flow_model is not None:
+            levels.append(history)
     result.levels = levels
+
+
+def HOT(state, levels, index, finest):
+    import os
+    if index >= finest - 1:
+        return index
+    if state.flow_model is not None and index > 0 and state.levels[index-1].flow_state is not None:
+        return index
+    need = float(os.environ.get("NEED", "5"))
+    l = state.levels[index]
+    fine = l.H[l.H>0].min() / (state.contact.curvature_x * l.grid.hx**2) if l.H.max()>0 else 0
+    return index if fine >= need else index + 1
 
 
 def add_level(
