@@ -34,11 +34,12 @@ column.
 
 import numpy as np
 
-from ..compiled import compiled
-from ..oil._elementary_kernels import exponential
+from ..compiled import compiled, summing
+from ..oil._elementary_kernels import exponential, exponential_of
 from ..oil._kernels import column_density, column_log_viscosity, density_ratio, viscosity
 from ..oil._rheology_kernels import (
     CARREAU_YASUDA,
+    LARGEST_ARGUMENT,
     LIMIT_POWER,
     NEWTONIAN,
     REE_EYRING,
@@ -57,9 +58,10 @@ OVERSHOOT = 0.5  # share of the slope along a step that may remain beyond its mi
 HALVINGS = 60
 # share of the residual after a step from which on the next is as long as for an exponential law
 SLOW_REDUCTION = 0.2
-SMALLEST_SQUARE = 1e-300  # of a stress, keeps a quotient finite [Pa^2]
 # rows of the workspace
-ETA, RHO, FLUIDITY, T_XX, T_XY, T_YY, LOG_ETA, MASS, CHANGE, ROWS = range(10)
+ETA, RHO, FLUIDITY, T_XX, T_XY, T_YY, LOG_ETA, MASS, CHANGE = range(9)
+# stress and its ratios, and the weights over the viscosity
+TAU_X, TAU_Y, SECANT, BEND, SHARE, ROWS = range(9, 15)
 
 
 @compiled
@@ -94,49 +96,97 @@ def column_limit(p, temperature, eta, rate, rheology):
 
 
 @compiled
-def node_stress(middle, rise, node, limit, margin, rheology):
-    """Stress at a node and its direction, eta times the rate, eta/eta* and the slope."""
-    t_x, t_y = middle[0] + (node - 0.5) * rise[0], middle[1] + (node - 0.5) * rise[1]
-    magnitude = np.hypot(t_x, t_y)
-    newtonian, slope = newtonian_stress(magnitude, limit, margin, rheology)
-    if magnitude > 0.0:
-        direction = (t_x / magnitude, t_y / magnitude)
-        return (t_x, t_y), direction, newtonian, newtonian / magnitude, slope
-    return (t_x, t_y), (0.0, 0.0), newtonian, 1.0, slope
-
-
-@compiled
-def _balance(middle, rise, eta, rate, section, limit, margin, rheology):
-    """Mean rate less the given one, its derivative by tau_m (xx, xy, yy), mean magnitude."""
-    nodes, weights, _ = section
-    f_x, f_y = -rate[0], -rate[1]
-    j_xx = j_xy = j_yy = 0.0
-    scale = np.hypot(rate[0], rate[1])
-    for k in range(nodes.size):
-        tau, (e_x, e_y), newtonian, relative, slope = node_stress(
-            middle, rise, nodes[k], limit, margin, rheology
-        )
-        w = weights[k] / eta[k]
-        f_x += w * relative * tau[0]
-        f_y += w * relative * tau[1]
-        scale += w * newtonian
-        j_xx += w * (relative + (slope - relative) * e_x * e_x)
-        j_xy += w * (slope - relative) * e_x * e_y
-        j_yy += w * (relative + (slope - relative) * e_y * e_y)
-    return f_x, f_y, j_xx, j_xy, j_yy, scale
-
-
-@compiled
-def column_stress(start, rise, eta, rate, section, limit, margin, rheology):
-    """Stress in the middle of one column, from a first guess (tau_x, tau_y) [Pa], and whether it
-    converged.
-
-    rise: h grad p [Pa]; eta: viscosity at the nodes [Pa s]; rate: difference of the surface
-    velocities over h [1/s].
+def eyring_ratios(stress, work):
+    """`column_ratios` of Ree and Eyring's law without a limit, without jumps, so that several
+    nodes are taken at a time: with x = |tau|/tau_E, sinh(x)/x and [cosh(x) - sinh(x)/x]/x^2, below
+    x = 1 by their series, whose next terms are below 2e-17.
     """
-    column = (rise, eta, rate, section, limit, margin, rheology)
+    by_stress = 1.0 / stress
+    for k in range(work.shape[1]):
+        x, y = work[TAU_X, k] * by_stress, work[TAU_Y, k] * by_stress
+        square = x * x + y * y
+        size = np.sqrt(square)
+        growing = exponential_of(min(size, LARGEST_ARGUMENT))
+        falling = 1.0 / growing
+        by_size = 1.0 / max(size, 1.0)
+        secant = 0.5 * (growing - falling) * by_size
+        bend = (0.5 * (growing + falling) - secant) * by_size * by_size
+        q = min(square, 1.0)
+        near = 1.0 / 355687428096000.0
+        near = near * q + 1.0 / 1307674368000.0
+        near = near * q + 1.0 / 6227020800.0
+        near = near * q + 1.0 / 39916800.0
+        near = near * q + 1.0 / 362880.0
+        near = near * q + 1.0 / 5040.0
+        near = near * q + 1.0 / 120.0
+        near = near * q + 1.0 / 6.0
+        near = near * q + 1.0
+        bent = 16.0 / 355687428096000.0
+        bent = bent * q + 14.0 / 1307674368000.0
+        bent = bent * q + 12.0 / 6227020800.0
+        bent = bent * q + 10.0 / 39916800.0
+        bent = bent * q + 8.0 / 362880.0
+        bent = bent * q + 6.0 / 5040.0
+        bent = bent * q + 4.0 / 120.0
+        bent = bent * q + 2.0 / 6.0
+        if size < 1.0:
+            secant = near
+            bend = bent
+        work[SECANT, k] = secant
+        work[BEND, k] = bend * by_stress * by_stress
+
+
+@compiled
+def column_ratios(middle, rise, nodes, limit, margin, rheology, work):
+    """Stress at the nodes [Pa], the secant ratio eta/eta* and the bend, what the ratio along the
+    stress, eta d(rate)/d(tau), has more over |tau|^2 [1/Pa^2], to the workspace.
+    """
+    for k in range(nodes.size):
+        work[TAU_X, k] = middle[0] + (nodes[k] - 0.5) * rise[0]
+        work[TAU_Y, k] = middle[1] + (nodes[k] - 0.5) * rise[1]
+    if int(rheology[0]) == REE_EYRING and not np.isfinite(limit):
+        eyring_ratios(rheology[1], work)
+        return
+    for k in range(nodes.size):
+        magnitude = np.hypot(work[TAU_X, k], work[TAU_Y, k])
+        newtonian, slope = newtonian_stress(magnitude, limit, margin, rheology)
+        secant = newtonian / magnitude if magnitude > 0.0 else 1.0
+        work[SECANT, k] = secant
+        work[BEND, k] = (slope - secant) / magnitude**2 if magnitude > 0.0 else 0.0
+
+
+@summing
+def _balance(rate, work):
+    """Mean rate less the given one, its derivative by tau_m (xx, xy, yy), mean magnitude."""
+    f_x = f_y = j_xx = j_xy = j_yy = total = 0.0
+    for k in range(work.shape[1]):
+        t_x, t_y = work[TAU_X, k], work[TAU_Y, k]
+        fluid = work[SHARE, k] * work[SECANT, k]
+        bent = work[SHARE, k] * work[BEND, k]
+        f_x += fluid * t_x
+        f_y += fluid * t_y
+        total += fluid * np.sqrt(t_x * t_x + t_y * t_y)
+        j_xx += fluid + bent * t_x * t_x
+        j_xy += bent * t_x * t_y
+        j_yy += fluid + bent * t_y * t_y
+    scale = np.hypot(rate[0], rate[1]) + total
+    return f_x - rate[0], f_y - rate[1], j_xx, j_xy, j_yy, scale
+
+
+@compiled
+def column_stress(start, rise, rate, section, limit, margin, rheology, work):
+    """Stress in the middle of one column, from a first guess (tau_x, tau_y) [Pa], and whether it
+    converged; the ratios there to the workspace, which has the viscosity at the nodes.
+
+    rise: h grad p [Pa]; rate: difference of the surface velocities over h [1/s].
+    """
+    nodes, weights, _ = section
+    law = (limit, margin, rheology, work)
+    for k in range(nodes.size):
+        work[SHARE, k] = weights[k] / work[ETA, k]
     tau_x, tau_y = start
-    f_x, f_y, j_xx, j_xy, j_yy, scale = _balance(start, *column)
+    column_ratios(start, rise, nodes, *law)
+    f_x, f_y, j_xx, j_xy, j_yy, scale = _balance(rate, work)
     size = np.hypot(f_x, f_y)
     slow = False
     target = np.hypot(rate[0], rate[1])
@@ -153,7 +203,8 @@ def column_stress(start, rise, eta, rate, section, limit, margin, rheology):
         t_x, t_y = tau_x, tau_y
         for _ in range(HALVINGS):
             t_x, t_y = tau_x + share * d_x, tau_y + share * d_y
-            f_x, f_y, j_xx, j_xy, j_yy, scale = _balance((t_x, t_y), *column)
+            column_ratios((t_x, t_y), rise, nodes, *law)
+            f_x, f_y, j_xx, j_xy, j_yy, scale = _balance(rate, work)
             if f_x * d_x + f_y * d_y <= -OVERSHOOT * before:
                 break
             share *= 0.5
@@ -176,18 +227,18 @@ def first_guess(eta, rate, section, limit, rheology):
 
 
 @compiled
-def column_fluidity(middle, rise, section, limit, margin, rheology, work):
-    """1/eta*, and the tensor d(rate)/d(tau), at the nodes of a column [1/(Pa s)]."""
-    nodes = section[0]
-    eta = work[ETA]
-    for k in range(nodes.size):
-        _, (e_x, e_y), _, secant, slope = node_stress(
-            middle, rise, nodes[k], limit, margin, rheology
-        )
-        work[FLUIDITY, k] = secant / eta[k]
-        work[T_XX, k] = (secant + (slope - secant) * e_x * e_x) / eta[k]
-        work[T_XY, k] = (slope - secant) * e_x * e_y / eta[k]
-        work[T_YY, k] = (secant + (slope - secant) * e_y * e_y) / eta[k]
+def column_fluidity(work):
+    """1/eta*, and the tensor d(rate)/d(tau), at the nodes of a column [1/(Pa s)], by the ratios
+    there.
+    """
+    for k in range(work.shape[1]):
+        t_x, t_y = work[TAU_X, k], work[TAU_Y, k]
+        fluid = work[SECANT, k] / work[ETA, k]
+        bent = work[BEND, k] / work[ETA, k]
+        work[FLUIDITY, k] = fluid
+        work[T_XX, k] = fluid + bent * t_x * t_x
+        work[T_XY, k] = bent * t_x * t_y
+        work[T_YY, k] = fluid + bent * t_y * t_y
 
 
 @compiled
@@ -239,8 +290,8 @@ def solve_column(p, temperature, start, rise, rate, oil, section, rheology, work
     limit, margin = column_limit(p, mean_temperature, eta, np.hypot(rate[0], rate[1]), rheology)
     if not np.isfinite(start[0] + start[1]):
         start = first_guess(eta, rate, section, limit, rheology)
-    t_x, t_y, converged = column_stress(start, rise, eta, rate, section, limit, margin, rheology)
-    column_fluidity((t_x, t_y), rise, section, limit, margin, rheology, work)
+    t_x, t_y, converged = column_stress(start, rise, rate, section, limit, margin, rheology, work)
+    column_fluidity(work)
     return t_x, t_y, converged
 
 
@@ -287,12 +338,12 @@ def column_tangent(section, work):
 
 
 @compiled
-def steeper_fluidity(middle, rise, section, work):
+def steeper_fluidity(rise, section, work):
     """d(1/eta*)/d(ln |grad p|) at the nodes of a column, to the workspace [1/(Pa s)].
 
     The stress in the middle gives way so that the mean rate stays: sum of w T d(tau) = 0 with
     d(tau) = d(tau_m) + (z/h - 1/2) h grad p, T the tangent fluidity; the secant one changes by
-    the tangent less the secant one along tau, per relative change of |tau|.
+    the tangent less the secant one along tau, per relative change of |tau|: the bend.
     """
     nodes, weights, _ = section
     j_xx = j_xy = j_yy = b_x = b_y = 0.0
@@ -309,11 +360,9 @@ def steeper_fluidity(middle, rise, section, work):
     d_x = (j_xy * b_y - j_yy * b_x) / determinant
     d_y = (j_xy * b_x - j_xx * b_y) / determinant
     for k in range(nodes.size):
-        x, y = (nodes[k] - 0.5) * rise[0], (nodes[k] - 0.5) * rise[1]
-        t_x, t_y = middle[0] + x, middle[1] + y
-        square = max(t_x * t_x + t_y * t_y, SMALLEST_SQUARE)
-        bent = work[T_XX, k] + work[T_YY, k] - 2.0 * work[FLUIDITY, k]
-        work[CHANGE, k] = bent * (t_x * (d_x + x) + t_y * (d_y + y)) / square
+        x, y = d_x + (nodes[k] - 0.5) * rise[0], d_y + (nodes[k] - 0.5) * rise[1]
+        along = work[TAU_X, k] * x + work[TAU_Y, k] * y
+        work[CHANGE, k] = work[BEND, k] / work[ETA, k] * along
 
 
 @compiled
@@ -362,7 +411,7 @@ def flow_factors(
                 tangent[0, j, i] = tangent[1, j, i] = poiseuille[j, i]
                 power[j, i] = 0.0
             else:
-                steeper_fluidity((middle[0, j, i], middle[1, j, i]), rise, section, work)
+                steeper_fluidity(rise, section, work)
                 a, b, c, d = column_integrals(CHANGE, section, work)
                 change = (b * first + moment * c - moment / mean * first * a) / mean - d
                 power[j, i] = change / factor

@@ -215,8 +215,12 @@ def full_multigrid(
 ) -> None:
     """Solve level after level; the load on the first of them is reached through those of
     `lighter`. If the iteration diverges, `result.levels` is empty.
+
+    The flow model acts, and films count, from the first level on whose mesh resolves the film, of
+    the two finest at the latest: what heats and thins a film of a mesh and less is not the oil.
     """
     state = result.state
+    model, state.flow_model = state.flow_model, None
     finest = len(state.levels) - 1
     first = _starting_level(state, finer)
     if lighter:
@@ -226,36 +230,23 @@ def full_multigrid(
     else:
         start_from_hertz(state, first)
     levels: list[LevelHistory] = []
-    model = state.flow_model
+    below: LevelHistory | None = None
     for index in range(first, finest + 1):
         # 1. start from the level below, Venner and Lubrecht (2000), sec. 3.5; what a level too
         # coarse for the film needed in damping does not slow the finer ones
         if index > first:
             _start_from_below(state, index)
             state.damping = result.attempt.damping
+        if index >= finest - 1 or start_history(state, index).resolved:
+            state.flow_model = model
         # 2. cycles until film, load and equations are at rest
         most = options.max_cycles if index == finest else SETTLING_CYCLES
-        below = levels[-1] if levels else None
-        if model is not None:
-            state.flow_model = model if index >= HOT(state, levels, index, finest) else None
-        history = settle(state, index, most, progress, below, options.strictness)
-        if history is None:
+        below = settle(state, index, most, progress, below, options.strictness)
+        if below is None:
             return
-        if model is None or state.flow_model is not None:
-            levels.append(history)
+        if state.flow_model is model:
+            levels.append(below)
     result.levels = levels
-
-
-def HOT(state, levels, index, finest):
-    import os
-    if index >= finest - 1:
-        return index
-    if state.flow_model is not None and index > 0 and state.levels[index-1].flow_state is not None:
-        return index
-    need = float(os.environ.get("NEED", "5"))
-    l = state.levels[index]
-    fine = l.H[l.H>0].min() / (state.contact.curvature_x * l.grid.hx**2) if l.H.max()>0 else 0
-    return index if fine >= need else index + 1
 
 
 def add_level(
