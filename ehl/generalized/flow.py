@@ -154,6 +154,10 @@ class GeneralizedFlow:
             over_limit_columns=self._over_limit_columns(fields, temperature),
         )
 
+    def change(self, state: FlowState) -> float:
+        """Of ln(Poiseuille factor) before the last cycle, weighted with the pressure's flow [-]."""
+        return state.change
+
     def refined(self, state: FlowState) -> FlowState | None:
         """Heat and stress of a grid on the next finer one, for its first cycle there; None where
         some are not numbers.

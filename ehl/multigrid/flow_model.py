@@ -68,6 +68,9 @@ class FlowModel(Protocol):
     def refined(self, state: Any) -> Any:
         """The state of a grid on the next finer one, for its first cycle."""
 
+    def change(self, state: Any) -> float:
+        """How much the factors changed before the last cycle, relative to the flow [-]."""
+
 
 def entrainment_factors(contact: ScaledContact, grid: Grid) -> FlowFactors:
     """Velocity field u = u_0 - Omega Y, v = v_0 + Omega X over u_m on a grid [-]."""

@@ -15,7 +15,7 @@ from ..solution import Certificate
 from .cycle import start_level, update_film
 from .far_field import far_field
 from .flow_model import FlowModel
-from .history import FILMS, LevelHistory, central_film, start_history
+from .history import FILMS, RESOLVED, LevelHistory, central_film, start_history
 from .levels import Damping, Multigrid, make_multigrid
 from .newton import MOST_NODES, certify
 from .settling import Progress, settle
@@ -29,6 +29,9 @@ COARSEST_CELLS = 16
 # full multigrid starts where hx is below 0.2 semi-axes or 0.55 sqrt(Hc)
 STARTING_MESH = (0.2, 0.55)
 SETTLING_CYCLES = 12  # most cycles on the other levels below the finest
+# Hmin/(S hx^2) from which a flow model acts on the level below the finest; it does on all levels
+# from `RESOLVED` on and on the finest
+LEAST_FINE = 2.0
 # where the load is reached in steps: cycles under each lighter load, on the first level with
 # Hc/(S hx^2) above the last; 15 to 36 there and in the six hardest of 1000 random contacts
 STEP_CYCLES = 5
@@ -216,8 +219,9 @@ def full_multigrid(
     """Solve level after level; the load on the first of them is reached through those of
     `lighter`. If the iteration diverges, `result.levels` is empty.
 
-    The flow model acts, and films count, from the first level on whose mesh resolves the film, of
-    the two finest at the latest: what heats and thins a film of a mesh and less is not the oil.
+    The flow model acts, and films count, from the first level on whose mesh resolves the film, on
+    the last but one already where it hardly does: what heats and thins a film far below the mesh
+    is not the oil.
     """
     state = result.state
     model, state.flow_model = state.flow_model, None
@@ -237,7 +241,8 @@ def full_multigrid(
         if index > first:
             _start_from_below(state, index)
             state.damping = result.attempt.damping
-        if index >= finest - 1 or start_history(state, index).resolved:
+        fineness = start_history(state, index).fineness
+        if index == finest or fineness >= (LEAST_FINE if index == finest - 1 else RESOLVED):
             state.flow_model = model
         # 2. cycles until film, load and equations are at rest
         most = options.max_cycles if index == finest else SETTLING_CYCLES
