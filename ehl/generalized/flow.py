@@ -155,7 +155,7 @@ class GeneralizedFlow:
         )
 
     def change(self, state: FlowState) -> float:
-        """Of ln(Poiseuille factor) before the last cycle, weighted with the pressure's flow [-]."""
+        """Of ln(Poiseuille factor) before the last cycle, weighted with the flow [-]."""
         return state.change
 
     def refined(self, state: FlowState) -> FlowState | None:

@@ -235,13 +235,13 @@ def test_kernel_agrees(rheology):
     temperature = 340.0 + random.uniform(0, 40, (*shape, 1)) * SECTION.nodes * (1.2 - SECTION.nodes)
     h[2, 3] = -1e-9
     middle, poiseuille = np.full((2, *shape), np.nan), np.empty(shape)
-    couette, tangent = np.empty((2, *shape)), np.empty((2, *shape))
+    couette, tangent, power = np.empty((2, *shape)), np.empty((2, *shape)), np.empty(shape)
     fields = (p, h, gradient, speed_a, speed_b, temperature)
-    missed = _kernels.flow_factors(
-        *fields, oil_numbers(oil), SECTION.integration, kernel_rheology(rheology), middle, poiseuille, couette, tangent
-    )
+    given = (oil_numbers(oil), SECTION.integration, kernel_rheology(rheology))
+    missed = _kernels.flow_factors(*fields, *given, middle, poiseuille, couette, tangent, power)
     assert missed == 0
     assert poiseuille[2, 3] == 1.0
+    assert power[2, 3] == 0.0
     assert_allclose(couette[:, 2, 3], 0.5 * (speed_a + speed_b)[:, 2, 3], rtol=1e-15)
     film = h > 0.0
     columns = FilmColumns(
@@ -263,6 +263,15 @@ def test_kernel_agrees(rheology):
     thick = viscosity(p[film], oil) / reference
     assert_allclose(tangent[0, film], flow.tangent[:, 0, 0] * thick, rtol=1e-8)
     assert_allclose(tangent[1, film], flow.tangent[:, 1, 1] * thick, rtol=1e-8)
+    # m: central difference of ln (rho/eta)_e by ln |grad p|
+    logs = []
+    for share in (1.0 + 1e-5, 1.0 - 1e-5):
+        steeper = replace(columns, gradient=share * columns.gradient)
+        stress, _ = mid_stress(steeper, SECTION, rheology)
+        logs.append(np.log(flow_integrals(steeper, SECTION, rheology, stress).poiseuille))
+    smooth = columns.film * np.hypot(*columns.gradient.T) < 0.06 * columns.pressure  # below the tangents
+    assert smooth.sum() > 5
+    assert_allclose(power[film][smooth], ((logs[0] - logs[1]) / 2e-5)[smooth], rtol=1e-4, atol=1e-5)
 
 
 def test_kernel_is_ordinary_without_heat_and_thinning():
@@ -275,7 +284,7 @@ def test_kernel_is_ordinary_without_heat_and_thinning():
         temperature = np.full((*shape, SECTION.nodes.size), 298.15)
         poiseuille, couette, tangent = np.empty(shape), np.empty((2, *shape)), np.empty((2, *shape))
         fields = (p, h, random.uniform(-1e12, 1e12, (2, *shape)), speed_a, speed_b, temperature)
-        results = (np.full((2, *shape), np.nan), poiseuille, couette, tangent)
+        results = (np.full((2, *shape), np.nan), poiseuille, couette, tangent, np.empty(shape))
         _kernels.flow_factors(*fields, oil_numbers(oil), SECTION.integration, kernel_rheology(NEWTON), *results)
         assert_allclose(poiseuille, 1.0, rtol=1e-13)
         assert_allclose(tangent, 1.0, rtol=1e-13)
