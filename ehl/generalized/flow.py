@@ -63,7 +63,7 @@ class Continuation:
     # temperature is multiplied by it [-]
     share: float = 1.0
     relaxation: float = RELAXATION  # of the temperature towards its new value, in (0, 1] [-]
-    follow_pressure: bool = False  # whether the Poiseuille factor follows the pressure (3. above)
+    follow_pressure: bool = True  # whether the Poiseuille factor follows the pressure (3. above)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -73,7 +73,9 @@ class FlowState:
     mid_stress: Array  # in the middle of the film, shape (2, ny, nx) [Pa]
     pressure: Array  # [Pa]
     poiseuille: Array  # relaxed factor at that pressure [-]
-    thinning: Array  # share of a change of ln(eta) by pressure that the factor takes back [-]
+    thinning: Array  # k [-]
+    # share of a change of ln(eta) by pressure that the factor takes back, k or (k + m)/(1 + m) [-]
+    taken_back: Array
     temperature: Array  # relaxed, as the flow used it, shape (ny, nx, n) [K]
     heat: HeatState | None  # None: uniform temperature
     # change of ln(Poiseuille factor) in the cycle, weighted with the pressure's flow [-]
@@ -91,7 +93,7 @@ class _Linearised:
     couette: Array  # flux of the surfaces over h, shape (2, ny, nx) [m/s]
     couette_slope: Array  # D, in the unit of the Poiseuille factor [-]
     power: Array  # m, of the gradient in the Poiseuille factor [-]
-    thinning: Array  # k, or (k + m)/(1 + m) [-]
+    thinning: Array  # k [-]
     unsolved: int  # columns without a converged stress [-]
 
 
@@ -122,6 +124,9 @@ class GeneralizedFlow:
         new = self._linearised(fields, middle, temperature, self._known_thinning(last))
         oil = self.conditions.lubricant
         newtonian = np.maximum(fields.h, 0.0) ** 2 / (12.0 * viscosity(fields.p, oil))
+        taken_back = new.thinning
+        if self.continuation.follow_pressure:
+            taken_back = (new.thinning + new.power) / (1.0 + new.power)
         # 3. relaxation by 1/(1 + m)
         poiseuille = new.poiseuille
         couette_slope = new.couette_slope
@@ -137,7 +142,7 @@ class GeneralizedFlow:
         flow = (new.couette + couette_slope * newtonian * fields.gradient) / speed
         factors = FlowFactors(
             poiseuille=poiseuille + couette_slope,
-            thinning=new.thinning,
+            thinning=taken_back,
             log_viscosity=log_viscosity(contact, P),
             couette_x=flow[0],
             couette_y=None if grid.symmetric else flow[1],
@@ -147,6 +152,7 @@ class GeneralizedFlow:
             pressure=fields.p,
             poiseuille=poiseuille,
             thinning=new.thinning,
+            taken_back=taken_back,
             temperature=temperature,
             heat=heat,
             change=change,
@@ -172,6 +178,7 @@ class GeneralizedFlow:
             pressure=fine(state.pressure),
             poiseuille=fine(state.poiseuille),
             thinning=fine(state.thinning),
+            taken_back=fine(state.taken_back),
             temperature=fine(state.temperature),
             heat=heat,
         )
@@ -209,8 +216,6 @@ class GeneralizedFlow:
         poiseuille, couette, tangent, power, unsolved = self._evaluate(fields, middle, temperature)
         if thinning is None:
             thinning = self._thinning(fields, middle, temperature, poiseuille)
-            if self.continuation.follow_pressure:
-                thinning = (thinning + power) / (1.0 + power)
         return _Linearised(
             poiseuille=poiseuille,
             couette=couette,
@@ -222,7 +227,7 @@ class GeneralizedFlow:
 
     def _known_thinning(self, last: FlowState | None) -> Array | None:
         """k of the last cycle where the flow has settled, shape (ny, nx) [-]; else None."""
-        if last is None or last.change > SETTLED_FLOW or self.continuation.follow_pressure:
+        if last is None or last.change > SETTLED_FLOW:
             return None
         return last.thinning
 
@@ -244,7 +249,7 @@ class GeneralizedFlow:
             return last.poiseuille
         oil = self.conditions.lubricant
         thicker = log_viscosity_ratio(p, oil) - log_viscosity_ratio(last.pressure, oil)
-        return last.poiseuille * np.exp(last.thinning * thicker)
+        return last.poiseuille * np.exp(last.taken_back * thicker)
 
     def _over_limit_columns(self, fields: FilmFields, temperature: Array) -> int:
         """Columns of film in which h/2 grad p exceeds the limiting stress [-]."""
