@@ -15,7 +15,7 @@ from ..solution import Certificate
 from .cycle import start_level, update_film
 from .far_field import far_field
 from .flow_model import FlowModel
-from .history import FILMS, RESOLVED, LevelHistory, central_film, start_history
+from .history import FILMS, LevelHistory, central_film, start_history
 from .levels import Damping, Multigrid, make_multigrid
 from .newton import MOST_NODES, certify
 from .settling import Progress, settle
@@ -29,9 +29,9 @@ COARSEST_CELLS = 16
 # full multigrid starts where hx is below 0.2 semi-axes or 0.55 sqrt(Hc)
 STARTING_MESH = (0.2, 0.55)
 SETTLING_CYCLES = 12  # most cycles on the other levels below the finest
-# Hmin/(S hx^2) from which a flow model acts on the level below the finest; it does on all levels
-# from `RESOLVED` on and on the finest
-LEAST_FINE = 2.0
+# Hmin/(S hx^2) of the Newtonian film from which a flow model acts on the level below the finest; it
+# does on all that resolve the film and on the finest
+LEAST_FINE = 1.0
 # where the load is reached in steps: cycles under each lighter load, on the first level with
 # Hc/(S hx^2) above the last; 15 to 36 there and in the six hardest of 1000 random contacts
 STEP_CYCLES = 5
@@ -241,16 +241,27 @@ def full_multigrid(
         if index > first:
             _start_from_below(state, index)
             state.damping = result.attempt.damping
-        fineness = start_history(state, index).fineness
-        if index == finest or fineness >= (LEAST_FINE if index == finest - 1 else RESOLVED):
+        # 2. cycles of the Newtonian film until its mesh is fine enough for the flow model
+        if state.flow_model is not model:
+            plain = settle(state, index, SETTLING_CYCLES, progress, below, options.strictness)
+            if plain is None:
+                return
+            if (
+                index < finest - 1
+                and not plain.resolved
+                or index < finest
+                and plain.fineness < LEAST_FINE
+            ):
+                below = plain
+                continue
             state.flow_model = model
-        # 2. cycles until film, load and equations are at rest
+            state.damping = result.attempt.damping
+        # 3. cycles until film, load and equations are at rest
         most = options.max_cycles if index == finest else SETTLING_CYCLES
         below = settle(state, index, most, progress, below, options.strictness)
         if below is None:
             return
-        if state.flow_model is model:
-            levels.append(below)
+        levels.append(below)
     result.levels = levels
 
 
