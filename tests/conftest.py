@@ -1,4 +1,4 @@
-"""Seed of the rotating sample of slow tests, and kernels that parallel workers compile once."""
+"""Seed of the rotating sample of slow tests, what processes of tests import, and kernels that are compiled once."""
 
 from __future__ import annotations
 
@@ -8,9 +8,12 @@ import random
 import sys
 from collections import defaultdict
 from datetime import date
+from pathlib import Path
 
 import pytest
 from filelock import FileLock
+
+import cases
 
 SEED = "OILFILM_SEED"
 SHARE = 0.1  # of the slow tests that are in the sample
@@ -20,8 +23,16 @@ WORKER = "PYTEST_XDIST_WORKER" in os.environ
 def pytest_configure(config):
     """Before workers start: they inherit the seed; and two of them with two threads each would be four."""
     os.environ.setdefault(SEED, date.today().strftime("%Y%m%d"))
+    import_what_is_tested()
     if getattr(config.option, "numprocesses", None):
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+
+def import_what_is_tested():
+    """Processes of tests: the packages of this one, not those of the folder they start in, which compile their own."""
+    paths = [str(Path(cases.__file__).parents[1]), *os.environ.get("PYTHONPATH", "").split(os.pathsep)]
+    os.environ["PYTHONPATH"] = os.pathsep.join(dict.fromkeys(filter(None, paths)))
+    os.environ["PYTHONSAFEPATH"] = "1"
 
 
 def pytest_terminal_summary(terminalreporter, config):
