@@ -332,7 +332,7 @@ def take(values, places, out):
         out[m] = values[places[m]]
 
 
-@compiled
+@inlined
 def solved_rates(t, y, p, dy):
     """`motion_rates` of the coordinates that are solved; the others rest where `p.whole` has
     them, or go where the schedule holds them.

@@ -9,6 +9,7 @@ tests/reference.
 import numpy as np
 
 from ehl.compiled import compiled, summing
+from ehl.oil._elementary_kernels import copy
 from ehl.oil._rheology_kernels import (
     FAR_BELOW,
     NEWTONIAN,
@@ -41,13 +42,13 @@ def table_gradients(table, places, motion, step, gradient, slope):
     m = np.empty(3)
     for k in range(motion.shape[0]):
         load, speed, radius = places[k]
-        m[:] = motion[k, :3]
+        copy(motion[k], m)
         table_lookup(*table, load, speed, m[0], m[1], m[2], out)
         gradient[k] = -out[:4]
         slope[k] = 0.0
         for j in range(3):
             size = step * speed if j < 2 else step * speed / radius
-            m[:] = motion[k, :3]
+            copy(motion[k], m)
             m[j] += size
             table_lookup(*table, load, speed, m[0], m[1], m[2], out)
             slope[k, :, j] = -(out[:4] + gradient[k]) / size
@@ -62,13 +63,13 @@ def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
     m = np.empty(3)
     for k in range(motion.shape[0]):
         load, speed, radius = places[k]
-        m[:] = motion[k, :3]
+        copy(motion[k], m)
         hertz_friction(disc, laws[k], shapes[k], load, speed, m[0], m[1], m[2], out)
         gradient[k] = -out[:4]
         slope[k] = 0.0
         for j in range(3):
             size = step * speed if j < 2 else step * speed / radius
-            m[:] = motion[k, :3]
+            copy(motion[k], m)
             m[j] += size
             hertz_friction(disc, laws[k], shapes[k], load, speed, m[0], m[1], m[2], out)
             slope[k, :, j] = -(out[:4] + gradient[k]) / size

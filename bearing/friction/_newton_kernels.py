@@ -6,6 +6,7 @@ Arrays of all balls and the places `at` of those that are looked at; twins are i
 import numpy as np
 
 from ehl.compiled import compiled
+from ehl.oil._elementary_kernels import copy, copy_rows
 
 TINY = 1.0e-300  # as `law.TINY`
 NOISE = 1.0e-13  # of the power that rounding leaves [-]
@@ -138,10 +139,10 @@ def damped_steps(state, friction, slip, limits, at, trial):
         for i in range(4):
             size += hessian[ball, i, i]
         size = max(size, friction[ball] / slip[ball])
-        matrix[:] = hessian[ball]
+        copy_rows(hessian[ball], matrix)
         for i in range(4):
             matrix[i, i] += damping[ball] * size
-        trial[count] = gradient[ball]
+        copy(gradient[ball], trial[count])
         solve_four(matrix, trial[count])
         for i in range(4):
             trial[count, i] = z[ball, i] - trial[count, i]

@@ -6,6 +6,7 @@ where they did not, at once where its load has doubled or halved.
 """
 
 from ehl.compiled import compiled
+from ehl.oil._elementary_kernels import copy
 
 from .._kernels import place_bodies
 from .._state_kernels import ball_motion, minus, norm
@@ -62,7 +63,7 @@ def renew_contact(c, kind, data, load, motion, linear, foretold, friction, time,
     held = slopes_hold(linear, load, motion)
     if held:
         friction_by_slopes(c.mirrored, linear, load, motion, friction)
-        foretold[:] = friction[:FORCES]
+        copy(friction[:FORCES], foretold)
     motions = (motion.slide_x, motion.slide_y, motion.spin)
     friction_law(kind, c.mirrored, data, load, motion.entrainment, motions, friction)
     error = 0.0

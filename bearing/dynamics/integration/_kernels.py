@@ -10,6 +10,7 @@ derivative stays valid. Work and dissipation are integrated along, outside the e
 import numpy as np
 
 from ehl.compiled import compiled, inlined
+from ehl.oil._elementary_kernels import copy, copy_rows
 
 from .._handle_kernels import handle
 from .._kernels import energies, put, solved_rates
@@ -77,9 +78,9 @@ def stages(t, y, h, p, k, trial):
             for m in range(y.size):
                 trial[m] += share * k[j, m]
         if i == STAGES - 3:
-            k[STATE_6, :] = trial
+            copy(trial, k[STATE_6])
         solved_rates(t + C[i] * h, trial, p, k[i + 1])
-    k[STATE_7, :] = trial
+    copy(trial, k[STATE_7])
 
 
 @compiled
@@ -251,12 +252,12 @@ def trial_step(t, y, step, p, control, scale, k, trial, counters):
 def accept_step(t, y, step, p, k, renewed, history, counters):
     """State, attitudes, memory of impacts and work of films after a step that ends at t."""
     turn_balls(p, step, history.attitude)
-    y[:] = k[STATE_7]
+    copy(k[STATE_7], y)
     if renewed:
         solved_rates(t, y, p, k[0])
         counters[EVALUATIONS] += 1
     else:
-        k[0, :] = k[STAGES - 1]
+        copy(k[STAGES - 1], k[0])
     after_step(p, t, step, history.onset, history.states, history.shares)
     add_film_work(p, y)
     counters[STEPS] += 1
@@ -326,18 +327,18 @@ def sample(y, data, history, record, row):
     """
     p = handle(data)
     put(y, p.solved, p.whole)
-    record.state[row] = p.whole
-    record.races[row] = p.race_out
+    copy(p.whole, record.state[row])
     for race in range(2):
+        copy_rows(p.race_out[race], record.races[row, race])
         for j in range(p.constants.balls):
             if p.race_out[race, j, CONTACT.approach] <= 0.0:
                 record.races[row, race, j, CONTACT.film] = 0.0
-    record.pockets[row] = p.pocket_out
+    copy_rows(p.pocket_out, record.pockets[row])
     energies(p.whole, p, record.energy[row])
-    record.loads[row, :LOAD_COLUMNS] = p.loads[INNER]
-    record.loads[row, LOAD_COLUMNS:] = p.loads[CAGE_LOAD]
-    record.contact_state[row] = history.states
-    record.attitude[row] = history.attitude
+    copy(p.loads[INNER], record.loads[row, :LOAD_COLUMNS])
+    copy(p.loads[CAGE_LOAD], record.loads[row, LOAD_COLUMNS:])
+    copy_rows(history.states, record.contact_state[row])
+    copy_rows(history.attitude, record.attitude[row])
 
 
 @compiled
