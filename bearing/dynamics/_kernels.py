@@ -284,8 +284,8 @@ def motion_rates(t, y, p, dy):
     p.loads[:] = 0.0
     p.forces[:] = 0.0
     # 1. races and balls
-    race_forces(p, INNER, inner, y)
-    race_forces(p, OUTER, outer, y)
+    for race in range(2):  # written out, the number of a race would be compiled for by itself
+        race_forces(p, race, inner if race == INNER else outer, y)
     # 2. pockets, or balls that meet
     if c.cage_mass > 0.0:
         pocket_forces(p, cage, y)
@@ -310,12 +310,6 @@ def motion_rates(t, y, p, dy):
     first = accumulators(c.balls)
     for k in range(p.power.size):
         dy[first + k] = p.power[k]
-
-
-@compiled
-def derivative(t, y, data, dy):
-    """`motion_rates` of `EquationData`."""
-    motion_rates(t, y, handle(data), dy)
 
 
 @compiled

@@ -31,7 +31,7 @@ from ..arrays import (
     WORK,
 )
 from ..contact._kernels import elastic_force
-from ._clock_kernels import renew_friction, renew_pockets
+from ._clock_kernels import forget_slopes, renew_friction, renew_pockets
 
 A = np.array(
     [
@@ -342,21 +342,19 @@ def sample(y, data, history, record, row):
 
 
 @compiled
-def begin_steps(t, y, data, dy):
-    """Before steps of which each evaluation asks the laws of friction and films."""
+def begin_steps(data):
+    """Before steps, right after `solved_derivative` of the state."""
     p = handle(data)
-    p.pocket_films[:] = 0.0
-    p.linear[:] = 0.0
-    solved_rates(t, y, p, dy)
     remember_turns(p)
     mark_films(p)
 
 
 @compiled
-def end_step(t, y, step, data, history, dy):
-    """After a step to a time `t`: attitudes, memory of impacts, work of films."""
+def end_step(t, y, step, data, history):
+    """After a step to a time `t` and `solved_derivative` there: attitudes, memory of impacts, work
+    of films.
+    """
     p = handle(data)
-    solved_rates(t, y, p, dy)
     turn_balls(p, step, history.attitude)
     after_step(p, t, step, history.onset, history.states, history.shares)
     add_film_work(p, y)
@@ -367,11 +365,10 @@ def advance_samples(t, y, h, data, control, scale, k, trial, history, counters, 
     """`advance` to each time of a record, and its rows. Status, rows written, time, next step."""
     p = handle(data)
     p.pace[0] = h
-    p.linear[:] = 0.0
-    p.pocket_films[:] = 0.0
+    forget_slopes(p.linear, p.pocket_films)
     solved_rates(t, y, p, k[0])
-    renew_friction(p, p.whole, 0, h, control.speed)
-    renew_pockets(p, p.whole, 0, h, control.speed)
+    renew_friction(p, p.whole, counters[STEPS], h, control.speed)
+    renew_pockets(p, p.whole, counters[STEPS], h, control.speed)
     solved_rates(t, y, p, k[0])
     remember_turns(p)
     mark_films(p)
