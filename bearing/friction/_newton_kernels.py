@@ -171,9 +171,9 @@ def accept_steps(state, at, trial, new, descent, stuck):
             falls = new[0][n] < power[ball] - noise
             better = falls or (new[0][n] <= power[ball] + noise and better)
         if better:
-            z[ball] = trial[n]
+            copy(trial[n], z[ball])
             power[ball] = new[0][n]
-            gradient[ball] = new[1][n]
-            hessian[ball] = new[2][n]
+            copy(new[1][n], gradient[ball])
+            copy_rows(new[2][n], hessian[ball])
         factor = LESS_DAMPING if better else MORE_DAMPING
         damping[ball] = min(max(factor * damping[ball], LEAST_DAMPING), 10.0 * stuck)

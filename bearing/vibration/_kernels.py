@@ -264,7 +264,7 @@ def advance(c, clock, share, state, record):
             if stage:
                 q_at += ahead * slopes_q[stage - 1]
                 v_at += ahead * slopes_v[stage - 1]
-            slopes_q[stage] = v_at
+            copy(v_at, slopes_q[stage])
             part = min(share[0] + share[1] * (i * step + ahead), 1.0)
             result = (slopes_v[stage], slopes_w[stage], loads)
             at = start + i * step + ahead

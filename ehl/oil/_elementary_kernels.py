@@ -29,8 +29,9 @@ ROOT_HALF_BITS = 0x3FE6A09E667F3BCD  # of sqrt(1/2)
 
 @compiled
 def copy(source, target):
-    """Numbers of one array (n,) into another. Assigned to a slice they would be compared in number
-    first, and the text of numba's error for it takes as long to compile as a hundred lines.
+    """Numbers of an array (n,), or of a tuple, into an array. Assigned to a slice they would be
+    compared in number first, and the text of numba's error takes as long to compile as a hundred
+    lines.
     """
     for i in range(target.size):
         target[i] = source[i]

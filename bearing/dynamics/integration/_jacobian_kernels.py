@@ -7,7 +7,7 @@ ring and cage. Its columns cost the contacts of one ball each, those of ring and
 
 import numpy as np
 
-from ehl.compiled import compiled
+from ehl.compiled import compiled, inlined
 from ehl.oil._elementary_kernels import copy_rows
 
 from .._handle_kernels import handle
@@ -62,7 +62,7 @@ def difference(p, base, owner, ball, column, step, out):
             out[row, column] = (p.rates[p.solved[row]] - base[row]) / step
 
 
-@compiled
+@inlined
 def columns_of_ball(p, t, j, base, owner, scale, out):
     """Columns of one ball, by its contacts alone; `p.loads` are those of all balls, before and
     after.
