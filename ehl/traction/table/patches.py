@@ -39,7 +39,7 @@ FAR = (5.0, 1.0)
 # pull of a node at the largest change of sliding over the film, over that at rest, from which on
 # its oil is nearly Newtonian
 NEARLY_NEWTONIAN = 0.8
-LOW_ALONG = 3  # places along x of patches of low pressure
+LOW_ALONG = 4  # places along x of patches of low pressure, which reach far behind the contact
 LOW_ACROSS = (3, 5, 3)  # across, of those beyond the ellipse on one side, beside it, on the other
 
 

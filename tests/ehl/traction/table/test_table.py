@@ -347,7 +347,7 @@ def test_spline_passes_through_its_values_and_reproduces_cubics():
 
 def test_sums_over_a_film(solution):
     """The kernel agrees with NumPy, and its thinned nodes with the integrals over the whole grid."""
-    nodes = film_quadrature(solution, RHEOLOGY, 30.0)
+    nodes = film_quadrature(solution, RHEOLOGY)
     motion = ContactKinematics(
         entrainment_speed=15.08,
         sliding_x=0.15,
@@ -376,8 +376,25 @@ def test_strips_of_a_film_are_close_enough(solution, monkeypatch, spin, limit):
     forces = []
     for lines in (64, 1024):
         monkeypatch.setattr("ehl.traction.film_quadrature.LINES", lines)
-        forces.append(sliding_forces(film_quadrature(solution, RHEOLOGY, 30.0), slide, rolling, 0.5 / 6.08e-3)[:, :2])
+        forces.append(sliding_forces(film_quadrature(solution, RHEOLOGY), slide, rolling, 0.5 / 6.08e-3)[:, :2])
     assert np.hypot(*(forces[0] - forces[1]).T).max() < limit * np.hypot(*forces[1].T).max()
+
+
+def spin_moments(conditions):
+    """Of slides along, across and of spin, over the largest, on a film's nodes."""
+    film = film_quadrature(ehl.solve_contact(conditions, ehl.SolverOptions(points=65)), RHEOLOGY)
+    slide = (np.array([30.0, 1.5, 7.5, 0.0]), np.array([0.0, 0.0, 7.5, 0.0]), np.array([0.0, 0.0, 0.0, 1500.0]))
+    moments = sliding_forces(film, slide, np.zeros(4), 0.0)[:, 2]
+    return moments / np.abs(moments).max()
+
+
+@pytest.mark.parametrize("load", [15.0, 100.0])
+def test_oil_around_a_light_contact_has_its_spin_moment(conditions, monkeypatch, load):
+    """Sliding along has none; blocks of the grid have those of all its nodes to 0.5 %."""
+    moments = spin_moments(replace(conditions, load=load))
+    assert np.abs(moments[:2]).max() < 1e-9
+    monkeypatch.setattr("ehl.traction.film_quadrature.BLOCKS", 1000)
+    assert_allclose(moments, spin_moments(replace(conditions, load=load)), atol=5e-3)
 
 
 @pytest.mark.parametrize("load", [15.0, 500.0])
