@@ -211,10 +211,10 @@ def _add_low(rows: _Rows, nodes: Array, pulls: Singles, half_width: float, chang
     alone = ~plain
     for side, across in zip((-1, 0, 1), LOW_ACROSS, strict=True):
         own = np.flatnonzero(plain & (beside == side))
-        if own.size <= LOW_ALONG * across:
+        x, y = nodes[X, own], nodes[Y, own]
+        if own.size <= LOW_ALONG * across or np.ptp(y) == 0.0:
             alone[own] = True
             continue
-        x, y = nodes[X, own], nodes[Y, own]
         along = _gauss(x.min(), x.max(), LOW_ALONG)
         weights_x = _weights(along, x)
         spread = (nodes[SPREAD_X, own].mean(), 3.0 * nodes[SPREAD_Y, own].mean())
