@@ -27,8 +27,9 @@ from ehl.traction.laws import ContactShape, EllipseLaw
 from ehl.traction.response.normal import NormalResponse, ResponseValue
 from ehl.traction.rolling_moment import rolling_moment
 from ehl.traction.shear import integrate_traction
-from ehl.traction.table import build
-from ehl.traction.table.build import TableOptions, build_table, straight_motions
+from ehl.traction.table import check
+from ehl.traction.table.build import TableOptions, build_table
+from ehl.traction.table.check import straight_motions
 from ehl.traction.table.packing import EVEN_STEP, VALUE_STEP, packed, stored_values, unpacked, whole_numbers
 from ehl.traction.table.splines import node_values, spline_coefficients, spline_weights
 from ehl.traction.table.storage import inputs_digest, load_table, save_table
@@ -169,10 +170,10 @@ def test_message_tells_how_far_stiffness_and_damping_are_off(table):
         stiffness=values[0], damping=values[1], converged=True, resolved=True, message="converged"
     )
     film = SimpleNamespace(response=response)
-    told = build.of_responses([film, SimpleNamespace(response=None)], error)
+    told = check.of_responses([film, SimpleNamespace(response=None)], error)
     assert "stiffness is off by up to 1.0%, damping by 8.0%" in told and "up to 3.0% and 10.0%" in told
     for small in (0.04, np.nan):
-        assert not build.of_responses([film], replace(error, largest_damping=small, largest_stiffness=small))
+        assert not check.of_responses([film], replace(error, largest_damping=small, largest_stiffness=small))
 
 
 def test_halves_of_the_mirror_image_meet(table):
