@@ -78,7 +78,8 @@ def straight_motions(
 ) -> list[Array]:
     """Motions over u, u and u/R_x of rolling without spin and with little, where traction turns
     most sharply: slides even in their logarithm, along from the vertex on, across, or both, each
-    sign; every third with a spin, every twelfth a spin alone, flat [-].
+    sign; every third with a spin, every twelfth a spin alone, the first of these the largest, flat
+    [-].
     """
     ends = np.log([[SMALLEST_SLIDE] * 2 + [SMALLEST_SPIN], limits.motions])
     drawn = np.exp(ends[0] + (ends[1] - ends[0]) * rng.random((count, 3)))
@@ -87,6 +88,7 @@ def straight_motions(
     drawn[order % 4 == 0, 0] = 0.0
     drawn[order % 4 == 1, 1] = 0.0
     drawn[order % 3 != 0, 2] = 0.0
+    drawn[0, 2] = limits.spin
     top, slide_y, spin = drawn.T
     slide_x = from_vertex(top, vertex_slide(spin, contact, load), limits.slide_x)
     slide_x[order % 12 == 0] = slide_y[order % 12 == 0] = 0.0

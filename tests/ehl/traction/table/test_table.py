@@ -141,6 +141,7 @@ def test_check_draws_rolling_without_spin():
     slide_x, slide_y, spin = straight_motions(CIRCLE, LIMITS, 60.0, np.random.default_rng(3), 600)
     straight = spin == 0.0
     assert np.count_nonzero(straight) == 400
+    assert np.abs(spin).max() == abs(spin[0]) == LIMITS.spin and slide_x[0] == slide_y[0] == 0.0
     assert np.all((np.abs(spin[~straight]) >= 1e-5) & (np.abs(spin[~straight]) <= LIMITS.spin))
     for slide, other in ((slide_x, slide_y), (slide_y, slide_x)):
         alone = slide[straight & (other == 0.0)]
