@@ -177,6 +177,14 @@ def test_message_tells_how_far_stiffness_and_damping_are_off(table):
         assert not check.of_responses([film], replace(error, largest_damping=small, largest_stiffness=small))
 
 
+def test_a_share_of_the_rolling_moment_costs_no_new_numbers(table):
+    """Torque points with heat of the inlet ask for one each."""
+    share = table.with_rolling(0.5)
+    assert share.kernel_arguments()[3] is table.kernel_arguments()[3]
+    whole, half = (one.forces(60.0, 5.0, 0.0, 0.0, 0.0).rolling_moment for one in (table, share))
+    assert half == pytest.approx(0.5 * whole, rel=1e-9)
+
+
 def test_halves_of_the_mirror_image_meet(table):
     """Without slide_y and spin nothing pulls across, to round-off; with spin, no step and no bend at slide_y = 0."""
     for load, speed, slide_x, _, spin in motions(10, 55418):
