@@ -72,7 +72,7 @@ def shear_time(motions: Array) -> float:
         load=500.0, radius_x=RADIUS, radius_y=0.2178, reduced_modulus=3.325e11, entrainment_speed=15.0, lubricant=oil
     )
     rheology = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5.2e6, limiting_coefficient=0.047)
-    nodes = film_quadrature(solve_contact(contact, SolverOptions(points=257)), rheology, 30.0)
+    nodes = film_quadrature(solve_contact(contact, SolverOptions(points=257)), rheology)
     slides, best = tuple(np.ascontiguousarray(part) for part in motions[:, 2:].T), np.inf
     for _ in range(REPEATS):
         began = process_time()

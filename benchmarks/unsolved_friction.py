@@ -90,7 +90,7 @@ def errors(conditions):
     motions = np.array([[r * u * x, r * u * y, r * u * n / longer, 0.0] for r in RATIOS for x, y, n in DIRECTIONS])
     law = contact_rheology(SHEAR, conditions.lubricant, MEAN_PRESSURE_RATIO * size[2])
     slides = tuple(np.ascontiguousarray(part) for part in motions.T[:3])
-    solved = -sliding_forces(film_quadrature(solution, law, u), slides, np.zeros(len(motions)), 0.0)
+    solved = -sliding_forces(film_quadrature(solution, law), slides, np.zeros(len(motions)), 0.0)
     film = UnsolvedFilm(conditions=conditions, central=solution.film_central, minimum=None, size=size)
     own, block = unsolved_nodes([ShearedFilm(film, 0.0, size[1])] * len(motions), SHEAR, None)
     *films, own = joined_nodes([block], own)

@@ -1,4 +1,4 @@
-"""Seed of the rotating sample of slow tests, and kernels that parallel workers compile once."""
+"""Seed of the rotating sample of slow tests, what processes of tests import, and kernels that are compiled once."""
 
 from __future__ import annotations
 
@@ -6,13 +6,17 @@ import functools
 import os
 import random
 import sys
-from collections import defaultdict
+from collections import Counter, defaultdict
 from datetime import date
+from pathlib import Path
 
 import pytest
 from filelock import FileLock
 
+import cases
+
 SEED = "OILFILM_SEED"
+SAMPLED = "sample"  # mark of the slow tests that are drawn
 SHARE = 0.1  # of the slow tests that are in the sample
 WORKER = "PYTEST_XDIST_WORKER" in os.environ
 
@@ -20,18 +24,43 @@ WORKER = "PYTEST_XDIST_WORKER" in os.environ
 def pytest_configure(config):
     """Before workers start: they inherit the seed; and two of them with two threads each would be four."""
     os.environ.setdefault(SEED, date.today().strftime("%Y%m%d"))
+    import_what_is_tested()
+    if SAMPLED in config.option.markexpr:
+        config.option.loadscopereorder = False  # the order of the files is that of `longest_first`
     if getattr(config.option, "numprocesses", None):
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
+def import_what_is_tested():
+    """Processes of tests: the packages of this one, not those of the folder they start in, which compile their own."""
+    paths = [str(Path(cases.__file__).parents[1]), *os.environ.get("PYTHONPATH", "").split(os.pathsep)]
+    os.environ["PYTHONPATH"] = os.pathsep.join(dict.fromkeys(filter(None, paths)))
+    os.environ["PYTHONSAFEPATH"] = "1"
+
+
 def pytest_terminal_summary(terminalreporter, config):
     """What to set for the same sample again."""
-    if "sample" in config.option.markexpr:
+    if SAMPLED in config.option.markexpr:
         terminalreporter.write_line(f"for the same sample again: {SEED}={os.environ[SEED]}")
 
 
-@pytest.hookimpl(tryfirst=True)
-def pytest_collection_modifyitems(items):
+@pytest.hookimpl(wrapper=True)
+def pytest_collection_modifyitems(items, config):
+    """Mark the sample before tests are chosen by their marks; its files come first."""
+    draw_sample(items)
+    yield
+    if SAMPLED in config.option.markexpr:
+        longest_first(items)
+
+
+def longest_first(items):
+    """Files with slow tests before the others, then those with many tests: no worker ends with a slow one alone."""
+    tests = Counter(item.location[0] for item in items)
+    slow = Counter(item.location[0] for item in items if item.get_closest_marker(SAMPLED))
+    items.sort(key=lambda item: (slow[item.location[0]] == 0, -tests[item.location[0]]))
+
+
+def draw_sample(items):
     """Mark as `sample` a tenth of the slow tests, drawn file by file, another one every day."""
     slow = defaultdict(list)
     for item in items:
@@ -41,7 +70,7 @@ def pytest_collection_modifyitems(items):
         draw = random.Random(f"{os.environ[SEED]} {name}")
         whole, part = divmod(SHARE * len(tests), 1.0)
         for item in draw.sample(tests, int(whole) + (draw.random() < part)):
-            item.add_marker("sample")
+            item.add_marker(SAMPLED)
 
 
 @pytest.fixture(scope="session", autouse=WORKER)

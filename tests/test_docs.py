@@ -144,7 +144,7 @@ def test_the_result_of_the_first_page_is_that_of_the_shipped_case():
 def test_the_lines_of_the_first_page_are_those_that_the_command_prints(tmp_path):
     (block,) = re.findall(r"^```text\n(.*?)^```$", INDEX, re.DOTALL | re.MULTILINE)
     command = [sys.executable, "-m", "cases.cli", "run", "6208_full_ceramic", "-o", "out"]
-    environment = os.environ | {"PYTHONPATH": str(ROOT), "COLUMNS": "100"}
+    environment = os.environ | {"COLUMNS": "100"}
     run = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
     assert run.returncode == 0, run.stderr
     printed = {line.strip() for line in run.stdout.splitlines()}

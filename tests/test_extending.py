@@ -68,7 +68,7 @@ def test_the_plug_ins_of_the_page_are_listed_and_run(tmp_path):
     (tmp_path / "case.toml").write_text(case)
 
     def oilfilm(*words):
-        paths = os.pathsep.join((str(tmp_path), str(ROOT)))
+        paths = os.pathsep.join((str(tmp_path), os.environ["PYTHONPATH"]))
         command = [sys.executable, "-m", "cases.cli", *words]
         run = subprocess.run(
             command, cwd=tmp_path, env=os.environ | {"PYTHONPATH": paths}, capture_output=True, text=True, check=False

@@ -3,6 +3,7 @@
 import numpy as np
 
 from ehl.compiled import compiled
+from ehl.oil._elementary_kernels import copy
 
 
 @compiled
@@ -25,4 +26,4 @@ def largest_sliding_speeds(shapes, along, across, share, found):
                 square = rolling * rolling + other * other
                 speed = max(speed, square)
                 power = max(power, square * share[k] * share[k])
-        found[n] = np.sqrt(speed), np.sqrt(power)
+        copy((np.sqrt(speed), np.sqrt(power)), found[n])

@@ -284,8 +284,8 @@ def motion_rates(t, y, p, dy):
     p.loads[:] = 0.0
     p.forces[:] = 0.0
     # 1. races and balls
-    race_forces(p, INNER, inner, y)
-    race_forces(p, OUTER, outer, y)
+    for race in range(2):  # written out, the number of a race would be compiled for by itself
+        race_forces(p, race, inner if race == INNER else outer, y)
     # 2. pockets, or balls that meet
     if c.cage_mass > 0.0:
         pocket_forces(p, cage, y)
@@ -313,12 +313,6 @@ def motion_rates(t, y, p, dy):
 
 
 @compiled
-def derivative(t, y, data, dy):
-    """`motion_rates` of `EquationData`."""
-    motion_rates(t, y, handle(data), dy)
-
-
-@compiled
 def put(values, places, out):
     """Values at their places in an array."""
     for m in range(values.size):
@@ -332,7 +326,7 @@ def take(values, places, out):
         out[m] = values[places[m]]
 
 
-@compiled
+@inlined
 def solved_rates(t, y, p, dy):
     """`motion_rates` of the coordinates that are solved; the others rest where `p.whole` has
     them, or go where the schedule holds them.

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from ehl.traction.quadrature import STRAIGHT_NODES, unit_gauss
 
+from ._kernels import solved_derivative
 from .arrays import LOAD_COLUMNS, Array, EquationData, FrictionData
 from .choices import LoadType
 from .layout import BODIES, FREE_TURN, Layout
@@ -36,6 +37,18 @@ def solved_places(free: Array, balls: int) -> NDArray[np.int64]:
     speeds = np.concatenate([coordinates, np.tile(turn, balls)])
     others = np.ones(layout.size - layout.mechanical, dtype=np.bool_)
     return np.flatnonzero(np.concatenate([coordinates, speeds, others]))
+
+
+def derivative(t: float, y: Array, data: EquationData, dy: Array) -> None:
+    """Rates `dy` of all coordinates at time t [s], also of those that are not solved; moves a ring
+    that is held to its place in y [SI].
+
+    By the kernel that gives those that are solved: one of its own would take as long to compile.
+    """
+    data.whole[:] = y
+    solved_derivative(t, y[data.solved], data, np.empty(data.solved.size))
+    y[:] = data.whole
+    dy[:] = data.rates
 
 
 @dataclass(frozen=True, slots=True)

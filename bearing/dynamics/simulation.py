@@ -9,7 +9,7 @@ import numpy as np
 
 from ..geometry import Bearing
 from ..operation import Operation
-from ._kernels import derivative, energies
+from ._kernels import energies
 from .arrays import (
     DAMPING,
     FILM,
@@ -31,7 +31,7 @@ from .integration.methods import advance_explicit, advance_implicit
 from .laws import vibration_frequency
 from .layout import Layout
 from .record import Record, SimulationState, StepControl, empty_record, join
-from .reduction import SYMMETRIC, SolvedMotion, solved_motion, symmetric_part
+from .reduction import SYMMETRIC, SolvedMotion, derivative, solved_motion, symmetric_part
 
 PIECE = 256  # samples of a record
 STRETCH = 32  # samples by LSODA that end a piece, before explicit steps are tried again

@@ -9,6 +9,7 @@ tests/reference.
 import numpy as np
 
 from ehl.compiled import compiled, summing
+from ehl.oil._elementary_kernels import copy
 from ehl.oil._rheology_kernels import (
     FAR_BELOW,
     NEWTONIAN,
@@ -41,16 +42,18 @@ def table_gradients(table, places, motion, step, gradient, slope):
     m = np.empty(3)
     for k in range(motion.shape[0]):
         load, speed, radius = places[k]
-        m[:] = motion[k, :3]
+        copy(motion[k], m)
         table_lookup(*table, load, speed, m[0], m[1], m[2], out)
-        gradient[k] = -out[:4]
+        for i in range(4):
+            gradient[k, i] = -out[i]
         slope[k] = 0.0
         for j in range(3):
             size = step * speed if j < 2 else step * speed / radius
-            m[:] = motion[k, :3]
+            copy(motion[k], m)
             m[j] += size
             table_lookup(*table, load, speed, m[0], m[1], m[2], out)
-            slope[k, :, j] = -(out[:4] + gradient[k]) / size
+            for i in range(4):
+                slope[k, i, j] = -(out[i] + gradient[k, i]) / size
 
 
 @compiled
@@ -62,16 +65,18 @@ def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
     m = np.empty(3)
     for k in range(motion.shape[0]):
         load, speed, radius = places[k]
-        m[:] = motion[k, :3]
+        copy(motion[k], m)
         hertz_friction(disc, laws[k], shapes[k], load, speed, m[0], m[1], m[2], out)
-        gradient[k] = -out[:4]
+        for i in range(4):
+            gradient[k, i] = -out[i]
         slope[k] = 0.0
         for j in range(3):
             size = step * speed if j < 2 else step * speed / radius
-            m[:] = motion[k, :3]
+            copy(motion[k], m)
             m[j] += size
             hertz_friction(disc, laws[k], shapes[k], load, speed, m[0], m[1], m[2], out)
-            slope[k, :, j] = -(out[:4] + gradient[k]) / size
+            for i in range(4):
+                slope[k, i, j] = -(out[i] + gradient[k, i]) / size
 
 
 @compiled
@@ -201,7 +206,7 @@ def thin_friction(thin, motion, gradient, slope):
     gradient[1] = c00 * slide_y + c12 * spin
     gradient[2] = c02 * slide_x + c12 * slide_y + c22 * spin + c23 * rolling
     gradient[3] = c03 * slide_x + c23 * spin + c33 * rolling
-    slope[0] = c00, 0.0, c02, c03
+    copy((c00, 0.0, c02, c03), slope[0])
     slope[1, 1] = c00
     slope[1, 2] = c12
     slope[2, 2] = c22
@@ -356,8 +361,8 @@ def coulomb_sums(nodes, ellipses, motion, power, gradient, slope):
             c23 -= pull * y * curved + stiffness * s2 * s3
             c33 += pull * curved * curved - stiffness * s3 * s3
         power[n] = p
-        gradient[n] = g0, g1, g2, g3
-        slope[n, 0] = c00, c01, c02, c03
-        slope[n, 1] = c01, c11, c12, c13
-        slope[n, 2] = c02, c12, c22, c23
-        slope[n, 3] = c03, c13, c23, c33
+        copy((g0, g1, g2, g3), gradient[n])
+        copy((c00, c01, c02, c03), slope[n, 0])
+        copy((c01, c11, c12, c13), slope[n, 1])
+        copy((c02, c12, c22, c23), slope[n, 2])
+        copy((c03, c13, c23, c33), slope[n, 3])

@@ -6,6 +6,7 @@ Arrays of all balls and the places `at` of those that are looked at; twins are i
 import numpy as np
 
 from ehl.compiled import compiled
+from ehl.oil._elementary_kernels import copy, copy_rows
 
 TINY = 1.0e-300  # as `law.TINY`
 NOISE = 1.0e-13  # of the power that rounding leaves [-]
@@ -138,10 +139,10 @@ def damped_steps(state, friction, slip, limits, at, trial):
         for i in range(4):
             size += hessian[ball, i, i]
         size = max(size, friction[ball] / slip[ball])
-        matrix[:] = hessian[ball]
+        copy_rows(hessian[ball], matrix)
         for i in range(4):
             matrix[i, i] += damping[ball] * size
-        trial[count] = gradient[ball]
+        copy(gradient[ball], trial[count])
         solve_four(matrix, trial[count])
         for i in range(4):
             trial[count, i] = z[ball, i] - trial[count, i]
@@ -170,9 +171,9 @@ def accept_steps(state, at, trial, new, descent, stuck):
             falls = new[0][n] < power[ball] - noise
             better = falls or (new[0][n] <= power[ball] + noise and better)
         if better:
-            z[ball] = trial[n]
+            copy(trial[n], z[ball])
             power[ball] = new[0][n]
-            gradient[ball] = new[1][n]
-            hessian[ball] = new[2][n]
+            copy(new[1][n], gradient[ball])
+            copy_rows(new[2][n], hessian[ball])
         factor = LESS_DAMPING if better else MORE_DAMPING
         damping[ball] = min(max(factor * damping[ball], LEAST_DAMPING), 10.0 * stuck)

@@ -5,6 +5,7 @@ twin, of all balls together, is `solve_balls_twin` of tests/reference.
 import numpy as np
 
 from ehl.compiled import compiled
+from ehl.oil._elementary_kernels import copy, copy_rows
 
 from ._ball_kernels import balance, pressed_load
 from .limits import ROUND_OFF
@@ -183,14 +184,14 @@ def balanced(u, V, known, given, values, jacobian):
         step = newton_step(u, V, values, jacobian, given)
         if step[0] == 0.0 and step[1] == 0.0:
             break
-        trial[1][:] = values
+        copy(values, trial[1])
         forces = backtracked(u, V, known, given, step, size, trial)
         if forces < 0.0:
             break
         size = forces
-        u[:] = trial[0]
-        values[:] = trial[1]
-        jacobian[:] = trial[2]
+        copy(trial[0], u)
+        copy(trial[1], values)
+        copy_rows(trial[2], jacobian)
     return size
 
 
@@ -208,12 +209,12 @@ def balanced_balls(u, V, prescribed, given, out):
     at = np.empty(2)
     reach = np.empty(2)
     for z in range(u.shape[1]):
-        at[:] = u[:, z]
-        reach[:] = V[:, z]
+        copy(u[:, z], at)
+        copy(V[:, z], reach)
         sizes[0, z] = balanced(at, reach, prescribed[z], given, own, jacobian)
         sizes[1, z] = rounding(jacobian, given[0])
-        u[:, z] = at
-        values[:, z] = own
+        copy(at, u[:, z])
+        copy(own, values[:, z])
         j = jacobian
         for k in range(2):
             x, r = solved_2x2(

@@ -55,7 +55,7 @@ def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallsE
     `V` (2, Z): axial and radial distance from the outer to the inner groove's centre of
     curvature at each ball [m]; `u_start` (2, Z): guess of the ball positions [m].
     """
-    u = _start(V, u_start, problem)
+    u = np.ascontiguousarray(_start(V, u_start, problem))
     count = u.shape[1]
     shapes = ((6,), (2, 2), (4, 2), (2,))
     out = tuple(np.empty((*shape, count)) for shape in shapes)

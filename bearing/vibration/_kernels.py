@@ -14,6 +14,7 @@ Fourth-order Runge-Kutta steps; works are integrated along with them.
 import numpy as np
 
 from ehl.compiled import compiled
+from ehl.oil._elementary_kernels import copy
 
 from .arrays import (
     BALLS,
@@ -233,12 +234,12 @@ def keep_row(record, row, state, slopes, kinetic):
     motion, loads_kept, energies = record
     q, v, work = state
     a, power, loads = slopes
-    motion[row, :BALLS] = q[:BALLS]
-    motion[row, BALLS : 2 * BALLS] = v[:BALLS]
-    motion[row, 2 * BALLS :] = a[:BALLS]
-    loads_kept[row] = loads
+    copy(q, motion[row, :BALLS])
+    copy(v, motion[row, BALLS : 2 * BALLS])
+    copy(a, motion[row, 2 * BALLS :])
+    copy(loads, loads_kept[row])
     energies[row, 0] = kinetic + power[STORED]
-    energies[row, 1:] = work[:STORED]
+    copy(work, energies[row, 1:])
 
 
 @compiled
@@ -263,7 +264,7 @@ def advance(c, clock, share, state, record):
             if stage:
                 q_at += ahead * slopes_q[stage - 1]
                 v_at += ahead * slopes_v[stage - 1]
-            slopes_q[stage] = v_at
+            copy(v_at, slopes_q[stage])
             part = min(share[0] + share[1] * (i * step + ahead), 1.0)
             result = (slopes_v[stage], slopes_w[stage], loads)
             at = start + i * step + ahead

@@ -19,6 +19,7 @@ from multiprocessing import (
 )
 from multiprocessing.context import BaseContext
 from multiprocessing.process import BaseProcess
+from pathlib import Path
 from typing import Any
 
 PATIENCE = 0.2  # for a process to be gone after its end was asked for [s]
@@ -62,8 +63,12 @@ def start_fork_server(modules: Sequence[str]) -> None:
         return
     set_forkserver_preload(list(modules))
     resource_tracker.ensure_running()  # else it is begun below, and lets interrupts through again
-    given = {name: os.environ.get(name) for name in THREADS}
-    os.environ.update(dict.fromkeys(THREADS, "1"))
+    # the packages of this process: it would look into the current folder first
+    paths = [str(Path(__file__).parents[2]), *filter(None, [os.environ.get("PYTHONPATH")])]
+    wanted = {"PYTHONSAFEPATH": "1", "PYTHONPATH": os.pathsep.join(paths)}
+    wanted |= dict.fromkeys(THREADS, "1")
+    given = {name: os.environ.get(name) for name in wanted}
+    os.environ.update(wanted)
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
         forkserver.ensure_running()

@@ -17,6 +17,7 @@ walls and curvature of `section.wall_slopes` and `section.curvature`.
 import numpy as np
 
 from ..compiled import compiled, summing
+from ..oil._elementary_kernels import copy
 from ..oil._kernels import capacity_ratio, column_softening, conductivity_ratio, thermal_expansion
 from ._kernels import FLUIDITY, LOG_ETA, RHO, ROWS, T_XX, T_XY, T_YY, solve_column
 
@@ -349,7 +350,7 @@ def heat_sweep(
             past = walls_before(flux[:, j], i, along, response[:, j, i], weights, bulk)
             if height <= 0.0:
                 flux[0, j, i] = flux[1, j, i] = dissipation[j, i] = 0.0
-                temperature[j, i] = past[0] + section[0] * (past[1] - past[0])
+                copy(past[0] + section[0] * (past[1] - past[0]), temperature[j, i])
                 continue
             # 2. column, with the response of the walls to its own flux
             rise = (height * gradient[0, j, i], height * gradient[1, j, i])
@@ -359,7 +360,7 @@ def heat_sweep(
             before = i - 1 if forward else i + 1
             for attempt in range(2):
                 if attempt == 1 and 0 <= before < nx:  # from the neighbour's temperatures
-                    temperature[j, i] = temperature[j, before]
+                    copy(temperature[j, before], temperature[j, i])
                     middle[:, j, i] = np.nan
                 dissipation[j, i], converged = solve_heat_column(
                     j, i, p[j, i], height, rise, rate, speed_1[:, j, i], mesh, symmetric, renewed,

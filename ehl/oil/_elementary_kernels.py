@@ -1,4 +1,5 @@
-"""Exponential and logarithm, of one number and of whole lines of nodes, for compiled kernels.
+"""Exponential and logarithm, of one number and of whole lines of nodes, and copies of arrays, for
+compiled kernels.
 
 The machine's own functions take one number after the other. These are sums and products alone: a
 loop over them is laid out for as many numbers at a time as a register holds. They are correct to a
@@ -24,6 +25,23 @@ WHOLE = 2.0**DIGITS
 WHOLE_BITS = (BIAS + DIGITS) << DIGITS
 OFFSET = 2048
 ROOT_HALF_BITS = 0x3FE6A09E667F3BCD  # of sqrt(1/2)
+
+
+@compiled
+def copy(source, target):
+    """Numbers of an array (n,), or of a tuple, into an array. Assigned to a slice they would be
+    compared in number first, and the text of numba's error takes as long to compile as a hundred
+    lines.
+    """
+    for i in range(target.size):
+        target[i] = source[i]
+
+
+@compiled
+def copy_rows(source, target):
+    """Numbers of one array (m, n) into another."""
+    for j in range(target.shape[0]):
+        copy(source[j], target[j])
 
 
 @compiled

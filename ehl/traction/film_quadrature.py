@@ -13,7 +13,7 @@ changes its sign passes from one direction to the other steadily. For g stands t
 convergent of its continued fraction, (15 - 4 z^2)/(15 - 9 z^2), finite where g is not, at z = 1.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from ..arrays import Array
 from ..oil.lubricant import Lubricant
-from ..oil.rheology import Rheology, kernel_rheology, limiting_stress, shear_stress
+from ..oil.rheology import Rheology, kernel_rheology, limiting_stress
 from ..solution import ContactSolution
 from . import _block_kernels
 from ._spline_kernels import COLUMNS
@@ -45,8 +45,7 @@ MIDDLE = 0.3
 # of each: shares from edge to edge, points; the spike is in the last
 PANELS = ((0.0, 0.75, 10), (0.75, 1.0, 14))
 SMALLEST_FILM = 1e-12  # [m] below the size of any molecule: bound of films that did not converge
-BLOCK = 10  # nodes of the grid along x and y that become one elsewhere
-SHARE_LEFT_OUT = 1e-3  # of the friction at the largest sliding, in nodes that are dropped
+BLOCKS = 26  # of the grid's nodes along x and y, each of which becomes one node elsewhere
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -71,23 +70,13 @@ class FilmQuadrature:
 
 
 def film_quadrature(
-    solution: ContactSolution,
-    rheology: Rheology,
-    largest_slide: float,
-    *,
-    temperature: float | None = None,
+    solution: ContactSolution, rheology: Rheology, *, temperature: float | None = None
 ) -> FilmQuadrature:
-    """Nodes of a film of dimensional conditions, without the weakest of low pressure.
-
-    The friction of each node is weighed at the sliding speed `largest_slide` [m/s]; temperature:
-    for the limiting stress [K].
-    """
+    """Nodes of a film of dimensional conditions; temperature: for the limiting stress [K]."""
     rheology = solution_rheology(solution, rheology)
     fields = hertz_zone(solution).fields, low_pressure_blocks(with_outlet(solution))
     oil = dimensional_conditions(solution).lubricant
-    return zone_quadrature(
-        transverse_axis(solution), fields, oil, rheology, largest_slide, temperature
-    )
+    return zone_quadrature(transverse_axis(solution), fields, oil, rheology, temperature)
 
 
 def transverse_axis(solution: ContactSolution) -> float:
@@ -100,64 +89,27 @@ def zone_quadrature(
     fields: tuple[Array, Array],
     oil: Lubricant,
     rheology: Rheology,
-    largest_slide: float,
     temperature: float | None,
 ) -> FilmQuadrature:
     """`film_quadrature` of `HertzZone.fields` and of nodes of low pressure, shape (7, n)."""
     strips = strip_fields(fields[0])
-    zone = strips.reshape(7, -1)
-    eta, low_eta = (bounded_viscosity(rows[4], oil) for rows in (zone, fields[1]))
-    friction = _friction(zone, eta, rheology, largest_slide, temperature)
-    shared = (rheology, largest_slide, temperature, float(friction.sum()))
-    low = strongest_nodes(half_width, fields[1], low_eta, *shared)
-    rows = _node_rows(zone, eta, rheology, temperature)
-    nodes = np.ascontiguousarray(np.concatenate([rows, low.nodes], axis=1))
-    return replace(low, nodes=nodes, strips=strips.shape[1])
+    every = np.concatenate([strips.reshape(7, -1), fields[1]], axis=1)
+    nodes = node_rows(every, bounded_viscosity(every[4], oil), rheology, temperature)
+    return FilmQuadrature(
+        nodes=nodes, half_width=half_width, rheology=rheology, strips=strips.shape[1]
+    )
 
 
-def _friction(
-    fields: Array,
-    viscosity: Array,
-    rheology: Rheology,
-    slide: float,
-    temperature: Array | float | None,
-) -> Array:
-    """Of nodes that slide [m/s], shape (n,) [N]."""
-    rate = slide / np.maximum(fields[3], SMALLEST_FILM)
-    return np.asarray(fields[2] * shear_stress(rate, viscosity, fields[4], rheology, temperature))
-
-
-def _node_rows(
+def node_rows(
     fields: Array, viscosity: Array, rheology: Rheology, temperature: Array | float | None
 ) -> Array:
-    """Rows of `FilmQuadrature.nodes` of those of `HertzZone.fields`, shape (8, n)."""
+    """Rows of `FilmQuadrature.nodes` of those of `HertzZone.fields`, shape (8, n); viscosity
+    [Pa s], temperature [K].
+    """
     x, y, area, gap, pressure, width, breadth = fields
     film = np.maximum(gap, SMALLEST_FILM)
     limit = np.broadcast_to(limiting_stress(pressure, rheology, temperature), x.shape)
     return np.stack([x, y, area, film, viscosity, limit, width**2 / 12.0, breadth**2 / 12.0])
-
-
-def strongest_nodes(
-    half_width: float,
-    fields: Array,
-    viscosity: Array,
-    rheology: Rheology,
-    largest_slide: float,
-    temperature: Array | float | None,
-    further: float = 0.0,
-) -> FilmQuadrature:
-    """Nodes of the rows of `HertzZone.fields` without the weakest: a share of their friction and
-    that of further nodes [N] is left out; transverse semi-axis [m], viscosity [Pa s], slide [m/s],
-    temperature [K].
-    """
-    friction = _friction(fields, viscosity, rheology, largest_slide, temperature)
-    order = np.argsort(friction)
-    left_out = SHARE_LEFT_OUT * (further + float(friction.sum()))
-    chosen = order[np.cumsum(friction[order]) > left_out]
-    rows = _node_rows(fields, viscosity, rheology, temperature)
-    return FilmQuadrature(
-        nodes=np.ascontiguousarray(rows[:, chosen]), half_width=half_width, rheology=rheology
-    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -285,7 +237,8 @@ def low_pressure_blocks(solution: ContactSolution, *further: Array) -> Array:
     each further field.
 
     They shear a Newtonian oil as all their nodes do under linear sliding: film A/sum(A/h), place,
-    pressure and further fields, of shape (nx, ny) [any unit], weighted by A/h.
+    pressure and further fields, of shape (nx, ny) [any unit], weighted by A/h. Blocks of a grid
+    that is symmetric are so, too: else sliding along had a moment about n.
     """
     x, y, h = dimensional_grid(solution)
     p = solution.pressure
@@ -293,7 +246,8 @@ def low_pressure_blocks(solution: ContactSolution, *further: Array) -> Array:
     size_x = np.gradient(x)[:, None]
     size_y = np.gradient(y)[None, :]
     area = size_x * size_y * sheared_width(h, p, Cavitation.STRIATED) * low
-    block = np.add.outer(np.arange(x.size) // BLOCK * y.size, np.arange(y.size) // BLOCK).ravel()
+    along, across = _blocks(x.size), _blocks(y.size)
+    block = np.add.outer(along * (across[-1] + 1), across).ravel()
 
     def total(values: Array) -> Array:
         sums: Array = np.bincount(block, values.ravel()).astype(np.float64)
@@ -305,8 +259,15 @@ def low_pressure_blocks(solution: ContactSolution, *further: Array) -> Array:
     weight = total(by_film)[used]
     every = (x[:, None], y[None, :], p, *further)
     means = [total(by_film * field)[used] / weight for field in every]
-    sizes = [np.full(weight.size, BLOCK * float(np.mean(size))) for size in (size_x, size_y)]
+    sizes = [np.full(weight.size, float(size.sum()) / BLOCKS) for size in (size_x, size_y)]
     return np.stack([*means[:2], sheared, sheared / weight, means[2], *sizes, *means[3:]])
+
+
+def _blocks(nodes: int) -> NDArray[np.int_]:
+    """Number of the block of each node of an axis, the same from either end, shape (n,)."""
+    from_middle = np.arange(nodes) - 0.5 * (nodes - 1)
+    number = np.rint(from_middle * (BLOCKS / nodes)).astype(int)
+    return np.asarray(number - number[0])
 
 
 def sliding_forces(

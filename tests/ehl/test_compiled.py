@@ -63,7 +63,8 @@ def answer(folder):
 
 
 def environment(folder):
-    return {**os.environ, "NUMBA_CACHE_DIR": str(folder / "cache"), "PYTHONPATH": str(ROOT)}
+    paths = os.pathsep.join((str(folder), str(ROOT)))
+    return {**os.environ, "NUMBA_CACHE_DIR": str(folder / "cache"), "PYTHONPATH": paths}
 
 
 def test_what_is_known_is_kept(tmp_path):

@@ -6,7 +6,6 @@ import errno
 import os
 import subprocess
 import sys
-from pathlib import Path
 
 import h5netcdf
 import numpy as np
@@ -17,7 +16,6 @@ from postprocess.dynamics.spill import SpillingFile
 from postprocess.files import attempt
 
 resource = pytest.importorskip("resource", reason="limits of POSIX")
-ROOT = Path(__file__).parents[2]
 OILFILM = [sys.executable, "-m", "cases.cli"]
 
 
@@ -101,8 +99,7 @@ def test_hdf5_of_a_mesh_is_not_begun_without_room(bearing_folder, tmp_path):
         f"import resource, sys; resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, 200_000)); sys.argv[1:] = {words}"
     )
     code += "; from cases.cli.start import main; main()"
-    environment = os.environ | {"PYTHONPATH": str(ROOT)}
-    answer = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=False)
+    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert answer.returncode == 4, answer.stderr
     assert "File too large" in answer.stderr
     assert not list(tmp_path.iterdir())

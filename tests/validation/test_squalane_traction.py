@@ -99,7 +99,7 @@ def test_heat_of_sliding_makes_a_maximum_and_a_fall():
     assert film.contact.converged
     ratios = np.geomspace(0.003, 1.5, 24)
     none = np.zeros_like(ratios)
-    nodes = heated_film(film, (STEEL, STEEL), limited, 1.5)
+    nodes = heated_film(film, (STEEL, STEEL), limited)
     warm = -heated_forces(nodes, (ratios, none, none), none, 0.0)[:, 0] / conditions.load
     motions = [ContactKinematics(entrainment_speed=1.0, sliding_x=ratio) for ratio in ratios]
     cold = [-integrate_traction(film.contact, motion, limited).sliding_force_x / conditions.load for motion in motions]

@@ -9,13 +9,14 @@ line after the other changes the sign of its sliding, and the force has steps of
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
 
 from bearing import solve_quasistatic
-from bearing.friction.race_tables import build_race_tables
+from bearing.friction.race_tables import table_contacts, table_range
 from bearing.friction.table_files import load_tables, save_race_tables
 from bearing.geometry import Race
 from cases import load_case
@@ -23,16 +24,16 @@ from ehl import SolverOptions, solve_contact
 from ehl.kinematics import ContactKinematics
 from ehl.traction.rolling_moment import rolling_moment
 from ehl.traction.shear import integrate_traction
-from ehl.traction.table.build import TableOptions
+from ehl.traction.table.build import TableOptions, build_table
 
 POINTS, FILMS = 257, 20  # 10 motions in each of 20 films
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("race", list(Race), ids=lambda race: race.value)
-def test_error_at_200_random_points(tables, race):
+def test_error_at_200_random_points(table_of, race):
     """All points within 1 % of kappa_max Q, what the tables are built to at points of their own."""
-    table = tables[race]
+    table = table_of(race)
     assert table.converged
     contact, limits = table.contact, table.range
     rng = np.random.default_rng(660471)
@@ -74,14 +75,18 @@ def finer(film, lines=6):
 
 
 @pytest.fixture(scope="module")
-def tables():
+def table_of():
+    """Function `table_of(race)`: its table, made when it is first asked for."""
     case = load_case("6208_full_ceramic")
     state = solve_quasistatic(case.bearing, case.operation, case.model)
-    return build_race_tables(state, case.lubricant, case.rheology, TableOptions(points=POINTS, workers=2))
+    contacts = table_contacts(state, case.lubricant, case.rheology)
+    options = TableOptions(points=POINTS, workers=2)
+    return cache(lambda race: build_table(contacts[race], table_range(state, case.lubricant), options))
 
 
 @pytest.mark.slow
-def test_both_races_in_one_file(tables, tmp_path):
+def test_both_races_in_one_file(table_of, tmp_path):
+    tables = {race: table_of(race) for race in Race}
     path = tmp_path / "tables.zip"
     save_race_tables(tables, path)
     read = load_tables(path)

@@ -100,7 +100,7 @@ def with_heat(contact: ContactConditions) -> list[np.ndarray]:
     slide, none = RATIOS * contact.entrainment_speed, np.zeros_like(RATIOS)
     coefficients = []
     for limit in LIMITS:
-        nodes = heated_film(film, (STEEL, STEEL), shear_law(limit), float(slide[-1]))
+        nodes = heated_film(film, (STEEL, STEEL), shear_law(limit))
         coefficients.append(-heated_forces(nodes, (slide, none, none), none, 0.0)[:, 0] / contact.load)
     return coefficients
 

@@ -6,6 +6,7 @@ where they did not, at once where its load has doubled or halved.
 """
 
 from ehl.compiled import compiled
+from ehl.oil._elementary_kernels import copy
 
 from .._kernels import place_bodies
 from .._state_kernels import ball_motion, minus, norm
@@ -62,7 +63,7 @@ def renew_contact(c, kind, data, load, motion, linear, foretold, friction, time,
     held = slopes_hold(linear, load, motion)
     if held:
         friction_by_slopes(c.mirrored, linear, load, motion, friction)
-        foretold[:] = friction[:FORCES]
+        copy(friction[:FORCES], foretold)
     motions = (motion.slide_x, motion.slide_y, motion.spin)
     friction_law(kind, c.mirrored, data, load, motion.entrainment, motions, friction)
     error = 0.0
@@ -80,11 +81,20 @@ def renew_contact(c, kind, data, load, motion, linear, foretold, friction, time,
 
 
 @compiled
+def forget_slopes(linear, films):
+    """Slopes of friction and matrices of films, so that all are due at the next step."""
+    linear[:] = 0.0
+    linear[:, :, LINEAR.interval] = 1.0
+    films[:] = 0.0
+    films[:, INTERVAL] = 1.0
+
+
+@compiled
 def renew_friction(p, y, step, time, speed):
     """Ask the law of the contacts that are due at a state whose `derivative` was just taken:
     whether there were any.
 
-    step: number of this one; 0: all are due. speed: an error of velocity that counts as one.
+    step: number of this one. speed: an error of velocity that counts as one.
     """
     c = p.constants
     if p.friction_kind == FRICTIONLESS or costs_little(p.friction_kind, p.friction_inner.disc):
@@ -96,7 +106,7 @@ def renew_friction(p, y, step, time, speed):
         for j in range(c.balls):
             linear = p.linear[race, j]
             load = elastic_force(p.normal[race], p.race_out[race, j, CONTACT.approach])
-            if step == 0 or load <= 0.0:
+            if load <= 0.0:
                 linear[LINEAR.load] = 0.0
                 linear[LINEAR.interval] = 1.0
             due = step % int(linear[LINEAR.interval]) == 0
@@ -146,7 +156,7 @@ def renew_pockets(p, y, step, time, speed):
     turned = cage_direction(y)
     for j in range(c.balls):
         film = p.pocket_films[j]
-        due = step == 0 or step % int(film[INTERVAL]) == 0
+        due = step % int(film[INTERVAL]) == 0
         # in a round pocket the film's gap is wider by what the ball is off along the pocket's axis
         if not due and film_holds(c, film, -p.pocket_out[j, CONTACT.approach]):
             continue

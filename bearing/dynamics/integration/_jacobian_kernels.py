@@ -7,7 +7,8 @@ ring and cage. Its columns cost the contacts of one ball each, those of ring and
 
 import numpy as np
 
-from ehl.compiled import compiled
+from ehl.compiled import compiled, inlined
+from ehl.oil._elementary_kernels import copy_rows
 
 from .._handle_kernels import handle
 from .._kernels import (
@@ -61,7 +62,7 @@ def difference(p, base, owner, ball, column, step, out):
             out[row, column] = (p.rates[p.solved[row]] - base[row]) / step
 
 
-@compiled
+@inlined
 def columns_of_ball(p, t, j, base, owner, scale, out):
     """Columns of one ball, by its contacts alone; `p.loads` are those of all balls, before and
     after.
@@ -80,14 +81,14 @@ def columns_of_ball(p, t, j, base, owner, scale, out):
         place = p.solved[column]
         kept = y[place]
         y[place] = kept + scale[column]
-        p.loads[:] = others
+        copy_rows(others, p.loads)
         ball_alone(p, bodies, y, j)
         ball_rates(p, y, j, p.rates)
         ring_equations(p, t, y, acceleration, bodies[0], p.rates)
         cage_equations(p, y, bodies[2], p.rates)
         difference(p, base, owner, j, column, scale[column], out)
         y[place] = kept
-    p.loads[:] = total
+    copy_rows(total, p.loads)
 
 
 @compiled

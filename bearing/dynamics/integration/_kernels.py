@@ -10,6 +10,7 @@ derivative stays valid. Work and dissipation are integrated along, outside the e
 import numpy as np
 
 from ehl.compiled import compiled, inlined
+from ehl.oil._elementary_kernels import copy, copy_rows
 
 from .._handle_kernels import handle
 from .._kernels import energies, put, solved_rates
@@ -30,7 +31,7 @@ from ..arrays import (
     WORK,
 )
 from ..contact._kernels import elastic_force
-from ._clock_kernels import renew_friction, renew_pockets
+from ._clock_kernels import forget_slopes, renew_friction, renew_pockets
 
 A = np.array(
     [
@@ -77,9 +78,9 @@ def stages(t, y, h, p, k, trial):
             for m in range(y.size):
                 trial[m] += share * k[j, m]
         if i == STAGES - 3:
-            k[STATE_6, :] = trial
+            copy(trial, k[STATE_6])
         solved_rates(t + C[i] * h, trial, p, k[i + 1])
-    k[STATE_7, :] = trial
+    copy(trial, k[STATE_7])
 
 
 @compiled
@@ -251,12 +252,12 @@ def trial_step(t, y, step, p, control, scale, k, trial, counters):
 def accept_step(t, y, step, p, k, renewed, history, counters):
     """State, attitudes, memory of impacts and work of films after a step that ends at t."""
     turn_balls(p, step, history.attitude)
-    y[:] = k[STATE_7]
+    copy(k[STATE_7], y)
     if renewed:
         solved_rates(t, y, p, k[0])
         counters[EVALUATIONS] += 1
     else:
-        k[0, :] = k[STAGES - 1]
+        copy(k[STAGES - 1], k[0])
     after_step(p, t, step, history.onset, history.states, history.shares)
     add_film_work(p, y)
     counters[STEPS] += 1
@@ -326,36 +327,34 @@ def sample(y, data, history, record, row):
     """
     p = handle(data)
     put(y, p.solved, p.whole)
-    record.state[row] = p.whole
-    record.races[row] = p.race_out
+    copy(p.whole, record.state[row])
     for race in range(2):
+        copy_rows(p.race_out[race], record.races[row, race])
         for j in range(p.constants.balls):
             if p.race_out[race, j, CONTACT.approach] <= 0.0:
                 record.races[row, race, j, CONTACT.film] = 0.0
-    record.pockets[row] = p.pocket_out
+    copy_rows(p.pocket_out, record.pockets[row])
     energies(p.whole, p, record.energy[row])
-    record.loads[row, :LOAD_COLUMNS] = p.loads[INNER]
-    record.loads[row, LOAD_COLUMNS:] = p.loads[CAGE_LOAD]
-    record.contact_state[row] = history.states
-    record.attitude[row] = history.attitude
+    copy(p.loads[INNER], record.loads[row, :LOAD_COLUMNS])
+    copy(p.loads[CAGE_LOAD], record.loads[row, LOAD_COLUMNS:])
+    copy_rows(history.states, record.contact_state[row])
+    copy_rows(history.attitude, record.attitude[row])
 
 
 @compiled
-def begin_steps(t, y, data, dy):
-    """Before steps of which each evaluation asks the laws of friction and films."""
+def begin_steps(data):
+    """Before steps, right after `solved_derivative` of the state."""
     p = handle(data)
-    p.pocket_films[:] = 0.0
-    p.linear[:] = 0.0
-    solved_rates(t, y, p, dy)
     remember_turns(p)
     mark_films(p)
 
 
 @compiled
-def end_step(t, y, step, data, history, dy):
-    """After a step to a time `t`: attitudes, memory of impacts, work of films."""
+def end_step(t, y, step, data, history):
+    """After a step to a time `t` and `solved_derivative` there: attitudes, memory of impacts, work
+    of films.
+    """
     p = handle(data)
-    solved_rates(t, y, p, dy)
     turn_balls(p, step, history.attitude)
     after_step(p, t, step, history.onset, history.states, history.shares)
     add_film_work(p, y)
@@ -366,11 +365,10 @@ def advance_samples(t, y, h, data, control, scale, k, trial, history, counters, 
     """`advance` to each time of a record, and its rows. Status, rows written, time, next step."""
     p = handle(data)
     p.pace[0] = h
-    p.linear[:] = 0.0
-    p.pocket_films[:] = 0.0
+    forget_slopes(p.linear, p.pocket_films)
     solved_rates(t, y, p, k[0])
-    renew_friction(p, p.whole, 0, h, control.speed)
-    renew_pockets(p, p.whole, 0, h, control.speed)
+    renew_friction(p, p.whole, counters[STEPS], h, control.speed)
+    renew_pockets(p, p.whole, counters[STEPS], h, control.speed)
     solved_rates(t, y, p, k[0])
     remember_turns(p)
     mark_films(p)

@@ -100,7 +100,10 @@ def _advance_to(
     y, history = moved
     data = motion.data
     rates = np.zeros_like(y)
-    _kernels.begin_steps(state.time, y, data, rates)
+    data.linear[:] = 0.0  # each evaluation asks the laws of friction and films
+    data.pocket_films[:] = 0.0
+    solved_derivative(state.time, y, data, rates)
+    _kernels.begin_steps(data)
     if limits[0] <= state.time:  # the explicit steps were given up right at a sample
         return True
     solver = _solver(state, data, y, limits)
@@ -113,7 +116,8 @@ def _advance_to(
             return False
         step = solver.t - solver.t_old
         y[: solver.n] = solver.y
-        _kernels.end_step(solver.t, y, step, data, history, rates)
+        solved_derivative(solver.t, y, data, rates)
+        _kernels.end_step(solver.t, y, step, data, history)
         state.counters[STEPS] += 1
         state.time = solver.t
         state.step = step

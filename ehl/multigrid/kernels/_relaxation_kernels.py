@@ -5,6 +5,7 @@ layout of arrays, `_line_kernels` for the systems of the lines.
 import numpy as np
 
 from ...compiled import compiled
+from ...oil._elementary_kernels import copy
 from ._kernels import lateral_at, operator_of_line
 from ._line_kernels import (
     DENSITY,
@@ -191,7 +192,7 @@ def relax_lines(
         for j in range(start, end, 2):
             own = residual[(j - start) // 2]
             if starved:
-                own[:] = rest[j]
+                copy(rest[j], own)
             else:
                 _line_residual(j, P, H, eps, flow_x, flow_y, lateral, f, storage, hx, hy, own)
             _line_kinds(j, P, own, eps, mesh, threshold, kinds)

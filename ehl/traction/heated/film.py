@@ -11,13 +11,7 @@ from ...generalized.section import film_section
 from ...generalized.solver import GeneralizedSolution
 from ...oil.film_state import log_mean_fluidity
 from ...oil.lubricant import Lubricant, heat_properties, log_viscosity_ratio
-from ...oil.rheology import (
-    Rheology,
-    kernel_rheology,
-    limiting_stress,
-    shear_stress,
-    thinning_by_gradient,
-)
+from ...oil.rheology import Rheology, kernel_rheology, limiting_stress, thinning_by_gradient
 from ...solid.heat import SolidThermal, response_factor
 from ..film_quadrature import (
     SMALLEST_FILM,
@@ -25,10 +19,10 @@ from ..film_quadrature import (
     HertzZone,
     hertz_zone,
     low_pressure_blocks,
+    node_rows,
     on_strips,
     sliding_forces,
     strip_places,
-    strongest_nodes,
     transverse_axis,
 )
 from ..shear import (
@@ -150,16 +144,12 @@ class HeatedFilm:
 
 
 def heated_film(
-    solution: GeneralizedSolution,
-    solids: tuple[SolidThermal, SolidThermal],
-    rheology: Rheology,
-    largest_slide: float,
+    solution: GeneralizedSolution, solids: tuple[SolidThermal, SolidThermal], rheology: Rheology
 ) -> HeatedFilm:
     """Quadrature of a film that was solved with heat and without sliding; ValueError where it has
     no temperatures or no dimensions.
 
-    solids: body 1 and body 2; rheology: of the shear; largest_slide: sliding speed [m/s] at which
-    the friction of each node is weighed.
+    solids: body 1 and body 2; rheology: of the shear.
     """
     contact = solution.contact
     conditions = dimensional_conditions(contact)
@@ -178,14 +168,11 @@ def heated_film(
         for field in (temperature, fluidity)
     ]
     lines = _lines(zone, at_nodes, oil, rheology, conditions.entrainment_speed)
-    area, film, eta, pressure, own_temperature = np.moveaxis(lines[..., 2:7], -1, 0)
-    friction = area * shear_stress(largest_slide / film, eta, pressure, rheology, own_temperature)
     # 2. nodes elsewhere, at the temperature of rolling
     with_outlet_lines = with_outlet(contact), with_outlet_values(temperature)
     *fields, temperature = low_pressure_blocks(*with_outlet_lines)
     eta = bounded_viscosity(fields[4], oil, temperature)
-    shared = (rheology, largest_slide, temperature, float(friction.sum()))
-    others = strongest_nodes(transverse_axis(contact), np.stack(fields), eta, *shared)
+    others = node_rows(np.stack(fields), eta, rheology, temperature)
     return HeatedFilm(
         lines=HeatedLines(
             lines=lines,
@@ -196,7 +183,9 @@ def heated_film(
             semi_axis=float(contact.semi_axis_x or 0.0),
             rheology=rheology,
         ),
-        low_pressure=others,
+        low_pressure=FilmQuadrature(
+            nodes=others, half_width=transverse_axis(contact), rheology=rheology
+        ),
     )
 
 

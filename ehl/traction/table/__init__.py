@@ -3,6 +3,7 @@
 _many_kernels - sliding forces at thousands of motions, compiled
 atlas_film    - films of a table by the film atlas, without a solve
 build         - films over load and speed, sheared over motions until a check is passed
+check         - error of a table at films and motions that are not in it
 coordinates   - places of a motion on the axes of a table
 film          - the film that a table shears, and what it takes from it at a load and a speed
 full_solves   - full solves beside a table: what its films leave out

@@ -60,7 +60,7 @@ def atlas_sample(
     if films.rolling_moment is None:
         raise NotInAtlasError(LAYER)
     film = TableFilm(
-        quadrature=_quadrature(contact, conditions, fields, limits.slide_x * speed),
+        quadrature=_quadrature(contact, conditions, fields),
         central=films.central.value,
         converged=True,
     )
@@ -108,13 +108,13 @@ def _not_covered(contact: TableContact, limits: TableRange) -> str:
 
 
 def _quadrature(
-    contact: TableContact, conditions: ContactConditions, fields: ContactFields, slide: float
+    contact: TableContact, conditions: ContactConditions, fields: ContactFields
 ) -> FilmQuadrature:
-    """Nodes of fields as `film_quadrature` has them; largest slide [m/s]."""
+    """Nodes of fields as `film_quadrature` has them."""
     scaled = scale_contact(conditions)
     assert scaled.semi_axis_x is not None
     mean = MEAN_PRESSURE_RATIO * scaled.hertz_pressure
     rheology = contact_rheology(contact.rheology, contact.lubricant, mean)
     width = scaled.semi_axis_x * scaled.semi_axis_ratio
     parts = (fields.zone, fields.cells)
-    return zone_quadrature(width, parts, contact.lubricant, rheology, slide, contact.temperature)
+    return zone_quadrature(width, parts, contact.lubricant, rheology, contact.temperature)

@@ -17,13 +17,13 @@ from numpy.typing import NDArray
 from ...arrays import Array
 from ...multigrid.threads import film_threads
 from .._kernels import LOAD_POWER
-from .coordinates import from_vertex, vertex_slide
-from .film import FilmSample, film_sample, relative_forces
+from .check import check_places, of_responses, table_error
+from .film import FilmSample, film_sample
 from .packing import mirrored, stored_values
 from .responses import Place, log_responses, wanted_responses
 from .splines import left_out_error, spline_coefficients
-from .table import TableContact, TableError, TableRange, TractionTable, latin_hypercube, load_place
-from .values import grid_values, table_motions
+from .table import TableContact, TableError, TableRange, TractionTable, load_place
+from .values import grid_values
 
 # nodes of load, speed, slide_x, slide_y (its half above zero) and spin, of films without and with
 # heat, whose tractions bend more over the load and near a slide-roll ratio of 2
@@ -33,13 +33,6 @@ SCALE_DEGREES = (3, 2)  # of the scales over load and speed, chosen by trial [-]
 GROWTH = 1.4  # of the nodes of a motion
 NARROW_LOADS = 6  # fewest nodes of a narrow range of loads
 NARROW_STEP = 0.2  # ln(load) between them
-# error of stiffness or damping that a table's message tells: their own error bars are 2 to 5 % [-]
-RESPONSE_TOLERANCE = 0.05
-
-# smallest motions of `straight_motions`: slide over the entrainment, spin over that over R_x; at
-# smaller ones traction goes with the motion
-SMALLEST_SLIDE = 1e-7
-SMALLEST_SPIN = 1e-5
 Progress = Callable[[int, int, str], None]  # done, in all, what
 # film of a contact at a place (ln load, ln speed) of a range, of so many points along x, with
 # stiffness and damping or without
@@ -104,7 +97,15 @@ def build_table(
 
 def check_table(table: TractionTable, contact: TableContact, options: TableOptions) -> TableError:
     """Error of a table at films and motions not in it, by contact; forces [N], moments [N m]."""
-    return _checked(_study(contact, table.range, options, None), table)
+    return _error(_study(contact, table.range, options, None), table)
+
+
+def _error(study: _Study, table: TractionTable) -> TableError:
+    """Of a table at the films of the check."""
+    options = study.options
+    drawn = options.check_motions, options.seed
+    error = table_error(table, study.contact, study.checks, *drawn)
+    return replace(error, tolerance=options.tolerance)
 
 
 def _study(
@@ -119,10 +120,7 @@ def _study(
         progress=progress or (lambda done, total, state: None),
         counts=[_first_loads(nodes[0], options.narrow, limits), *nodes[1:]],
     )
-    ends = np.array([[log(end) for end in ends] for ends in (limits.load, limits.speed)])
-    places = latin_hypercube(ends, options.check_films, np.random.default_rng(options.seed)).T
-    measured = options.check_responses
-    wanted = [((float(q), float(u)), k < measured) for k, (q, u) in enumerate(places)]
+    wanted = check_places(limits, options.check_films, options.check_responses, options.seed)
     study.checks = _solve(study, wanted)
     return study
 
@@ -248,7 +246,7 @@ def _table(study: _Study) -> tuple[TractionTable, NDArray[np.float32]]:
         message="",
     )
     # 3. check
-    return _with_message(study, replace(table, error=_checked(study, table)), filled), raw
+    return _with_message(study, replace(table, error=_error(study, table)), filled), raw
 
 
 def _with_message(study: _Study, table: TractionTable, filled: int) -> TractionTable:
@@ -275,23 +273,6 @@ def _with_message(study: _Study, table: TractionTable, filled: int) -> TractionT
     return replace(table, converged=not faults, message=message)
 
 
-def of_responses(checks: Sequence[FilmSample], error: TableError) -> str:
-    """By how much stiffness and damping are off between the films, beside their own error bars;
-    nothing where that is little.
-    """
-    stiffness, damping = error.largest_stiffness, error.largest_damping
-    if not max(stiffness, damping) > RESPONSE_TOLERANCE:
-        return ""
-    solved = [film.response for film in checks if film.response and film.response.converged]
-    bars = np.max(
-        [[v.uncertainty / v.value for v in (one.stiffness, one.damping)] for one in solved], axis=0
-    )
-    off = (
-        f"; between its films stiffness is off by up to {stiffness:.1%}, damping by {damping:.1%}"
-    )
-    return f"{off} (error bars of those solved there: up to {bars[0]:.1%} and {bars[1]:.1%})"
-
-
 def _of_atlas(films: Sequence[FilmSample]) -> str:
     """How many films are the atlas's, and why others are not; nothing where it was not asked."""
     reasons = [film.solved_because for film in films if film.solved_because is not None]
@@ -310,89 +291,3 @@ def _scalars(films: list[list[FilmSample]]) -> Array:
         place = f"{first.load:.4g} N and {first.speed:.4g} m/s"
         raise ValueError(f"no rolling moment in some film from {place} on: take another range")
     return np.log(known)
-
-
-def straight_motions(
-    contact: TableContact, limits: TableRange, load: float, rng: np.random.Generator, count: int
-) -> list[Array]:
-    """Motions over u, u and u/R_x of rolling without spin and with little, where traction turns
-    most sharply: slides even in their logarithm, along from the vertex on, across, or both, each
-    sign; every third with a spin, every twelfth a spin alone, flat [-].
-    """
-    ends = np.log([[SMALLEST_SLIDE] * 2 + [SMALLEST_SPIN], limits.motions])
-    drawn = np.exp(ends[0] + (ends[1] - ends[0]) * rng.random((count, 3)))
-    drawn *= rng.choice([-1.0, 1.0], (count, 3))
-    order = np.arange(count)
-    drawn[order % 4 == 0, 0] = 0.0
-    drawn[order % 4 == 1, 1] = 0.0
-    drawn[order % 3 != 0, 2] = 0.0
-    top, slide_y, spin = drawn.T
-    slide_x = from_vertex(top, vertex_slide(spin, contact, load), limits.slide_x)
-    slide_x[order % 12 == 0] = slide_y[order % 12 == 0] = 0.0
-    return [slide_x, slide_y, spin]
-
-
-def _errors(
-    study: _Study, table: TractionTable, film: FilmSample, motions: Sequence[Array]
-) -> Array:
-    """Errors of force and moments about n, y at a film's motions, shape (n, 3), as `TableError`
-    measures them [-].
-    """
-    contact = study.contact
-    expected = relative_forces(contact, film.film, film.speed, list(motions))
-    expected[:, 0] -= 0.5 * contact.curvature_difference * film.moment
-    expected[:, 3] -= film.moment
-    slide_x, slide_y, spin = (part * film.speed for part in motions)
-    places = np.stack([slide_x, slide_y, spin / contact.radius_x], axis=1)
-    lookups = [table.forces(film.load, film.speed, *place)[:4] for place in places]
-    off = np.array(lookups) - expected
-    parts = (np.hypot(off[:, 0], off[:, 1]), np.abs(off[:, 2]), np.abs(off[:, 3]))
-    unit = table.largest(film.load, film.speed) + np.array([0.0, 0.0, film.moment])
-    return np.asarray(np.stack(parts, axis=1) / unit)
-
-
-def _response_errors(table: TractionTable, films: Sequence[FilmSample]) -> Array:
-    """Relative errors of stiffness and damping at films that have them, shape (n, 2) [-]."""
-    errors = []
-    for film in films:
-        if film.response is None or not film.response.converged:
-            continue
-        found = table.forces(film.load, film.speed, 0.0, 0.0, 0.0)
-        solved = film.response.stiffness.value, film.response.damping.value
-        errors.append(np.abs(np.array([found.stiffness, found.damping]) / solved - 1.0))
-    return np.array(errors).reshape(-1, 2)
-
-
-def _checked(study: _Study, table: TractionTable) -> TableError:
-    """Error at the films of the check, for motions drawn evenly in the table's coordinates, and
-    for `straight_motions`.
-    """
-    rng, others = (np.random.default_rng(study.options.seed + k) for k in (1, 2))
-    n = study.options.check_motions
-    errors = []
-    straight = []
-    spun = []
-    for film in study.checks:
-        places = rng.uniform(-1.0, 1.0, (3, n))
-        even = table_motions(study.contact, study.range, film, places)
-        errors.append(_errors(study, table, film, even))
-        rolling = straight_motions(study.contact, study.range, film.load, others, n)
-        force, spin, _ = _errors(study, table, film, rolling).max(axis=0)
-        straight.append(force)
-        spun.append(spin)
-    every = np.concatenate(errors)
-    responses = _response_errors(table, study.checks)
-    return TableError(
-        largest=float(every[:, 0].max()),
-        quantile=float(np.quantile(every[:, 0], 0.95)),
-        rms=float(np.sqrt(np.mean(every[:, 0] ** 2))),
-        largest_spin=float(max(every[:, 1].max(), *spun)),
-        largest_rolling=float(every[:, 2].max()),
-        largest_straight=float(max(straight)),
-        largest_stiffness=float(responses[:, 0].max()) if len(responses) else np.nan,
-        largest_damping=float(responses[:, 1].max()) if len(responses) else np.nan,
-        responses=len(responses),
-        films=len(study.checks),
-        motions=n,
-        tolerance=study.options.tolerance,
-    )

@@ -60,12 +60,10 @@ class SolvedFilm(TableFilm):
 
 
 def table_film(
-    contact: TableContact, load: float, speed: float, largest_slide: float, options: SolverOptions
+    contact: TableContact, load: float, speed: float, options: SolverOptions
 ) -> SolvedFilm:
     """Solve the film of a table's contact at a load [N] and entrainment speed [m/s]; ValueError
     where it cannot be used.
-
-    largest_slide: sliding speed [m/s] at which the friction of each node is weighed.
     """
     conditions = contact.conditions(load, speed)
     rheology = contact.rheology
@@ -80,9 +78,9 @@ def table_film(
         raise ValueError(f"no film at {place}: {solution.message}")
     quadrature: FilmQuadrature | HeatedFilm
     if solids is None:
-        quadrature = film_quadrature(solution, rheology, largest_slide, temperature=temperature)
+        quadrature = film_quadrature(solution, rheology, temperature=temperature)
     else:
-        quadrature = heated_film(thermal, solids, rheology, largest_slide)
+        quadrature = heated_film(thermal, solids, rheology)
     film = solution.film_central_dimensionless
     scale = solution.film_scale
     assert scale is not None  # of conditions with dimensions
@@ -130,7 +128,7 @@ def film_sample(
     """
     load = exp(place[0])
     speed = exp(place[1])
-    film = table_film(contact, load, speed, limits.slide_x * speed, SolverOptions(points=points))
+    film = table_film(contact, load, speed, SolverOptions(points=points))
     solution = film.solution
     return FilmSample(
         place=place,

@@ -55,7 +55,7 @@ def _both(
     contact: TableContact, load: float, speed: float, ratio: float, options: SolverOptions
 ) -> FullSolve:
     """At a load [N], speed [m/s] and slide-roll ratio [-]."""
-    film = table_film(contact, load, speed, ratio * speed, options)
+    film = table_film(contact, load, speed, options)
     rolling = np.array([speed / contact.radius_x])
     none = np.zeros(1)
     by_film = abs(float(film.forces((np.array([ratio * speed]), none, none), rolling, 0.0)[0, 0]))

@@ -39,7 +39,7 @@ FAR = (5.0, 1.0)
 # pull of a node at the largest change of sliding over the film, over that at rest, from which on
 # its oil is nearly Newtonian
 NEARLY_NEWTONIAN = 0.8
-LOW_ALONG = 3  # places along x of patches of low pressure
+LOW_ALONG = 4  # places along x of patches of low pressure, which reach far behind the contact
 LOW_ACROSS = (3, 5, 3)  # across, of those beyond the ellipse on one side, beside it, on the other
 
 
@@ -211,10 +211,10 @@ def _add_low(rows: _Rows, nodes: Array, pulls: Singles, half_width: float, chang
     alone = ~plain
     for side, across in zip((-1, 0, 1), LOW_ACROSS, strict=True):
         own = np.flatnonzero(plain & (beside == side))
-        if own.size <= LOW_ALONG * across:
+        x, y = nodes[X, own], nodes[Y, own]
+        if own.size <= LOW_ALONG * across or np.ptp(y) == 0.0:
             alone[own] = True
             continue
-        x, y = nodes[X, own], nodes[Y, own]
         along = _gauss(x.min(), x.max(), LOW_ALONG)
         weights_x = _weights(along, x)
         spread = (nodes[SPREAD_X, own].mean(), 3.0 * nodes[SPREAD_Y, own].mean())

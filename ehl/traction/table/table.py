@@ -211,7 +211,9 @@ class TractionTable:
             return self
         scalars = self.scalars.copy()
         scalars[..., _kernels.HYDRODYNAMIC] += log(factor)
-        return replace(self, scalars=scalars)
+        shifted = replace(self, scalars=scalars)
+        vars(shifted)["_numbers"] = self._numbers  # of the same values: a torque point asks anew
+        return shifted
 
     def largest(self, load: float, speed: float) -> Array:
         """Largest force [N] and moments about n, y [N m] by sliding at load [N], speed [m/s]."""

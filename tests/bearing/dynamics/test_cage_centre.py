@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from bearing.dynamics import _kernels
 from bearing.dynamics.arrays import CAGE_LOAD
 from bearing.dynamics.choices import Guidance, LoadType
+from bearing.dynamics.reduction import derivative
 from bearing.dynamics.simulation import simulation
 
 
@@ -24,7 +24,7 @@ def displaced(setup, guidance, by):
     radius, angle = np.hypot(balls[:, 1], balls[:, 2]), sim.data.pocket_angle
     turned = angle + np.arcsin(-by * np.sin(angle) / radius)  # on the pocket's axis, by the law of sines
     balls[:, 1], balls[:, 2] = radius * np.cos(turned), radius * np.sin(turned)
-    _kernels.derivative(0.0, y, sim.data, np.zeros_like(y))
+    derivative(0.0, y, sim.data, np.zeros_like(y))
     return sim
 
 

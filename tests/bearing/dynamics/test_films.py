@@ -9,12 +9,12 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import Race
-from bearing.dynamics import _kernels
 from bearing.dynamics.choices import LoadType, NormalLaw
 from bearing.dynamics.contact import _film_kernels as film_kernels
 from bearing.dynamics.friction import RaceFriction, check_film
 from bearing.dynamics.inputs import NormalContact, Schedule
 from bearing.dynamics.integration.methods import advance_implicit
+from bearing.dynamics.reduction import derivative
 from bearing.dynamics.simulation import simulation
 from bearing.dynamics.statistics import RunningStatistics, simulation_statistics
 from bearing.geometry import contact_modulus, reduced_radii
@@ -181,7 +181,7 @@ def test_kernel_agrees_with_its_twin(setup):
         y[layout.ball] += random.normal(0.0, 2e-6, 3 * 7)
         y[layout.ball_speed] += random.normal(0.0, 0.2, 3 * 7)
         y[layout.ball_turn] += random.normal(0.0, 30.0, 3 * 7)
-        _kernels.derivative(0.0, y, p, dy)
+        derivative(0.0, y, p, dy)
         loads = p.race_out[:, :, 0]
         twin = accelerations(p, y, np.array([operation.inner_speed, 0.0, 300.0, 60.0, 0.0, 0.01, -0.02]), tuple(tables))
         elastic = p.normal[:2, :1] * np.maximum(p.race_out[:, :, 1], 0.0) ** 1.5

@@ -10,12 +10,12 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import Operation, solve_quasistatic
-from bearing.dynamics._kernels import derivative
 from bearing.dynamics.arrays import Constants
 from bearing.dynamics.bodies import load_type
 from bearing.dynamics.choices import LoadType
 from bearing.dynamics.friction import race_friction
 from bearing.dynamics.inputs import RotatingLoad, Schedule
+from bearing.dynamics.reduction import derivative
 from bearing.dynamics.simulation import simulation
 from bearing.friction.sources import CoefficientTraction
 from bearing.quasistatic.symmetric import solve_symmetric, unknowns

@@ -201,6 +201,18 @@ def test_an_interrupt_ends_the_workers_and_keeps_the_points(tmp_path, monkeypatc
     assert document["converged"] is True
 
 
+def test_workers_import_what_their_parent_does(tmp_path):
+    """Not what bears the same name in the folder in which the command is given, where Python 3.11 looks first."""
+    code = "if __name__ == '__main__':\n    import ehl; from cases.batch.pools import LocalPool; pool = LocalPool(1)\n"
+    code += "    found = pool._executor.submit(eval, '__import__(\"ehl\").__file__').result()\n"
+    code += "    pool.close(at_once=True); assert found == ehl.__file__, found"
+    (tmp_path / "script.py").write_text(code)
+    (tmp_path / "here").mkdir()
+    (tmp_path / "here" / "ehl.py").write_text("")
+    environment = {name: value for name, value in os.environ.items() if name != "PYTHONSAFEPATH"}
+    subprocess.run([sys.executable, "../script.py"], cwd=tmp_path / "here", env=environment, check=True)
+
+
 def test_no_scheduler_is_told(monkeypatch):
     pytest.importorskip("distributed")
     monkeypatch.setattr("cases.batch.pools.PATIENCE", 1.0)

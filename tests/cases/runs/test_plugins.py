@@ -7,7 +7,6 @@ import json
 import os
 import subprocess
 import sys
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -23,7 +22,6 @@ from cases.format.problems import CaseError
 from cases.runs.bearing import run_case
 from postprocess import summary
 
-ROOT = Path(__file__).parents[3]
 MODULE = '''
 from math import exp, hypot, tanh
 
@@ -253,7 +251,7 @@ def test_results_of_another_plug_in_have_other_names(installed):
 
 
 def oilfilm(folder, *words):
-    paths = os.pathsep.join((str(folder), str(ROOT)))
+    paths = os.pathsep.join((str(folder), os.environ["PYTHONPATH"]))
     return subprocess.run(
         [sys.executable, "-m", "cases.cli", *words], cwd=folder, env=os.environ | {"PYTHONPATH": paths},
         capture_output=True, text=True, check=False,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import json
-import os
 import signal
 import subprocess
 import sys
@@ -27,7 +26,6 @@ from postprocess import open_results
 STEMS = [stem for stem, path in shipped_cases().items() if path.parent.name == "transient"]
 WAVES = shipped_cases()["waviness_ball_on_disc"].read_text(encoding="utf-8")
 COARSE = WAVES.replace("points = 129", "points = 65").replace("[transient]", "[transient]\nframes = 4")
-ROOT = Path(__file__).parents[3]
 
 
 def run(*arguments):
@@ -185,8 +183,7 @@ def test_an_interrupted_run_keeps_its_steps_and_goes_on(tmp_path, results):
     code += "from cases.runs.studies import kept_steps; kept_steps.EVERY = 0.0\n"
     code += "from cases.cli.start import main; main()"
     command = [sys.executable, "-c", code, "transient", str(case), "-o", str(tmp_path / "out"), "--no-movie"]
-    environment = os.environ | {"PYTHONPATH": str(ROOT)}
-    with subprocess.Popen(command, stderr=subprocess.PIPE, env=environment, cwd=tmp_path) as process:
+    with subprocess.Popen(command, stderr=subprocess.PIPE, cwd=tmp_path) as process:
         deadline = time.monotonic() + 120.0
         while not (tmp_path / "out_steps" / "state.npz").exists():
             assert time.monotonic() < deadline

@@ -74,7 +74,7 @@ def test_few_places_have_the_friction_of_all(load):
     fields, u = contact_fields(conditions), conditions.entrainment_speed
     parts = (fields.zone, fields.cells)
     size = hertz_size(conditions)
-    whole = zone_quadrature(size[1], parts, OIL, law(conditions), u, None)
+    whole = zone_quadrature(size[1], parts, OIL, law(conditions), None)
     known = summed(whole, motions(conditions))
     found = friction(conditions, atlas_films(conditions).central.value, motions(conditions))
     largest = np.abs(summed(whole, np.array([[0.1 * u, 0.0, 0.0, 0.0]]))[0, 0])
@@ -87,7 +87,7 @@ def errors(load):
     conditions = contact(load)
     solution = ehl.solve_contact(conditions, ehl.SolverOptions(points=257))
     u, size = conditions.entrainment_speed, hertz_size(conditions)
-    quadrature = film_quadrature(solution, law(conditions), u)
+    quadrature = film_quadrature(solution, law(conditions))
     known = summed(quadrature, motions(conditions))
     found = friction(conditions, solution.film_central, motions(conditions))
     largest = np.abs(summed(quadrature, np.array([[0.1 * u, 0.0, 0.0, 0.0]]))[0, 0])

@@ -54,7 +54,7 @@ LOAD, SPEED = 60.0, 5.0
 
 @pytest.fixture(scope="module")
 def film():
-    return table_film(CONTACT, LOAD, SPEED, 2.0 * SPEED, SolverOptions(points=65))
+    return table_film(CONTACT, LOAD, SPEED, SolverOptions(points=65))
 
 
 def fewer_lines(film):
@@ -137,7 +137,7 @@ def test_stress_that_rises_across_the_film(stress):
 def test_compiled_sums_agree_with_their_reference(rheology):
     """The sliding of a strip is its mean square: with spin and slides across, 2 % of the forces at most."""
     contact = replace(CONTACT, rheology=rheology)
-    heated = fewer_lines(table_film(contact, LOAD, SPEED, 2.0 * SPEED, SolverOptions(points=65)).quadrature)
+    heated = fewer_lines(table_film(contact, LOAD, SPEED, SolverOptions(points=65)).quadrature)
     slide_x, slide_y, spin = motions(3, 90127)
     rolling = np.full(3, SPEED / 8e-3)
     found = heated_forces(heated, (slide_x, slide_y, spin), rolling, 50.0)
@@ -231,7 +231,7 @@ def test_traction_of_a_film_solved_with_heat_is_that_of_its_own_stress():
 def test_a_film_without_temperatures_is_refused():
     plain = solve_generalized(CONTACT.conditions(LOAD, SPEED), EYRING, options=SolverOptions(points=33))
     with pytest.raises(ValueError, match="no temperatures"):
-        heated_film(plain, (STEEL, STEEL), EYRING, SPEED)
+        heated_film(plain, (STEEL, STEEL), EYRING)
 
 
 @pytest.mark.slow
@@ -247,7 +247,7 @@ def test_table_with_heat():
     )
     table = build_table(CONTACT, limits, options)
     assert table.error.quantile < 0.015
-    film = table_film(CONTACT, 57.0, 4.1, 0.5 * 4.1, SolverOptions(points=65))
+    film = table_film(CONTACT, 57.0, 4.1, SolverOptions(points=65))
     ratio = np.geomspace(1e-3, 0.5, 9)
     none = np.zeros(9)
     wanted = film.forces((4.1 * ratio, none, none), np.full(9, 4.1 / 8e-3), 50.0)[:, 0]

@@ -44,6 +44,18 @@ def test_forces_are_those_of_each_motion(name):
     assert np.all(np.abs(several - each) < 6e-4 * np.abs(each).max(axis=0))
 
 
+@pytest.mark.parametrize("width", [0.0, 1e-4])
+def test_thin_oil_on_one_line_counts_once(width):
+    """Nodes of low pressure beside a light contact, whose ellipse may be narrower than one row of them."""
+    own = film(LAWS["limited"], limited=True)
+    own.nodes[1] *= width / 1e-3
+    own.nodes[4] = 1e-3
+    size = 10.0 ** np.random.default_rng(9).uniform(-7.0, 0.5, (3, 100))
+    slide = tuple(size * np.array([[1.0], [1.0], [300.0]]))
+    several, each = (f(own, slide, np.full(100, 1000.0), 20.0) for f in (many_sliding_forces, sliding_forces))
+    assert np.all(np.abs(several - each) <= 6e-4 * np.abs(each).max(axis=0))
+
+
 @pytest.mark.parametrize("name", LAWS)
 def test_forces_by_blocks_are_plain_sums(name):
     """Of 37 motions, a block and part of another, from rest to 30 m/s."""

@@ -27,8 +27,9 @@ from ehl.traction.laws import ContactShape, EllipseLaw
 from ehl.traction.response.normal import NormalResponse, ResponseValue
 from ehl.traction.rolling_moment import rolling_moment
 from ehl.traction.shear import integrate_traction
-from ehl.traction.table import build
-from ehl.traction.table.build import TableOptions, build_table, straight_motions
+from ehl.traction.table import check
+from ehl.traction.table.build import TableOptions, build_table
+from ehl.traction.table.check import straight_motions
 from ehl.traction.table.packing import EVEN_STEP, VALUE_STEP, packed, stored_values, unpacked, whole_numbers
 from ehl.traction.table.splines import node_values, spline_coefficients, spline_weights
 from ehl.traction.table.storage import inputs_digest, load_table, save_table
@@ -140,6 +141,7 @@ def test_check_draws_rolling_without_spin():
     slide_x, slide_y, spin = straight_motions(CIRCLE, LIMITS, 60.0, np.random.default_rng(3), 600)
     straight = spin == 0.0
     assert np.count_nonzero(straight) == 400
+    assert np.abs(spin).max() == abs(spin[0]) == LIMITS.spin and slide_x[0] == slide_y[0] == 0.0
     assert np.all((np.abs(spin[~straight]) >= 1e-5) & (np.abs(spin[~straight]) <= LIMITS.spin))
     for slide, other in ((slide_x, slide_y), (slide_y, slide_x)):
         alone = slide[straight & (other == 0.0)]
@@ -169,10 +171,18 @@ def test_message_tells_how_far_stiffness_and_damping_are_off(table):
         stiffness=values[0], damping=values[1], converged=True, resolved=True, message="converged"
     )
     film = SimpleNamespace(response=response)
-    told = build.of_responses([film, SimpleNamespace(response=None)], error)
+    told = check.of_responses([film, SimpleNamespace(response=None)], error)
     assert "stiffness is off by up to 1.0%, damping by 8.0%" in told and "up to 3.0% and 10.0%" in told
     for small in (0.04, np.nan):
-        assert not build.of_responses([film], replace(error, largest_damping=small, largest_stiffness=small))
+        assert not check.of_responses([film], replace(error, largest_damping=small, largest_stiffness=small))
+
+
+def test_a_share_of_the_rolling_moment_costs_no_new_numbers(table):
+    """Torque points with heat of the inlet ask for one each."""
+    share = table.with_rolling(0.5)
+    assert share.kernel_arguments()[3] is table.kernel_arguments()[3]
+    whole, half = (one.forces(60.0, 5.0, 0.0, 0.0, 0.0).rolling_moment for one in (table, share))
+    assert half == pytest.approx(0.5 * whole, rel=1e-9)
 
 
 def test_halves_of_the_mirror_image_meet(table):
@@ -347,7 +357,7 @@ def test_spline_passes_through_its_values_and_reproduces_cubics():
 
 def test_sums_over_a_film(solution):
     """The kernel agrees with NumPy, and its thinned nodes with the integrals over the whole grid."""
-    nodes = film_quadrature(solution, RHEOLOGY, 30.0)
+    nodes = film_quadrature(solution, RHEOLOGY)
     motion = ContactKinematics(
         entrainment_speed=15.08,
         sliding_x=0.15,
@@ -376,8 +386,25 @@ def test_strips_of_a_film_are_close_enough(solution, monkeypatch, spin, limit):
     forces = []
     for lines in (64, 1024):
         monkeypatch.setattr("ehl.traction.film_quadrature.LINES", lines)
-        forces.append(sliding_forces(film_quadrature(solution, RHEOLOGY, 30.0), slide, rolling, 0.5 / 6.08e-3)[:, :2])
+        forces.append(sliding_forces(film_quadrature(solution, RHEOLOGY), slide, rolling, 0.5 / 6.08e-3)[:, :2])
     assert np.hypot(*(forces[0] - forces[1]).T).max() < limit * np.hypot(*forces[1].T).max()
+
+
+def spin_moments(conditions):
+    """Of slides along, across and of spin, over the largest, on a film's nodes."""
+    film = film_quadrature(ehl.solve_contact(conditions, ehl.SolverOptions(points=65)), RHEOLOGY)
+    slide = (np.array([30.0, 1.5, 7.5, 0.0]), np.array([0.0, 0.0, 7.5, 0.0]), np.array([0.0, 0.0, 0.0, 1500.0]))
+    moments = sliding_forces(film, slide, np.zeros(4), 0.0)[:, 2]
+    return moments / np.abs(moments).max()
+
+
+@pytest.mark.parametrize("load", [15.0, 100.0])
+def test_oil_around_a_light_contact_has_its_spin_moment(conditions, monkeypatch, load):
+    """Sliding along has none; blocks of the grid have those of all its nodes to 0.5 %."""
+    moments = spin_moments(replace(conditions, load=load))
+    assert np.abs(moments[:2]).max() < 1e-9
+    monkeypatch.setattr("ehl.traction.film_quadrature.BLOCKS", 1000)
+    assert_allclose(moments, spin_moments(replace(conditions, load=load)), atol=5e-3)
 
 
 @pytest.mark.parametrize("load", [15.0, 500.0])

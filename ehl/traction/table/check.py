@@ -1,0 +1,142 @@
+"""Check of a table: films at loads and speeds between its nodes, their shear at random motions,
+and stiffness and damping at some of them.
+"""
+
+from collections.abc import Sequence
+from math import log
+
+import numpy as np
+
+from ...arrays import Array
+from .coordinates import from_vertex, vertex_slide
+from .film import FilmSample, relative_forces
+from .responses import Place
+from .table import TableContact, TableError, TableRange, TractionTable, latin_hypercube
+from .values import table_motions
+
+# error of stiffness or damping that a table's message tells: their own error bars are 2 to 5 % [-]
+RESPONSE_TOLERANCE = 0.05
+# smallest motions of `straight_motions`: slide over the entrainment, spin over that over R_x; at
+# smaller ones traction goes with the motion
+SMALLEST_SLIDE = 1e-7
+SMALLEST_SPIN = 1e-5
+
+
+def check_places(
+    limits: TableRange, films: int, responses: int, seed: int
+) -> list[tuple[Place, bool]]:
+    """Random places of so many films, and whether stiffness and damping are solved there, too: at
+    the first ones.
+    """
+    ends = np.array([[log(end) for end in ends] for ends in (limits.load, limits.speed)])
+    places = latin_hypercube(ends, films, np.random.default_rng(seed)).T
+    return [((float(q), float(u)), k < responses) for k, (q, u) in enumerate(places)]
+
+
+def table_error(
+    table: TractionTable,
+    contact: TableContact,
+    films: Sequence[FilmSample],
+    motions: int,
+    seed: int,
+) -> TableError:
+    """Error at films of a contact, each at so many motions drawn evenly in the table's coordinates
+    and as many `straight_motions`.
+    """
+    rng, others = (np.random.default_rng(seed + k) for k in (1, 2))
+    errors = []
+    straight = []
+    spun = []
+    for film in films:
+        places = rng.uniform(-1.0, 1.0, (3, motions))
+        even = table_motions(contact, table.range, film, places)
+        errors.append(_errors(contact, table, film, even))
+        rolling = straight_motions(contact, table.range, film.load, others, motions)
+        force, spin, _ = _errors(contact, table, film, rolling).max(axis=0)
+        straight.append(force)
+        spun.append(spin)
+    every = np.concatenate(errors)
+    responses = _response_errors(table, films)
+    return TableError(
+        largest=float(every[:, 0].max()),
+        quantile=float(np.quantile(every[:, 0], 0.95)),
+        rms=float(np.sqrt(np.mean(every[:, 0] ** 2))),
+        largest_spin=float(max(every[:, 1].max(), *spun)),
+        largest_rolling=float(every[:, 2].max()),
+        largest_straight=float(max(straight)),
+        largest_stiffness=float(responses[:, 0].max()) if len(responses) else np.nan,
+        largest_damping=float(responses[:, 1].max()) if len(responses) else np.nan,
+        responses=len(responses),
+        films=len(films),
+        motions=motions,
+        tolerance=table.error.tolerance,
+    )
+
+
+def straight_motions(
+    contact: TableContact, limits: TableRange, load: float, rng: np.random.Generator, count: int
+) -> list[Array]:
+    """Motions over u, u and u/R_x of rolling without spin and with little, where traction turns
+    most sharply: slides even in their logarithm, along from the vertex on, across, or both, each
+    sign; every third with a spin, every twelfth a spin alone, the first of these the largest, flat
+    [-].
+    """
+    ends = np.log([[SMALLEST_SLIDE] * 2 + [SMALLEST_SPIN], limits.motions])
+    drawn = np.exp(ends[0] + (ends[1] - ends[0]) * rng.random((count, 3)))
+    drawn *= rng.choice([-1.0, 1.0], (count, 3))
+    order = np.arange(count)
+    drawn[order % 4 == 0, 0] = 0.0
+    drawn[order % 4 == 1, 1] = 0.0
+    drawn[order % 3 != 0, 2] = 0.0
+    drawn[0, 2] = limits.spin
+    top, slide_y, spin = drawn.T
+    slide_x = from_vertex(top, vertex_slide(spin, contact, load), limits.slide_x)
+    slide_x[order % 12 == 0] = slide_y[order % 12 == 0] = 0.0
+    return [slide_x, slide_y, spin]
+
+
+def _errors(
+    contact: TableContact, table: TractionTable, film: FilmSample, motions: Sequence[Array]
+) -> Array:
+    """Errors of force and moments about n, y at a film's motions, shape (n, 3), as `TableError`
+    measures them [-].
+    """
+    expected = relative_forces(contact, film.film, film.speed, list(motions))
+    expected[:, 0] -= 0.5 * contact.curvature_difference * film.moment
+    expected[:, 3] -= film.moment
+    slide_x, slide_y, spin = (part * film.speed for part in motions)
+    places = np.stack([slide_x, slide_y, spin / contact.radius_x], axis=1)
+    lookups = [table.forces(film.load, film.speed, *place)[:4] for place in places]
+    off = np.array(lookups) - expected
+    parts = (np.hypot(off[:, 0], off[:, 1]), np.abs(off[:, 2]), np.abs(off[:, 3]))
+    unit = table.largest(film.load, film.speed) + np.array([0.0, 0.0, film.moment])
+    return np.asarray(np.stack(parts, axis=1) / unit)
+
+
+def _response_errors(table: TractionTable, films: Sequence[FilmSample]) -> Array:
+    """Relative errors of stiffness and damping at films that have them, shape (n, 2) [-]."""
+    errors = []
+    for film in films:
+        if film.response is None or not film.response.converged:
+            continue
+        found = table.forces(film.load, film.speed, 0.0, 0.0, 0.0)
+        solved = film.response.stiffness.value, film.response.damping.value
+        errors.append(np.abs(np.array([found.stiffness, found.damping]) / solved - 1.0))
+    return np.array(errors).reshape(-1, 2)
+
+
+def of_responses(checks: Sequence[FilmSample], error: TableError) -> str:
+    """By how much stiffness and damping are off between the films, beside their own error bars;
+    nothing where that is little.
+    """
+    stiffness, damping = error.largest_stiffness, error.largest_damping
+    if not max(stiffness, damping) > RESPONSE_TOLERANCE:
+        return ""
+    solved = [film.response for film in checks if film.response and film.response.converged]
+    bars = np.max(
+        [[v.uncertainty / v.value for v in (one.stiffness, one.damping)] for one in solved], axis=0
+    )
+    off = (
+        f"; between its films stiffness is off by up to {stiffness:.1%}, damping by {damping:.1%}"
+    )
+    return f"{off} (error bars of those solved there: up to {bars[0]:.1%} and {bars[1]:.1%})"
