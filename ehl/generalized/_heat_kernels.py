@@ -10,7 +10,7 @@ zeta, which continuity gives. At the nodes inside by three-point differences for
 upwind ones for W, which keep the temperature between those it comes from where nothing heats; at
 the walls the temperatures of the bodies follow the flux that they take up (three-point, too), T =
 T_hist + R q with q = +-k/h T_zeta, see `solid/heat.py`. Conduction along the film is neglected: it
-is thin. rheology, section, work: as in `ehl.generalized._kernels`; differences: slopes at both
+is thin. rheology, section, work: as in `_stress_kernels`; differences: slopes at both
 walls and curvature of `section.wall_slopes` and `section.curvature`.
 """
 
@@ -19,7 +19,8 @@ import numpy as np
 from ..compiled import compiled, summing
 from ..oil._elementary_kernels import copy
 from ..oil._kernels import capacity_ratio, column_softening, conductivity_ratio, thermal_expansion
-from ._kernels import FLUIDITY, LOG_ETA, RHO, ROWS, T_XX, T_XY, T_YY, solve_column
+from ._kernels import solve_column
+from ._stress_kernels import FLUIDITY, LOG_ETA, RHO, ROWS, T_XX, T_XY, T_YY
 
 # Measured on 65 points at 2.3 GPa and slide-roll ratios up to 1.8: half and double of each of the
 # first four leave films to 0.4 % and temperatures to 3 K; cycles, 5 to 19, change by up to 9.
@@ -236,9 +237,11 @@ def column_transport(
 @compiled
 def change_temperature(temperature, target, share):
     """Step of a share towards the target temperatures, in bounds; the largest change [K]."""
-    if not np.isfinite(target).all():
-        return np.inf
     largest = 0.0
+    for k in range(target.size):
+        largest += 0.0 * target[k]
+    if largest != 0.0:  # some are no numbers
+        return np.inf
     for k in range(target.size):
         step = min(max(share * (target[k] - temperature[k]), -LARGEST_STEP), LARGEST_STEP)
         largest = max(largest, abs(step))

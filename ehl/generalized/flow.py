@@ -40,6 +40,7 @@ from ..oil.numbers import oil_numbers
 from ..oil.rheology import Rheology, divide_stresses, kernel_rheology, limiting_stress
 from ..scaling import ScaledContact
 from . import _kernels
+from ._stress_kernels import LIMIT_EXCESS
 from .film_heat import FilmHeat, HeatState
 from .section import FilmFields, Section, film_section
 
@@ -51,7 +52,7 @@ SETTLED_FLOW = 2e-2
 # of the temperature towards its new value: oil that flows back from a thicker film heats the inlet
 # more, and films that follow all of it overshoot. 12 contacts with heat took 20 s of processor
 # with 0.6, 23 with 1
-RELAXATION = 0.6
+RELAXATION = 0.5
 SMALLEST_SLOPE = 1e-10  # of ln(eta) by pressure, below which an oil counts as isoviscous [1/Pa]
 
 
@@ -258,7 +259,7 @@ class GeneralizedFlow:
         mean = temperature @ self.section.weights
         limit = limiting_stress(fields.p, self._rheology, mean)
         stress = 0.5 * fields.h * np.hypot(*fields.gradient)
-        return int(np.count_nonzero(stress > (1.0 + _kernels.LIMIT_EXCESS) * limit))
+        return int(np.count_nonzero(stress > (1.0 + LIMIT_EXCESS) * limit))
 
     @property
     def _rheology(self) -> Rheology:

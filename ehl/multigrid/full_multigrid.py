@@ -15,7 +15,7 @@ from ..solution import Certificate
 from .cycle import start_level, update_film
 from .far_field import far_field
 from .flow_model import FlowModel
-from .history import FILMS, LevelHistory, central_film, start_history
+from .history import FILMS, RESOLVED, LevelHistory, central_film, start_history
 from .levels import Damping, Multigrid, make_multigrid
 from .newton import MOST_NODES, certify
 from .settling import Progress, settle
@@ -29,9 +29,11 @@ COARSEST_CELLS = 16
 # full multigrid starts where hx is below 0.2 semi-axes or 0.55 sqrt(Hc)
 STARTING_MESH = (0.2, 0.55)
 SETTLING_CYCLES = 12  # most cycles on the other levels below the finest
-# Hmin/(S hx^2) of the Newtonian film from which a flow model acts on the level below the finest; it
-# does on all that resolve the film and on the finest
+# Hmin/(S hx^2) from which a flow model acts on the level below the finest; it does on the finest
 LEAST_FINE = 1.0
+# on what cycles may leave below the finest level with a flow model, a third of which passes to the
+# extrapolated film and its bar
+FLOW_STRICTNESS = 2.5
 # where the load is reached in steps: cycles under each lighter load, on the first level with
 # Hc/(S hx^2) above the last; 15 to 36 there and in the six hardest of 1000 random contacts
 STEP_CYCLES = 5
@@ -219,9 +221,8 @@ def full_multigrid(
     """Solve level after level; the load on the first of them is reached through those of
     `lighter`. If the iteration diverges, `result.levels` is empty.
 
-    The flow model acts, and films count, from the first level on whose mesh resolves the film, on
-    the last but one already where it hardly does: what heats and thins a film far below the mesh
-    is not the oil.
+    A flow model acts, and films count, from the first level on that resolves the Newtonian film,
+    the last but one already where it hardly does: what heats a film below the mesh is not the oil.
     """
     state = result.state
     model, state.flow_model = state.flow_model, None
@@ -246,23 +247,26 @@ def full_multigrid(
             plain = settle(state, index, SETTLING_CYCLES, progress, below, options.strictness)
             if plain is None:
                 return
-            if (
-                index < finest - 1
-                and not plain.resolved
-                or index < finest
-                and plain.fineness < LEAST_FINE
-            ):
+            if not _fine_enough(plain, finest - index):
                 below = plain
                 continue
             state.flow_model = model
             state.damping = result.attempt.damping
         # 3. cycles until film, load and equations are at rest
         most = options.max_cycles if index == finest else SETTLING_CYCLES
-        below = settle(state, index, most, progress, below, options.strictness)
+        strictness = options.strictness
+        if index < finest and model is not None:
+            strictness *= FLOW_STRICTNESS
+        below = settle(state, index, most, progress, below, strictness)
         if below is None:
             return
         levels.append(below)
     result.levels = levels
+
+
+def _fine_enough(plain: LevelHistory, above: int) -> bool:
+    """Whether a flow model acts on a level of a Newtonian film, levels `above` it."""
+    return above == 0 or plain.fineness >= (LEAST_FINE if above == 1 else RESOLVED)
 
 
 def add_level(

@@ -44,7 +44,7 @@ RESIDUAL_TO_FILM = 2.5
 # to 1.9 times the residual
 MENISCUS_SHARE = 0.2
 # relative error of a film over the change of its flow factors: 0.1 to 10 on 20 contacts with heat
-FLOW_TO_FILM = 5.0
+FLOW_TO_FILM = 10.0
 SMALLEST_FILM = 1e-12  # keeps a relative change finite
 
 
