@@ -162,6 +162,14 @@ def steeper_fluidity(rise, section, work):
 
 
 @compiled
+def gradient_power(rise, mean, moment, first, section, work):
+    """Change of moment/mean*first - second, the integrals of 1/eta*, with ln |grad p|."""
+    steeper_fluidity(rise, section, work)
+    a, b, c, d = column_integrals(CHANGE, section, work)
+    return (b * first + moment * c - moment / mean * first * a) / mean - d
+
+
+@compiled
 def flow_factors(
     p, h, gradient, speed_a, speed_b, temperature, oil, section, rheology, middle, poiseuille,
     couette, tangent, power
@@ -207,10 +215,7 @@ def flow_factors(
                 tangent[0, j, i] = tangent[1, j, i] = poiseuille[j, i]
                 power[j, i] = 0.0
             else:
-                steeper_fluidity(rise, section, work)
-                a, b, c, d = column_integrals(CHANGE, section, work)
-                change = (b * first + moment * c - moment / mean * first * a) / mean - d
-                power[j, i] = change / factor
+                power[j, i] = gradient_power(rise, mean, moment, first, section, work) / factor
                 along, across = column_tangent(section, work)
                 tangent[0, j, i], tangent[1, j, i] = along * thick, across * thick
             dense = (section[1] * work[RHO]).sum()

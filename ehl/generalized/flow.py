@@ -50,9 +50,9 @@ SMALLEST_WEIGHT = 1e-300  # keeps a quotient finite
 # change of the flow in a cycle up to which k, which only speeds the cycles, is kept
 SETTLED_FLOW = 2e-2
 # of the temperature towards its new value: oil that flows back from a thicker film heats the inlet
-# more, and films that follow all of it overshoot. 12 contacts with heat took 20 s of processor
-# with 0.6, 23 with 1
-RELAXATION = 0.5
+# more, and films that follow all of it overshoot. 12 contacts with heat took 13 to 14 s of
+# processor with 0.5 and 0.6, 15 with 0.8
+RELAXATION = 0.6
 SMALLEST_SLOPE = 1e-10  # of ln(eta) by pressure, below which an oil counts as isoviscous [1/Pa]
 
 
@@ -95,6 +95,7 @@ class _Linearised:
     couette_slope: Array  # D, in the unit of the Poiseuille factor [-]
     power: Array  # m, of the gradient in the Poiseuille factor [-]
     thinning: Array  # k [-]
+    taken_back: Array  # k, or (k + m)/(1 + m) [-]
     unsolved: int  # columns without a converged stress [-]
 
 
@@ -125,9 +126,6 @@ class GeneralizedFlow:
         new = self._linearised(fields, middle, temperature, self._known_thinning(last))
         oil = self.conditions.lubricant
         newtonian = np.maximum(fields.h, 0.0) ** 2 / (12.0 * viscosity(fields.p, oil))
-        taken_back = new.thinning
-        if self.continuation.follow_pressure:
-            taken_back = (new.thinning + new.power) / (1.0 + new.power)
         # 3. relaxation by 1/(1 + m)
         poiseuille = new.poiseuille
         couette_slope = new.couette_slope
@@ -143,7 +141,7 @@ class GeneralizedFlow:
         flow = (new.couette + couette_slope * newtonian * fields.gradient) / speed
         factors = FlowFactors(
             poiseuille=poiseuille + couette_slope,
-            thinning=taken_back,
+            thinning=new.taken_back,
             log_viscosity=log_viscosity(contact, P),
             couette_x=flow[0],
             couette_y=None if grid.symmetric else flow[1],
@@ -153,7 +151,7 @@ class GeneralizedFlow:
             pressure=fields.p,
             poiseuille=poiseuille,
             thinning=new.thinning,
-            taken_back=taken_back,
+            taken_back=new.taken_back,
             temperature=temperature,
             heat=heat,
             change=change,
@@ -217,12 +215,14 @@ class GeneralizedFlow:
         poiseuille, couette, tangent, power, unsolved = self._evaluate(fields, middle, temperature)
         if thinning is None:
             thinning = self._thinning(fields, middle, temperature, poiseuille)
+        follows = self.continuation.follow_pressure
         return _Linearised(
             poiseuille=poiseuille,
             couette=couette,
             couette_slope=np.maximum(tangent - (1.0 + power) * poiseuille, 0.0),
             power=power,
             thinning=thinning,
+            taken_back=(thinning + power) / (1.0 + power) if follows else thinning,
             unsolved=unsolved,
         )
 

@@ -25,8 +25,8 @@ GROWTH_LIMIT = 10.0
 # on a level, before the cycles are accelerated; those that swing are from the second on
 PLAIN_CYCLES = 5
 DIVERGED = (inf, inf)  # in place of residual and mass imbalance after a cycle
-# between two evaluations of a flow model, which costs several: 12 contacts with heat took 20 s of
-# processor with one, 14 with two, 13 with three
+# between two evaluations of a flow model, which costs several: 12 contacts with heat took 18 s of
+# processor with one, 14 with two
 FLOW_CYCLES = 2
 HALVINGS = 3  # of the damping on one level before it counts as diverged
 
