@@ -244,19 +244,17 @@ def full_multigrid(
             state.damping = result.attempt.damping
         # 2. cycles of the Newtonian film until its mesh is fine enough for the flow model
         if state.flow_model is not model:
-            plain = settle(state, index, SETTLING_CYCLES, progress, below, options.strictness)
-            if plain is None:
+            below = settle(state, index, SETTLING_CYCLES, progress, below, options.strictness)
+            if below is None:
                 return
-            if not _fine_enough(plain, finest - index):
-                below = plain
+            if not _fine_enough(below, finest - index):
                 continue
             state.flow_model = model
             state.damping = result.attempt.damping
         # 3. cycles until film, load and equations are at rest
         most = options.max_cycles if index == finest else SETTLING_CYCLES
-        strictness = options.strictness
-        if index < finest and model is not None:
-            strictness *= FLOW_STRICTNESS
+        left = FLOW_STRICTNESS if index < finest and model is not None else 1.0
+        strictness = left * options.strictness
         below = settle(state, index, most, progress, below, strictness)
         if below is None:
             return
@@ -265,7 +263,7 @@ def full_multigrid(
 
 
 def _fine_enough(plain: LevelHistory, above: int) -> bool:
-    """Whether a flow model acts on a level of a Newtonian film, levels `above` it."""
+    """Whether a flow model acts on the level of a Newtonian film, with levels `above` it."""
     return above == 0 or plain.fineness >= (LEAST_FINE if above == 1 else RESOLVED)
 
 
