@@ -31,9 +31,7 @@ STARTING_MESH = (0.2, 0.55)
 SETTLING_CYCLES = 12  # most cycles on the other levels below the finest
 # Hmin/(S hx^2) from which a flow model acts on the level below the finest; it does on the finest
 LEAST_FINE = 1.0
-# on what cycles may leave below the finest level with a flow model, a third of which passes to the
-# extrapolated film and its bar
-FLOW_STRICTNESS = 2.5
+FLOW_STRICTNESS = 2.5  # on what cycles leave with a flow model on levels below the finest
 # where the load is reached in steps: cycles under each lighter load, on the first level with
 # Hc/(S hx^2) above the last; 15 to 36 there and in the six hardest of 1000 random contacts
 STEP_CYCLES = 5
