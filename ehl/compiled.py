@@ -57,8 +57,7 @@ class _Compilations(event.Listener):
     def on_start(self, event: event.Event) -> None:
         """Before it is compiled."""
         logging.getLogger(__name__).info(
-            "compiling kernels, which is done once after an installation or an update and takes a "
-            "minute or two"
+            "compiling kernels, once after an install or update: a minute or two"
         )
 
     def on_end(self, event: event.Event) -> None:

@@ -237,9 +237,7 @@ def column_transport(
 @compiled
 def change_temperature(temperature, target, share):
     """Step of a share towards the target temperatures, in bounds; the largest change [K]."""
-    largest = 0.0
-    for k in range(target.size):
-        largest += 0.0 * target[k]
+    largest = 0.0 * target.sum()
     if largest != 0.0:  # some are no numbers
         return np.inf
     for k in range(target.size):
