@@ -69,7 +69,7 @@ def solve_generalized(
     [K], None: the lubricant's temperature of operation. ValueError where the lubricant has no
     temperature or thermal properties that heat needs, or where conditions give an inlet layer.
 
-    Shear and heat are one multigrid cycle behind pressure and film. The time of the record covers
+    Shear and heat are two multigrid cycles behind pressure and film. The time of the record covers
     all methods that were tried; its FFTs are those of the last one, with those of the Newtonian
     film that it started from.
     """

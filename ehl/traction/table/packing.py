@@ -9,7 +9,6 @@ single precision.
 """
 
 import lzma
-import zlib
 from typing import Any
 
 import numpy as np
@@ -19,7 +18,6 @@ from .splines import along_axis, node_values, spline_coefficients, spline_matrix
 
 # of the largest force or moment of a film [-]: the rounding is 0.0075 of the tolerance of tables
 VALUE_STEP = 1.5e-4
-EVEN_STEP = 3e-4  # of the coefficients in files of version 6 [-]
 # of a step, from its whole numbers: what is rounded to single precision stays within
 ON_STEP = 0.1
 FILE_ORDER = (5, 2, 3, 4, 0, 1)  # of the axes: forces and moments apart, load and speed last
@@ -44,7 +42,7 @@ FILTERS = [
         "dict_size": 1 << 18,
     }
 ]
-DAMAGED = (lzma.LZMAError, zlib.error)  # what bytes that were not packed so raise
+DAMAGED = (lzma.LZMAError,)  # what bytes that were not packed so raise
 
 
 def mirrored(values: NDArray[Any]) -> NDArray[Any]:
@@ -130,12 +128,6 @@ def unpacked(data: NDArray[np.uint8] | Values, shape: tuple[int, ...]) -> Values
     unsigned = _numbers(written, tuple(nodes[k] for k in FILE_ORDER)).view(np.uint32)
     turned = (unsigned >> 1).view(np.int32) ^ -(unsigned & 1).view(np.int32)
     return _coefficients(_summed(np.transpose(turned, np.argsort(FILE_ORDER))))
-
-
-def unpacked_coefficients(data: NDArray[np.uint8], shape: tuple[int, ...]) -> Values:
-    """As `unpacked`, of files of version 6, which have the coefficients themselves."""
-    numbers = _summed(_numbers(zlib.decompress(data.tobytes()), shape))
-    return (numbers * EVEN_STEP).astype(np.float32)
 
 
 def _numbers(data: bytes, shape: tuple[int, ...]) -> Integers:

@@ -7,9 +7,7 @@ curvature slip under constant friction as in test_shear.
 from __future__ import annotations
 
 import json
-import zlib
 from dataclasses import replace
-from hashlib import sha256
 from types import SimpleNamespace
 
 import numpy as np
@@ -30,7 +28,7 @@ from ehl.traction.shear import integrate_traction
 from ehl.traction.table import check
 from ehl.traction.table.build import TableOptions, build_table
 from ehl.traction.table.check import straight_motions
-from ehl.traction.table.packing import EVEN_STEP, VALUE_STEP, packed, stored_values, unpacked, whole_numbers
+from ehl.traction.table.packing import VALUE_STEP, packed, stored_values, unpacked, whole_numbers
 from ehl.traction.table.splines import node_values, spline_coefficients, spline_weights
 from ehl.traction.table.storage import inputs_digest, load_table, save_table
 from ehl.traction.table.table import FullSolve, TableContact, TableRange
@@ -221,37 +219,6 @@ def test_values_meet_their_mirror_image():
     assert_allclose(node_values(joined.astype(float), (0, 1, 2, 3, 4))[:, :, :, 0], seam, atol=0.51 * VALUE_STEP)
 
 
-def test_files_of_format_6_are_read_as_they_were(table, tmp_path):
-    """With the coordinates and the coefficients that they have."""
-    path = tmp_path / "table.npz"
-    save_table(table, path)
-    with np.load(path) as file:
-        parts = {name: file[name] for name in file.files}
-    numbers = np.rint(table.values / EVEN_STEP).astype(np.int32)
-    values = (numbers * EVEN_STEP).astype(np.float32)
-    for axis in (4, 3, 2):
-        numbers = np.diff(numbers, axis=axis, prepend=np.int32(0))
-    planes = np.ascontiguousarray(numbers.reshape(-1, 1).view(np.uint8).T)
-    arrays = (table.axes, table.scalars, values)
-    content = sha256(b"".join(np.ascontiguousarray(one, dtype="<f8").tobytes() for one in arrays)).hexdigest()
-    document = json.loads(str(parts["document"])) | {"format_version": 6, "content": content}
-    del document["spacing"]
-    parts["document"] = np.array(json.dumps(document))
-    parts["values"] = np.frombuffer(zlib.compress(planes.tobytes()), dtype=np.uint8)
-    np.savez(path, **parts)
-    read = load_table(path)
-    assert read.spacing == (0.0, 0.0)
-    assert np.array_equal(read.values, values)
-    motion = (60.0, 1.5, 0.0, 0.01, 0.0)
-    found = read.forces(*motion)
-    assert_allclose(found[:8], reference.table_forces(read, *motion), rtol=1e-9, atol=1e-12)
-    assert found.force_y != table.forces(*motion).force_y
-    save_table(read, path)
-    again = load_table(path)
-    assert again.spacing == (0.0, 0.0)
-    assert again.forces(*motion) == found
-
-
 @pytest.mark.parametrize(
     ("motion", "outside"),
     [
@@ -324,15 +291,16 @@ def test_types_keep_their_names_in_files(table, tmp_path):
     assert inputs_digest(CIRCLE, LIMITS, 65) == DIGEST
 
 
-def test_files_of_an_older_format_are_refused(table, tmp_path):
+@pytest.mark.parametrize("version", [6, 7, 8])
+def test_files_of_an_older_format_are_refused(table, tmp_path, version):
     path = tmp_path / "table.npz"
     save_table(table, path)
     with np.load(path) as file:
         parts = {name: file[name] for name in file.files}
     document = json.loads(str(parts["document"]))
-    parts["document"] = np.array(json.dumps(document | {"format_version": 7}))
+    parts["document"] = np.array(json.dumps(document | {"format_version": version}))
     np.savez(path, **parts)
-    with pytest.raises(ValueError, match="format version 7, this program reads 8; make the table again"):
+    with pytest.raises(ValueError, match=f"format version {version}, this program reads 9; make the table again"):
         load_table(path)
 
 
