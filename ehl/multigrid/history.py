@@ -135,10 +135,11 @@ class LevelHistory:
         last cycle [-]; after one cycle its whole change, nothing after Newton's method. No less
         than what a flow that still changes leaves.
         """
-        if self.certified:
-            return 0.0
-        left = _left([_change(a, b, kind) for a, b in self._pairs()])
-        return max(left, FLOW_TO_FILM * self.flow)
+        return 0.0 if self.certified else max(self._by_cycles(kind), FLOW_TO_FILM * self.flow)
+
+    def _by_cycles(self, kind: int) -> float:
+        """What the cycles leave of a film by its own changes [-]."""
+        return 0.0 if self.certified else _left([_change(a, b, kind) for a, b in self._pairs()])
 
     def noise(self, kind: int) -> float:
         """Relative error of a film from cycles and equations that are not exact [-]."""
@@ -158,16 +159,18 @@ class LevelHistory:
         return share * RESIDUAL_TO_FILM * self.residual[-1] if self.residual else inf
 
     def finished(self, below: "LevelHistory | None") -> bool:
-        """Whether equations and load hold and the films are at rest, in proportion to their step
-        from the level below.
+        """Whether equations and load hold, the films are at rest, in proportion to their step from
+        the level below, and the flow of a model is.
         """
         residual, load = FINISHED
         if self.starved:
             residual /= MENISCUS_SHARE
             if not (self.imbalance and abs(self.imbalance[-1]) < self.strictness * OIL_LOST[0]):
                 return False
+        if not FLOW_TO_FILM * self.flow < self.strictness * FILM_TOLERANCE[1]:
+            return False
         return self._holds((self.strictness * residual, load)) and all(
-            self.remaining(kind) < self._tolerance(below, kind) for kind in FILMS
+            self._by_cycles(kind) < self._tolerance(below, kind) for kind in FILMS
         )
 
     def converged(self) -> bool:
