@@ -25,8 +25,8 @@ from .section import film_section
 # of the columns that may stay unsolved or over the limiting stress, measured: they lie at the edge
 # of the cavity, where hardly anything flows
 UNSOLVED_SHARE = 0.005
-# of the heat of a film at rest, for its traction: that of a 6208 under 50 N at a slide-roll ratio of
-# 0.002 was 5 % too high without
+# of the heat of a film at rest, for its traction: that of a 6208 under 50 N at a slide-roll ratio
+# of 0.002 was 5 % too high without
 MOST_SWEEPS = 4
 RESTED_TEMPERATURE = 0.5  # largest change in a cycle up to which heat is at rest [K]
 
