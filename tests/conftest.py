@@ -8,12 +8,11 @@ import random
 import sys
 from collections import Counter, defaultdict
 from datetime import date
-from pathlib import Path
 
 import pytest
 from filelock import FileLock
 
-import cases
+from cases.runs.processes import own_packages
 
 SEED = "OILFILM_SEED"
 SAMPLED = "sample"  # mark of the slow tests that are drawn
@@ -24,18 +23,11 @@ WORKER = "PYTEST_XDIST_WORKER" in os.environ
 def pytest_configure(config):
     """Before workers start: they inherit the seed; and two of them with two threads each would be four."""
     os.environ.setdefault(SEED, date.today().strftime("%Y%m%d"))
-    import_what_is_tested()
+    os.environ.update(own_packages())  # processes of tests import what is tested
     if SAMPLED in config.option.markexpr:
         config.option.loadscopereorder = False  # the order of the files is that of `longest_first`
     if getattr(config.option, "numprocesses", None):
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
-
-
-def import_what_is_tested():
-    """Processes of tests: the packages of this one, not those of the folder they start in, which compile their own."""
-    paths = [str(Path(cases.__file__).parents[1]), *os.environ.get("PYTHONPATH", "").split(os.pathsep)]
-    os.environ["PYTHONPATH"] = os.pathsep.join(dict.fromkeys(filter(None, paths)))
-    os.environ["PYTHONSAFEPATH"] = "1"
 
 
 def pytest_terminal_summary(terminalreporter, config):

@@ -55,6 +55,15 @@ def worker_context() -> BaseContext:
     return get_context(FORK_SERVER if has_fork_server() else "spawn")
 
 
+def own_packages() -> dict[str, str]:
+    """Environment of processes that are to import the packages of this one, and not those of the
+    folder they start in.
+    """
+    paths = [str(Path(__file__).parents[2]), *os.environ.get("PYTHONPATH", "").split(os.pathsep)]
+    paths = list(dict.fromkeys(filter(None, paths)))
+    return {"PYTHONSAFEPATH": "1", "PYTHONPATH": os.pathsep.join(paths)}
+
+
 def start_fork_server(modules: Sequence[str]) -> None:
     """Begin to load modules for worker processes, in a process of one thread from which they are
     copied; Ctrl-C is left to this process. Only the first call in a program has an effect.
@@ -63,10 +72,7 @@ def start_fork_server(modules: Sequence[str]) -> None:
         return
     set_forkserver_preload(list(modules))
     resource_tracker.ensure_running()  # else it is begun below, and lets interrupts through again
-    # the packages of this process: it would look into the current folder first
-    paths = [str(Path(__file__).parents[2]), *filter(None, [os.environ.get("PYTHONPATH")])]
-    wanted = {"PYTHONSAFEPATH": "1", "PYTHONPATH": os.pathsep.join(paths)}
-    wanted |= dict.fromkeys(THREADS, "1")
+    wanted = own_packages() | dict.fromkeys(THREADS, "1")
     given = {name: os.environ.get(name) for name in wanted}
     os.environ.update(wanted)
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
