@@ -237,9 +237,9 @@ def column_transport(
 @compiled
 def change_temperature(temperature, target, share):
     """Step of a share towards the target temperatures, in bounds; the largest change [K]."""
-    largest = 0.0 * target.sum()
-    if largest != 0.0:  # some are no numbers
+    if not np.isfinite(target.sum()):  # some are no numbers
         return np.inf
+    largest = 0.0
     for k in range(target.size):
         step = min(max(share * (target[k] - temperature[k]), -LARGEST_STEP), LARGEST_STEP)
         largest = max(largest, abs(step))

@@ -1,8 +1,8 @@
 """Flow model of an oil that thins under shear: factors of the generalized Reynolds equation on a
 grid.
 
-Yang and Wen (1990) split the mass flux into a Poiseuille and a Couette part. Both are frozen
-during a multigrid cycle, which converges only with three changes; none of them alters the equation
+Yang and Wen (1990) split the mass flux into a Poiseuille and a Couette part. Both are frozen for
+a multigrid cycle or two, which converges only with three changes; none of them alters the equation
 that is solved at convergence.
 
 1. Where sliding thins the oil, the Couette part depends on the pressure gradient as well, and more
@@ -44,7 +44,7 @@ from ._stress_kernels import LIMIT_EXCESS
 from .film_heat import FilmHeat, HeatState
 from .section import FilmFields, Section, film_section
 
-# relative change of the gradient, and change of ln(eta) by pressure, for difference quotients
+# change of ln(eta) by pressure, for a difference quotient
 STEP = 0.02
 SMALLEST_WEIGHT = 1e-300  # keeps a quotient finite
 # change of the flow in a cycle up to which k, which only speeds the cycles, is kept

@@ -62,7 +62,9 @@ class LevelHistory:
     residual: list[float] = field(default_factory=list)
     imbalance: list[float] = field(default_factory=list)  # oil lost or gained
     load: list[float] = field(default_factory=list)
-    flow: float = 0.0  # change of the factors of a flow model before the last cycle
+    # change of the factors of a flow model before the last cycle; 0: without one, as in all that
+    # Newton's method solves
+    flow: float = 0.0
     certified: bool = False  # solved by Newton's method after the last cycle
 
     def certify(self, state: Multigrid, index: int) -> None:
@@ -135,7 +137,7 @@ class LevelHistory:
         last cycle [-]; after one cycle its whole change, nothing after Newton's method. No less
         than what a flow that still changes leaves.
         """
-        return 0.0 if self.certified else max(self._by_cycles(kind), FLOW_TO_FILM * self.flow)
+        return max(self._by_cycles(kind), FLOW_TO_FILM * self.flow)
 
     def _by_cycles(self, kind: int) -> float:
         """What the cycles leave of a film by its own changes [-]."""
