@@ -147,10 +147,13 @@ def _rested(flow: GeneralizedFlow, levels: Multigrid) -> FlowState | None:
     """
     level = levels.levels[-1]
     state: FlowState | None = level.flow_state
+    if state is None or state.heat is None:
+        return state
+    state = replace(state, heat=state.heat.unsettled())
     for _ in range(MOST_SWEEPS):
-        if state is None or state.heat is None or state.heat.change < RESTED_TEMPERATURE:
-            break
         _, state = flow.factors(levels.contact, level.grid, level.P, level.H, state)
+        if state.heat is None or state.heat.change < RESTED_TEMPERATURE:
+            break
     return state
 
 

@@ -16,6 +16,7 @@ from numpy.testing import assert_allclose
 from ehl import ContactConditions, Lubricant, ViscosityLaw
 from ehl.closed_form.film import film_reduction_gupta, thermal_loading
 from ehl.generalized import _heat_kernels as _kernels
+from ehl.generalized import _sweep_kernels
 from ehl.generalized.film_heat import FilmHeat
 from ehl.generalized.section import curvature, film_section, wall_slopes
 from ehl.oil.lubricant import DensityLaw, ThermalProperties
@@ -143,9 +144,9 @@ def test_linear_flux_into_a_moving_body_is_exact():
     weights, q = history_weights(50, 2e-6), np.arange(50) * 2e-6
     ours = [np.dot(weights[: i + 1][::-1], q[: i + 1]) for i in range(50)]
     assert_allclose(ours, 4.0 / 3.0 * q**1.5, rtol=1e-12)
-    forward = [_kernels.body_history(q, i, 1.0, weights) + weights[0] * q[i] for i in range(50)]
+    forward = [_sweep_kernels.body_history(q, i, 1.0, weights) + weights[0] * q[i] for i in range(50)]
     assert_allclose(forward, ours, rtol=1e-12)
-    backward = [_kernels.body_history(q[::-1].copy(), i, -1.0, weights) + weights[0] * q[49 - i] for i in range(50)]
+    backward = [_sweep_kernels.body_history(q[::-1].copy(), i, -1.0, weights) + weights[0] * q[49 - i] for i in range(50)]
     assert_allclose(backward[::-1], ours, rtol=1e-12)
 
 
@@ -167,11 +168,11 @@ def sweep(oil, solids, speeds, *, nx=60, film=3e-7, p=None, mesh=2e-6, turns=3, 
     mass, flux, dissipation = np.zeros((*shape, n)), np.zeros((2, *shape)), np.zeros(shape)
     heat = (oil.thermal.conductivity, oil.density * oil.thermal.specific_heat)
     for _ in range(turns):
-        missed = _kernels.heat_sweep(
+        missed = _sweep_kernels.heat_sweep(
             *(p, np.full(shape, film), gradient, *speed, (mesh, 1.0), True, True, oil_numbers(oil), heat),
             *(SECTION.integration, DIFFERENCES, kernel_rheology(Rheology()), inlet, (T_0, T_0), response),
             *(history_weights(nx, mesh), temperature, middle, mass, flux, dissipation),
-            np.zeros(shape, dtype=np.bool_),
+            *(np.zeros(shape, dtype=np.bool_), np.full(shape, np.inf)),
         )
     return temperature[0], flux[:, 0], dissipation[0], missed, middle[:, 0]
 
