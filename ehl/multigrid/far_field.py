@@ -17,6 +17,7 @@ both directions, is left out of that.
 """
 
 from dataclasses import dataclass, replace
+from functools import cache
 from math import cos, inf, isfinite, sin
 from typing import NamedTuple
 
@@ -115,9 +116,12 @@ def over_time(
     )
 
 
+@cache
 def _angles(count: int) -> Array:
-    """Middles of so many equal angles [rad]."""
-    return np.asarray((np.arange(count) + 0.5) * 2.0 * np.pi / count)
+    """Middles of so many equal angles [rad], not to be written to."""
+    angles = (np.arange(count) + 0.5) * 2.0 * np.pi / count
+    angles.setflags(write=False)
+    return np.asarray(angles)
 
 
 def _profile(contact: ScaledContact) -> Array:
@@ -184,19 +188,36 @@ def _source(contact: ScaledContact, count: int) -> Array:
     return np.asarray(contact.speed * (along + across))
 
 
-def edge_pressure(
-    field: FarField, grid: Grid, H: Array, P: Array, layer: Array | None = None
-) -> None:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EdgeField:
+    """A far field on the edge of a grid's box, whatever the film: P H^2 [-]."""
+
+    field: FarField
+    rows: dict[int, Array]  # by the number of the row, shape (nx,)
+    columns: dict[int, Array]  # by the number of the column, shape (ny,)
+
+
+def on_edge(field: FarField, grid: Grid) -> EdgeField:
+    """The far field on the edge of a grid's box."""
+    X, Y = grid.X, grid.Y
+    rows = (-1,) if grid.symmetric else (0, -1)
+    return EdgeField(
+        field=field,
+        rows={row: field.strength(X, Y[row]) for row in rows},
+        columns={column: field.strength(X[column], Y) for column in (0, -1)},
+    )
+
+
+def edge_pressure(edge: EdgeField, H: Array, P: Array, layer: Array | None = None) -> None:
     """Set the far field on the edge of the box, in place; zero where the gap is wider than a
     layer, shape (ny,).
     """
-    X, Y = grid.X, grid.Y
-    for row in (-1,) if grid.symmetric else (0, -1):
-        P[row] = field.strength(X, Y[row]) / H[row] ** 2
+    for row, strength in edge.rows.items():
+        P[row] = strength / H[row] ** 2
         if layer is not None:
             P[row, H[row] > layer[row]] = 0.0
-    for column in (0, -1):
-        P[:, column] = field.strength(X[column], Y) / H[:, column] ** 2
+    for column, strength in edge.columns.items():
+        P[:, column] = strength / H[:, column] ** 2
         if layer is not None:
             P[H[:, column] > layer, column] = 0.0
 
