@@ -5,8 +5,7 @@ Loading xarray and its libraries takes longer than writing the fields of a beari
 
 import io
 import json
-from collections.abc import Collection, Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -204,13 +203,24 @@ class _OpenedOnce(h5py.File):
         return self._opened[name]
 
 
-@contextmanager
-def open_file(path: Path) -> Iterator[h5netcdf.File]:
-    """A netCDF-4 file to read.
+class _Groups(h5netcdf.File):
+    """The groups of a file that is opened once, and closed with them."""
+
+    def __init__(self, path: Path) -> None:
+        self._opened_once = _OpenedOnce(path)
+        super().__init__(self._opened_once, "r", decode_vlen_strings=True)
+
+    def close(self) -> None:
+        """Close the groups and their file."""
+        super().close()
+        self._opened_once.close()
+
+
+def open_file(path: Path) -> h5netcdf.File:
+    """A netCDF-4 file to read, open until it is closed or nothing refers to it any more.
 
     Files that cannot be opened are closed without a complaint: h5netcdf (1.8) asks for
     `_writable` when it closes a file, and sets it late in its opening.
     """
     h5netcdf.File._writable = False
-    with _OpenedOnce(path) as file, h5netcdf.File(file, "r", decode_vlen_strings=True) as groups:
-        yield groups
+    return _Groups(path)

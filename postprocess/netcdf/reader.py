@@ -66,10 +66,13 @@ def _data_file(path: Path) -> Path:
 def _open_tree(path: Path) -> xarray.DataTree:
     """The groups of a netCDF-4 file, read when they are used; ValueError if it is damaged."""
     try:
-        with ExitStack() as opened:
-            tree = xarray.DataTree.from_dict(_datasets(opened.enter_context(open_file(path))))
-            tree.set_close(opened.pop_all().close)
-            return tree
+        groups = open_file(path)
+        with ExitStack() as failed:
+            failed.callback(groups.close)
+            tree = xarray.DataTree.from_dict(_datasets(groups))
+            failed.pop_all()
+        tree.set_close(groups.close)
+        return tree
     except (OSError, KeyError, ValueError, TypeError, RuntimeError) as error:
         raise ValueError(f"{path} is damaged or not a netCDF-4 file: {error}") from error
 

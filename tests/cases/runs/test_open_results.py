@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import json
 
 import numpy as np
@@ -58,6 +59,13 @@ def test_slip(tmp_path):
         found = tree["critical_axial_load"].isel(critical_speed=1, ball=2).values
         np.testing.assert_allclose(found, np.array(curve["values"], dtype=float))
         assert tree["minimum_load_hirano"].attrs["units"] == "N"
+    left = postprocess.open_results(tmp_path / "out")["slip_factor"]  # nothing else refers to the file
+    gc.collect()
+    np.testing.assert_array_equal(left.min("ball").values, least)
+    left = postprocess.open_results(tmp_path / "out")
+    left.close()
+    with pytest.raises(ValueError, match="Closed"):
+        left["slip_factor"].load()
 
 
 def test_stiffness(tmp_path):
