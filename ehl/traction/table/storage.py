@@ -111,7 +111,7 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
         raise ValueError(f"{path}: no traction table")
     version = document.get("format_version")
     if version != FORMAT_VERSION:
-        needed = f"reads {FORMAT_VERSION}; make the table again (its case without this key)"
+        needed = f"reads {FORMAT_VERSION}; make the table again"
         raise ValueError(f"{path}: format version {version}, this program {needed}")
     try:
         parts = {name: _restored(document[name]) for name in PARTS}

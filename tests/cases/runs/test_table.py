@@ -76,6 +76,33 @@ def test_films_of_the_atlas_are_told(quick, monkeypatch, tmp_path):
     assert not solved
 
 
+def test_the_table_that_a_case_names_is_made_without_it(quick, monkeypatch, tmp_path):
+    """Missing or of an older format, other commands refuse it in one line that tells the command which makes it."""
+    path = tmp_path / "own.zip"
+    case = tmp_path / "own.toml"
+    case.write_text(f'{LOADED}traction = "table"\ntraction_table = "{path}"\n')
+
+    def refused(finding):
+        for command in (["run", str(case), "--json"], ["validate", str(case)]):
+            found = CliRunner().invoke(app, command)
+            assert found.exit_code == 2
+            (line,) = found.stderr.strip().splitlines()
+            assert finding in line
+            assert f"`oilfilm table CASE -o {path}`" in line
+
+    refused("there is no such file")
+    assert call(str(case), "-o", str(path), "-q").exit_code == 0
+    equilibrium = load_case(case)  # takes it
+    assert set(equilibrium.traction.source.laws) == set(Race)
+    made = path.read_bytes()
+    monkeypatch.setattr("ehl.traction.table.storage.FORMAT_VERSION", 10)
+    refused("format version 9, this program reads 10")
+    found = call(str(case), "-o", str(path), "-q")
+    assert found.exit_code == 0, found.stderr
+    assert path.read_bytes() != made
+    assert load_tables(path)[Race.INNER].contact == equilibrium.traction.source.laws[Race.INNER].contact
+
+
 def test_points_with_films_of_the_atlas_have_tables_of_their_own(tmp_path):
     path = tmp_path / "loaded.toml"
     path.write_text(LOADED)
