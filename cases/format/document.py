@@ -178,7 +178,7 @@ def read_text(path: FilePath) -> str:
 def validate_text(text: str, name: str, *, own_table: bool = True) -> BearingFile | ContactFile:
     """The checked file, in its units, catalogue values filled in; `name` stands in messages.
 
-    own_table: False for `oilfilm table`, which makes the file that `friction.traction_table` names.
+    own_table: False for `oilfilm table`, which makes the file of `friction.traction_table`.
     """
     document = parse(text, name)
     if not own_table:
