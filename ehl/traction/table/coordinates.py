@@ -16,7 +16,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ...arrays import Array
-from .._kernels import LIMIT_SHARE, SHIFT_MARGIN, SPIN_SHARE, SPIN_SHARE_Y, STANDING
+from .._kernels import LIMIT_SHARE, REST_SHARE, SHIFT_MARGIN, SPIN_SHARE, SPIN_SHARE_Y, STANDING
 from .table import TableContact
 
 Part = Callable[[Array | float], Array]
@@ -92,7 +92,8 @@ def standing_part(size: Array | float) -> Array:
     """Of the place of a slide_x over u [-]: where one body is slow it takes up heat as the root of
     its speed, and the traction turns as that.
     """
-    return np.asarray(1.0 - np.sqrt(1.0 - np.minimum(size / STANDING, 1.0)))
+    whole = 1.0 + REST_SHARE
+    return np.asarray(np.sqrt(whole) - np.sqrt(whole - np.minimum(size / STANDING, 1.0)))
 
 
 def even_part(size: Array | float) -> Array:

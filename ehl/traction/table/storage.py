@@ -117,7 +117,8 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
         parts = {name: _restored(document[name]) for name in PARTS}
         values = unpacked(arrays["values"], tuple(document["shape"]))
         plain = {name: document[name] for name in PLAIN}
-        plain["spacing"] = tuple(map(float, plain["spacing"]))
+        spacing = map(float, [*plain["spacing"], 0.0][:3])  # older files have no REST_SHARE
+        plain["spacing"] = tuple(spacing)
         table = TractionTable(**parts, **(arrays | {"values": values}), **plain)
     except (KeyError, TypeError, AttributeError, ValueError, *DAMAGED) as problem:
         fault = "damaged, or written by another version of this program"

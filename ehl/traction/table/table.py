@@ -25,7 +25,7 @@ from ...oil.rheology import Rheology
 from ...ranges import require_positive
 from ...solid.heat import SolidThermal
 from .. import _kernels
-from .._kernels import LIMIT_SHARE, LOAD_POWER, SPIN_SHARE_Y
+from .._kernels import LIMIT_SHARE, LOAD_POWER, REST_SHARE, SPIN_SHARE_Y
 from ..laws import TractionForces
 from .packing import Numbers, Values, whole_numbers
 from .splines import spline_weights
@@ -168,13 +168,13 @@ class TractionTable:
     films: int  # solved in all, with those of the check
     converged: bool  # every film, stiffness and damping, and the tolerance is reached
     message: str
-    # LIMIT_SHARE and SPIN_SHARE_Y of the coordinates; zero in files of version 6 [-]
-    spacing: tuple[float, float] = (LIMIT_SHARE, SPIN_SHARE_Y)
+    # LIMIT_SHARE, SPIN_SHARE_Y and REST_SHARE of the coordinates [-]
+    spacing: tuple[float, float, float] = (LIMIT_SHARE, SPIN_SHARE_Y, REST_SHARE)
     full_solves: tuple[FullSolve, ...] = ()  # beside films of the table, where requested
 
     @cached_property
     def constants(self) -> Array:
-        """As the kernel takes them, shape (12,): see `_kernels.table_lookup`."""
+        """As the kernel takes them, shape (13,): see `_kernels.table_lookup`."""
         contact = self.contact
         bodies = (contact.radius_x, contact.curvature_difference)
         along, across = contact.unit_semi_axes
