@@ -38,8 +38,8 @@ def choose_domain(contact: ScaledContact) -> Box:
     Inlet sqrt(2.5^2 + 169 G), outlet sqrt(1.35^2 + 2 G) with G = Hc/(S A^2), Hc of the film
     formula, S the gap's curvature and A the half-extent along x; side sqrt(1.6^2 + (40 + 120 v^2)
     Hc/(T B^2)). Inlet and side are widened together until Kapitza's pressure carries less than
-    `EXTERIOR_SHARE` of the load outside; where that needs a factor w of 1 - t to 1 + t, t = `TURN`,
-    by 1 + (w - 1 + t)^2/(4 t), not by max(1, w).
+    `EXTERIOR_SHARE` of the load outside; where that needs a factor w of 1 - t to 1 + t, by
+    1 + (w - 1 + t)^2/(4 t), t = `TURN`, in place of max(1, w).
     """
     field = far_field(contact)
 

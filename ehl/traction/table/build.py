@@ -1,8 +1,9 @@
 """Build a traction table: films over load and speed, shear over the motions, more of both until a
 check is passed.
 
-The check solves films at loads and speeds between the nodes and evaluates the shear at random
-motions there: its error counts everything that the table does. Where it is too large, the axis
+The check solves films at loads and speeds between the nodes, random ones and those where the
+splines are most in doubt, and evaluates the shear at random motions there: its error counts
+everything that the table does. Where it is too large, the axis
 whose nodes are worst predicted by their neighbours gets more of them. Films are kept when the
 nodes along load or speed are doubled.
 """
@@ -17,7 +18,7 @@ from numpy.typing import NDArray
 from ...arrays import Array
 from ...multigrid.threads import film_threads
 from .._kernels import LOAD_POWER
-from .check import check_places, of_responses, table_error
+from .check import check_places, doubtful_places, of_responses, table_error
 from .film import FilmSample, film_sample
 from .packing import mirrored, stored_values
 from .responses import Place, log_responses, wanted_responses
@@ -45,7 +46,8 @@ class TableOptions:
 
     points: int = 257  # of the films along x, 2^k + 1
     tolerance: float = 0.01  # of the force over kappa_max Q at every point of the check [-]
-    check_films: int = 8
+    check_films: int = 8  # random ones
+    check_doubtful: bool = True  # and those where the splines over the load bend most
     check_motions: int = 60  # random ones, at each film of the check
     check_responses: int = 3  # films of the check that stiffness and damping are solved at, too
     rounds: int = 4  # refinements at most
@@ -69,7 +71,8 @@ class _Study:
     progress: Progress
     counts: list[int]
     films: dict[tuple[float, float], FilmSample] = field(default_factory=dict)
-    checks: list[FilmSample] = field(default_factory=list)
+    checks: list[FilmSample] = field(default_factory=list)  # random ones
+    doubtful: list[FilmSample] = field(default_factory=list)  # of the last table
 
 
 def build_table(
@@ -101,10 +104,12 @@ def check_table(table: TractionTable, contact: TableContact, options: TableOptio
 
 
 def _error(study: _Study, table: TractionTable) -> TableError:
-    """Of a table at the films of the check."""
+    """Of a table at the films of the check, and at those where it is in doubt."""
     options = study.options
     drawn = options.check_motions, options.seed
-    error = table_error(table, study.contact, study.checks, *drawn)
+    if options.check_doubtful:
+        study.doubtful = _solve(study, [(place, False) for place in doubtful_places(table)])
+    error = table_error(table, study.contact, study.checks + study.doubtful, *drawn)
     return replace(error, tolerance=options.tolerance)
 
 
@@ -246,12 +251,14 @@ def _table(study: _Study) -> tuple[TractionTable, NDArray[np.float32]]:
         message="",
     )
     # 3. check
-    return _with_message(study, replace(table, error=_error(study, table)), filled), raw
+    table = replace(table, error=_error(study, table))
+    table = replace(table, films=table.films + len(study.doubtful))
+    return _with_message(study, table, filled), raw
 
 
 def _with_message(study: _Study, table: TractionTable, filled: int) -> TractionTable:
     """Whether it converged, and what did not; at how many nodes the response is filled in."""
-    films = [*study.films.values(), *study.checks]
+    films = [*study.films.values(), *study.checks, *study.doubtful]
     bad = sum(not film.film.converged for film in films)
     error = table.error
     faults = []
