@@ -90,7 +90,7 @@ def table_forces(table, load, speed, slide_x, slide_y, spin, whole=True):
     mirror = 1.0 if slide_y >= 0.0 else -1.0
     turn = mirror * spin * radius / speed
     shift = vertex_slide(np.asarray(turn), table.contact, load)
-    even = table.spacing == (0.0, 0.0)  # of files of version 6
+    even = table.spacing[:2] == (0.0, 0.0)  # of files of version 6
     top = float(slide_x / speed + shift if even else at_vertex(np.asarray(slide_x / speed), shift, limits[0]))
     scales = np.exp(scalars[:3])
     along, across = spinning_scales(tuple(scales[:2]), np.asarray(turn), table.contact, load)

@@ -121,7 +121,8 @@ def test_table_states_its_error(table):
     assert error.rms < error.quantile < error.largest
     assert 0.0 < error.largest_straight < 0.02
     assert error.responses == 3 and 0.0 < error.largest_stiffness < 0.02 and 0.0 < error.largest_damping < 0.05
-    assert (error.films, error.motions) == (3, 40)
+    assert 4 <= error.films <= 7  # three random ones, and where the splines bend most
+    assert (error.motions, table.films) == (40, 20 + error.films)
     assert table.converged == (error.largest <= 0.02)
 
 
@@ -147,6 +148,33 @@ def test_check_draws_rolling_without_spin():
             counts, _ = np.histogram(np.log10(np.abs(alone[sign * alone > 0.0])), np.arange(-7, 0))
             assert np.all(counts > 0)
     assert np.any(straight & (slide_x != 0.0) & (slide_y != 0.0))
+
+
+def test_check_draws_motions_at_which_a_body_nearly_stands_still():
+    limits = replace(LIMITS, slide_x=2.0)
+    slide_x, slide_y, spin = check.standing_motions(limits, np.random.default_rng(4), 600)
+    gap = 2.0 - np.abs(slide_x)
+    assert np.count_nonzero(gap == 0.0) == 75
+    counts, _ = np.histogram(np.log10(gap[gap > 0.0]), [-3.0, -2.0, -1.0, 0.0])
+    assert np.all(counts > 100)
+    for part, limit in ((slide_y, limits.slide_y), (spin, limits.spin)):
+        assert np.any(part == 0.0) and 0.5 * limit < part.max() <= limit and -limit <= part.min() < -0.5 * limit
+    assert {-1.0, 1.0} == set(np.sign(slide_x))
+    narrow, *_ = check.standing_motions(LIMITS, np.random.default_rng(4), 600)
+    assert np.abs(narrow).max() == LIMITS.slide_x
+
+
+def test_check_draws_films_where_the_splines_bend_most(table):
+    """A kink of the force between two loads, at one speed, and another of the spin moment."""
+    values = np.zeros_like(table.values)
+    values[3, 1, ..., 0] = 0.5  # coefficients stand one before the nodes
+    values[4, 4, ..., 2] = 0.5
+    found = check.doubtful_places(replace(table, values=values, scalars=np.zeros_like(table.scalars)))
+    loads, speeds = (axis[0] + np.arange(int(axis[2])) / axis[1] for axis in table.axes[:2])
+    places = [((load_place(np.exp(q)) - loads[0]) * table.axes[0, 1], (u - speeds[0]) * table.axes[1, 1]) for q, u in found]
+    slow, fast = places[0], places[-1]
+    assert slow[0] % 1.0 == pytest.approx(0.5) and 1.0 < slow[0] < 3.0 and slow[1] == pytest.approx(0.5)
+    assert fast[0] % 1.0 == pytest.approx(0.5) and 2.0 < fast[0] < 4.0 and fast[1] == pytest.approx(2.5)
 
 
 def test_mirror_image_in_y(table):
