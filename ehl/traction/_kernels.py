@@ -29,9 +29,9 @@ LOAD_POWER = -0.2  # of the load in its coordinate
 # of the ellipse in the scale of slide_x, and of slide_y; the further part of a place
 SPIN_SHARE = 0.3
 SPIN_SHARE_Y = 0.15
-LIMIT_SHARE = 0.12
+LIMIT_SHARE = 0.1
 # share of the entrainment below which the slow body's own takes up heat no more as its root
-REST_SHARE = 0.007
+REST_SHARE = 0.005
 STANDING = 2.0  # slide over the entrainment speed at which one body stands still [-]
 # twice the shift of slide_x over its reach stays below the inverse: chosen, any above 1 will do
 SHIFT_MARGIN = 1.1 * 2.0
