@@ -40,7 +40,8 @@ def check_places(
 def doubtful_places(table: TractionTable) -> list[Place]:
     """Places between nodes of load and speed where fourth differences over the load, to which the
     error of a cubic spline goes, are largest: of the force and of the spin moment, at the slow and
-    at the fast half of the speeds; one where several are the same.
+    at the fast half of the speeds, between the last two nodes there; one where several are the
+    same.
     """
     loads, speeds = table.axes[:2]
     # 1. of the splines' coefficients, by the largest over the motions
@@ -52,17 +53,15 @@ def doubtful_places(table: TractionTable) -> list[Place]:
     at_nodes = np.pad(bend + more, ((1, 1), (0, 0), (0, 0)))
     between = at_nodes[:-1] + at_nodes[1:]
     kinds = (between[..., :2].max(axis=-1), between[..., 2])
-    # 2. half-way to the next nodes
-    half = int(speeds[2]) // 2
+    # 2. half-way between the nodes
+    count = int(speeds[2])
+    half = count // 2
     found = []
     for kind in kinds:
-        for first, last, step in ((0, half, 0.5), (half, int(speeds[2]), -0.5)):
-            row, column = np.unravel_index(
-                int(np.argmax(kind[:, first:last])), (len(kind), last - first)
-            )
+        for own, at in ((kind[:, :half], 0.5), (kind[:, half:], count - 1.5)):
+            row = int(np.argmax(own.max(axis=1)))
             place = loads[0] + (row + 0.5) / loads[1]
-            speed = speeds[0] + (first + column + step) / speeds[1]
-            found.append((float(log(-place) / LOAD_POWER), float(speed)))
+            found.append((float(log(-place) / LOAD_POWER), float(speeds[0] + at / speeds[1])))
     return list(dict.fromkeys(found))
 
 
