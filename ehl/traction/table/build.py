@@ -31,6 +31,8 @@ from .values import grid_values
 START = (12, 4, 55, 15, 35)
 HEATED_START = (19, 4, 59, 17, 37)
 SCALE_DEGREES = (3, 2)  # of the scales over load and speed, chosen by trial [-]
+# of the units of forces and moments: their largest bend where the motion that has it changes
+UNIT_DEGREES = (5, 2)
 GROWTH = 1.4  # of the nodes of a motion
 CUBIC = 4  # nodes of one cubic
 NARROW_LOADS = 6  # fewest nodes of a narrow range of loads
@@ -225,18 +227,25 @@ def _with_smooth_scales(films: list[list[FilmSample]], axes: Array) -> list[list
     Where a film turns from rolling in oil to a flat contact its own scale falls a hundredfold, and
     so would move all else along its axis.
     """
-    loads = np.linspace(-1.0, 1.0, int(axes[0, 2]))
-    speeds = 2.0 * (_film_speeds(axes[1]) - axes[1, 0]) * axes[1, 1] / (axes[1, 2] - 1.0) - 1.0
-    terms = np.polynomial.legendre.legvander2d(
-        np.repeat(loads, speeds.size), np.tile(speeds, loads.size), SCALE_DEGREES
-    )
-    known = np.log([film.scales for row in films for film in row])
-    fitted = np.exp(terms @ np.linalg.lstsq(terms, known, rcond=None)[0])
-    scales = fitted.reshape(loads.size, speeds.size, 3)
+    known = np.log([[film.scales for film in row] for row in films])
+    scales = np.exp(_smooth(known, axes, SCALE_DEGREES))
     return [
         [replace(film, scales=tuple(own)) for film, own in zip(row, rows, strict=True)]
         for row, rows in zip(films, scales.tolist(), strict=True)
     ]
+
+
+def _smooth(known: Array, axes: Array, degrees: tuple[int, int]) -> Array:
+    """Numbers of films over load and speed, shape (nQ, nU, k), by polynomials of these degrees
+    through them, by least squares [same unit].
+    """
+    loads = np.linspace(-1.0, 1.0, int(axes[0, 2]))
+    speeds = 2.0 * (_film_speeds(axes[1]) - axes[1, 0]) * axes[1, 1] / (axes[1, 2] - 1.0) - 1.0
+    terms = np.polynomial.legendre.legvander2d(
+        np.repeat(loads, speeds.size), np.tile(speeds, loads.size), degrees
+    )
+    flat = known.reshape(len(terms), -1)
+    return np.asarray((terms @ np.linalg.lstsq(terms, flat, rcond=None)[0]).reshape(known.shape))
 
 
 def _table(study: _Study) -> tuple[TractionTable, NDArray[np.float32]]:
@@ -247,11 +256,13 @@ def _table(study: _Study) -> tuple[TractionTable, NDArray[np.float32]]:
     study.progress(len(study.films), len(study.films), "shear")
     nodes = [_axis_nodes(axis) for axis in axes[2:]]
     raw, largest = grid_values(study.contact, study.range, films, nodes, study.options.workers)
+    units = np.exp(_smooth(np.log(largest), axes, UNIT_DEGREES))
+    raw *= (largest / units)[..., None, None, None, [0, 0, 1, 2]].astype(np.float32)
     even = _at_nodes(axes[1])
     raw = along_axis(even, raw, 1)
     # 2. splines: values over their largest, logarithms of what depends on load and speed alone
     responses, filled = log_responses(study.contact, films)
-    parts = [_scalars(films), responses, np.log(largest)]
+    parts = [_scalars(films), responses, np.log(units)]
     scalars = along_axis(even, np.concatenate(parts, axis=-1), 1)
     unchecked = TableError(
         largest=np.inf,

@@ -77,28 +77,24 @@ def table_error(
     """
     rng, others, slow = (np.random.default_rng(seed + k) for k in (1, 2, 3))
     errors = []
-    standing = []
-    straight = []
-    spun = []
     for film in films:
         places = rng.uniform(-1.0, 1.0, (3, motions))
-        even = table_motions(contact, table.range, film, places)
-        errors.append(_errors(contact, table, film, even))
-        rest = standing_motions(table.range, slow, motions)
-        standing.append(_errors(contact, table, film, rest).max(axis=0)[0])
-        rolling = straight_motions(contact, table.range, film.load, others, motions)
-        force, spin, _ = _errors(contact, table, film, rolling).max(axis=0)
-        straight.append(force)
-        spun.append(spin)
-    every = np.concatenate(errors)
+        drawn = (
+            table_motions(contact, table.range, film, places),
+            straight_motions(contact, table.range, film.load, others, motions),
+            standing_motions(table.range, slow, motions),
+        )
+        errors.append(_errors(contact, table, film, drawn))
+    even, straight, standing = np.moveaxis(np.array(errors), 1, 0)
+    every = even.reshape(-1, 3)
     responses = _response_errors(table, films)
     return TableError(
-        largest=float(max(every[:, 0].max(), *standing)),
+        largest=float(max(every[:, 0].max(), standing[..., 0].max())),
         quantile=float(np.quantile(every[:, 0], 0.95)),
         rms=float(np.sqrt(np.mean(every[:, 0] ** 2))),
-        largest_spin=float(max(every[:, 1].max(), *spun)),
+        largest_spin=float(max(every[:, 1].max(), straight[..., 1].max())),
         largest_rolling=float(every[:, 2].max()),
-        largest_straight=float(max(straight)),
+        largest_straight=float(straight[..., 0].max()),
         largest_stiffness=float(responses[:, 0].max()) if len(responses) else np.nan,
         largest_damping=float(responses[:, 1].max()) if len(responses) else np.nan,
         responses=len(responses),
@@ -148,21 +144,28 @@ def standing_motions(limits: TableRange, rng: np.random.Generator, count: int) -
 
 
 def _errors(
-    contact: TableContact, table: TractionTable, film: FilmSample, motions: Sequence[Array]
+    contact: TableContact, table: TractionTable, film: FilmSample, kinds: Sequence[Sequence[Array]]
 ) -> Array:
-    """Errors of force and moments about n, y at a film's motions, shape (n, 3), as `TableError`
-    measures them [-].
+    """Errors of force and moments about n, y at a film's motions of each kind over the film's own
+    largest at all of these, shape (kinds, n, 3), as `TableError` measures them [-].
     """
-    expected = relative_forces(contact, film.film, film.speed, list(motions))
+    moved = [np.concatenate(parts) for parts in zip(*kinds, strict=True)]
+    expected = relative_forces(contact, film.film, film.speed, moved)
+    sizes = _sizes(expected)
     expected[:, 0] -= 0.5 * contact.curvature_difference * film.moment
     expected[:, 3] -= film.moment
-    slide_x, slide_y, spin = (part * film.speed for part in motions)
+    slide_x, slide_y, spin = (part * film.speed for part in moved)
     places = np.stack([slide_x, slide_y, spin / contact.radius_x], axis=1)
     lookups = [table.forces(film.load, film.speed, *place)[:4] for place in places]
-    off = np.array(lookups) - expected
-    parts = (np.hypot(off[:, 0], off[:, 1]), np.abs(off[:, 2]), np.abs(off[:, 3]))
-    unit = table.largest(film.load, film.speed) + np.array([0.0, 0.0, film.moment])
-    return np.asarray(np.stack(parts, axis=1) / unit)
+    unit = sizes.max(axis=0) + np.array([0.0, 0.0, film.moment])
+    errors = _sizes(np.array(lookups) - expected) / unit
+    return np.asarray(errors.reshape(len(kinds), -1, 3))
+
+
+def _sizes(forces: Array) -> Array:
+    """Of forces (n, 4): force and moments about n, y, shape (n, 3) [N], [N m]."""
+    force = np.hypot(forces[:, 0], forces[:, 1])
+    return np.stack([force, np.abs(forces[:, 2]), np.abs(forces[:, 3])], axis=1)
 
 
 def _response_errors(table: TractionTable, films: Sequence[FilmSample]) -> Array:

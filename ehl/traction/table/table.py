@@ -6,8 +6,8 @@ rheology is evaluated in it at each motion, then with the heat of sliding (`ehl.
 Coordinates keep the nodes few: minus load^(-1/5), as light contacts change more with the load,
 ln(speed), and those of the motion (`coordinates`), with scales of the film's own, which are
 splines over load and speed, too. Values are the forces and
-moments of sliding over the largest of their film, kappa_max Q for the forces, whose logarithms are
-splines. The mirror image in y halves the table: with slide_y and spin reversed F_y and M_n
+moments of sliding over units whose logarithms are splines: the largest of their film, kappa_max Q
+for the forces, smoothed over load and speed, as they bend where another motion has the largest. The mirror image in y halves the table: with slide_y and spin reversed F_y and M_n
 are. All are cubic B-splines.
 """
 
@@ -151,8 +151,8 @@ class TractionTable:
 
     `scalars` holds spline coefficients of the logarithms of the scales of slide_x, slide_y, spin
     [-], the central film [m], the hydrodynamic moment [N m], stiffness [N/m], damping [N s/m], and
-    the largest force [N] and moments about n and y [N m] of sliding; `values` those of the sliding
-    forces and moments over the largest ones [-].
+    the units of force [N] and moments about n and y [N m] of sliding; `values` those of the
+    sliding forces and moments over these units [-].
     """
 
     contact: TableContact
@@ -216,7 +216,9 @@ class TractionTable:
         return shifted
 
     def largest(self, load: float, speed: float) -> Array:
-        """Largest force [N] and moments about n, y [N m] by sliding at load [N], speed [m/s]."""
+        """Units of force [N] and moments about n, y [N m] by sliding at load [N], speed [m/s]: the
+        largest, smoothed over both, off by up to 17, 30 and 17 % where a film turns.
+        """
         scalars = self.scalars
         for axis, place in zip(self.axes, (load_place(load), log(speed)), strict=False):
             first, weights = spline_weights((place - axis[0]) * axis[1], int(axis[2]))
