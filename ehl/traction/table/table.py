@@ -7,8 +7,9 @@ Coordinates keep the nodes few: minus load^(-1/5), as light contacts change more
 ln(speed), and those of the motion (`coordinates`), with scales of the film's own, which are
 splines over load and speed, too. Values are the forces and
 moments of sliding over units whose logarithms are splines: the largest of their film, kappa_max Q
-for the forces, smoothed over load and speed, as they bend where another motion has the largest. The mirror image in y halves the table: with slide_y and spin reversed F_y and M_n
-are. All are cubic B-splines.
+for the forces, smoothed over load and speed, as they bend where another motion has the largest.
+The mirror image in y halves the table: with slide_y and spin reversed F_y and M_n are. All are
+cubic B-splines.
 """
 
 from dataclasses import dataclass, replace
