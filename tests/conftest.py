@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import gc
 import os
 import random
 import sys
@@ -12,7 +13,7 @@ from datetime import date
 import pytest
 from filelock import FileLock
 
-from cases.runs.processes import own_packages
+from cases.runs.processes import COLLECTED, own_packages
 
 SEED = "OILFILM_SEED"
 SAMPLED = "sample"  # mark of the slow tests that are drawn
@@ -24,6 +25,7 @@ def pytest_configure(config):
     """Before workers start: they inherit the seed; and two of them with two threads each would be four."""
     os.environ.setdefault(SEED, date.today().strftime("%Y%m%d"))
     os.environ.update(own_packages())  # processes of tests import what is tested
+    gc.set_threshold(COLLECTED)
     if SAMPLED in config.option.markexpr:
         config.option.loadscopereorder = False  # the order of the files is that of `longest_first`
     if getattr(config.option, "numprocesses", None):
@@ -43,6 +45,11 @@ def pytest_collection_modifyitems(items, config):
     yield
     if SAMPLED in config.option.markexpr:
         longest_first(items)
+
+
+def pytest_collection_finish():
+    """What was imported and collected is no garbage: the collector need not look through it again."""
+    gc.freeze()
 
 
 def longest_first(items):

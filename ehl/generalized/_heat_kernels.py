@@ -1,4 +1,4 @@
-"""Temperature of the film, compiled: columns one after the other along the flow.
+"""Temperature of a column of film, compiled.
 
 Heat equation across the film at zeta = z/h, convection by upwind differences along x and y:
 
@@ -17,10 +17,9 @@ walls and curvature of `section.wall_slopes` and `section.curvature`.
 import numpy as np
 
 from ..compiled import compiled, summing
-from ..oil._elementary_kernels import copy
 from ..oil._kernels import capacity_ratio, column_softening, conductivity_ratio, thermal_expansion
 from ._kernels import solve_column
-from ._stress_kernels import FLUIDITY, LOG_ETA, RHO, ROWS, T_XX, T_XY, T_YY
+from ._stress_kernels import FLUIDITY, LOG_ETA, RHO, T_XX, T_XY, T_YY
 
 # Measured on 65 points at 2.3 GPa and slide-roll ratios up to 1.8: half and double of each of the
 # first four leave films to 0.4 % and temperatures to 3 K; cycles, 5 to 19, change by up to 9.
@@ -301,99 +300,3 @@ def solve_heat_column(
     for k in range(n):
         dissipated += height * section[1][k] * flow[SOURCE, k]
     return dissipated, converged
-
-
-@compiled
-def wall_flux(conductance, differences, temperature, flux):
-    """Flux from a column into body 1 and body 2 [W/m^2]; conductance: k/h [W/(m^2 K)]."""
-    gain_1 = gain_2 = 0.0
-    for k in range(temperature.size):
-        gain_1 += differences[0][k] * temperature[k]
-        gain_2 -= differences[1][k] * temperature[k]
-    flux[0], flux[1] = conductance * gain_1, conductance * gain_2
-
-
-@compiled
-def take_up_heat(j, i, p, height, heat, section, oil, differences, temperature, flux):
-    """Set the flux from a column into both bodies [W/m^2]."""
-    conductivity = film_conductivity(p[j, i], temperature[j, i], heat, section, oil)
-    wall_flux(conductivity / height, differences, temperature[j, i], flux[:, j, i])
-
-
-@compiled
-def heat_sweep(
-    p, h, gradient, speed_1, speed_2, mesh, symmetric, forward, oil, heat, section, differences,
-    rheology, inlet, bulk, response, weights, temperature, middle, mass, flux, dissipation,
-    recirculates
-):  # fmt: skip
-    """Columns of all lines one after the other along x, or against it; the number of unsolved
-    ones. Against the entrainment only those in which oil flows back: others take nothing from
-    there.
-
-    p, h: (ny, nx); gradient, speed_1, speed_2, response, flux: (2, ny, nx); bulk: temperatures of
-    both bodies [K]; response: 1/(sqrt(pi u) e) of both [K m^1.5/W]; weights: of their histories
-    [m^0.5]; in and out: temperature (ny, nx, n) [K], middle (2, ny, nx) [Pa], mass (ny, nx, n)
-    [m^2/s], flux into both bodies and dissipation [W/m^2]; recirculates, shape (ny, nx): whether
-    some oil of a column ever flowed against the entrainment.
-    """
-    ny, nx, n = temperature.shape
-    unsolved = 0
-    work, flow = np.zeros((ROWS, n)), np.zeros((FLOW_ROWS, n))
-    out = np.zeros(n)
-    for j in range(ny):
-        for i in range(nx) if forward else range(nx - 1, -1, -1):
-            height = h[j, i]
-            renewed = forward == (speed_1[0, j, i] + speed_2[0, j, i] >= 0.0)
-            if not renewed and not recirculates[j, i]:
-                continue
-            # 1. walls by the heat taken up upstream
-            along = (speed_1[0, j, i], speed_2[0, j, i])
-            past = walls_before(flux[:, j], i, along, response[:, j, i], weights, bulk)
-            if height <= 0.0:
-                flux[0, j, i] = flux[1, j, i] = dissipation[j, i] = 0.0
-                copy(past[0] + section[0] * (past[1] - past[0]), temperature[j, i])
-                continue
-            # 2. column, with the response of the walls to its own flux
-            rise = (height * gradient[0, j, i], height * gradient[1, j, i])
-            slide = speed_2[:, j, i] - speed_1[:, j, i]
-            rate = (slide[0] / height, slide[1] / height)
-            wall_response = (response[0, j, i] * weights[0], response[1, j, i] * weights[0])
-            before = i - 1 if forward else i + 1
-            for attempt in range(2):
-                if attempt == 1 and 0 <= before < nx:  # from the neighbour's temperatures
-                    copy(temperature[j, before], temperature[j, i])
-                    middle[:, j, i] = np.nan
-                dissipation[j, i], converged = solve_heat_column(
-                    j, i, p[j, i], height, rise, rate, speed_1[:, j, i], mesh, symmetric, renewed,
-                    oil, heat, section, differences, rheology, temperature, inlet,
-                    past, wall_response, middle, mass, work, flow, out,
-                )  # fmt: skip
-                if converged:
-                    break
-            unsolved += 0 if converged else 1
-            if flow[U].max() > 0.0 and flow[U].min() < 0.0:
-                recirculates[j, i] = True
-            # 3. flux into the walls
-            take_up_heat(j, i, p, height, heat, section, oil, differences, temperature, flux)
-    return unsolved
-
-
-@compiled
-def walls_before(flux, i, speeds, response, weights, bulk):
-    """Temperatures of both walls at node i of a line by the heat taken up before [K]."""
-    first = bulk[0] + response[0] * body_history(flux[0], i, speeds[0], weights)
-    second = bulk[1] + response[1] * body_history(flux[1], i, speeds[1], weights)
-    return first, second
-
-
-@summing
-def body_history(flux, i, speed, weights):
-    """Weighted sum of the fluxes a surface took up before node i [W/m^1.5]."""
-    total = 0.0
-    if speed >= 0.0:
-        for m in range(i):
-            total += weights[i - m] * flux[m]
-    else:
-        for m in range(i + 1, flux.size):
-            total += weights[m - i] * flux[m]
-    return total

@@ -10,14 +10,17 @@ from ..arrays import Array
 from ..conditions import ContactConditions
 from ..grid import Grid
 from ..multigrid.transfer import interpolate_linear
+from ..oil.lubricant import viscosity
 from ..oil.numbers import oil_numbers
 from ..oil.rheology import Rheology, kernel_rheology
 from ..scaling import ScaledContact
 from ..solid.heat import SolidThermal, history_weights, response_factor
-from . import _heat_kernels as _kernels
+from . import _sweep_kernels as _kernels
 from .section import FilmFields, Section, curvature, wall_slopes
 
 Mask = NDArray[np.bool_]
+
+SMALLEST_FILM = 1e-12  # keeps a relative change finite [m]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -29,8 +32,15 @@ class HeatState:
     flux: Array  # into body 1 and body 2, shape (2, ny, nx) [W/m^2]
     dissipation: Array  # heat of shear over the film, shape (ny, nx) [W/m^2]
     recirculates: Mask  # whether oil of a column flows against the entrainment, shape (ny, nx)
+    # what the temperatures of a column do not follow yet, infinite: any, shape (ny, nx) [K]
+    unseen: Array
+    fields: FilmFields | None = None  # of the last cycle on this grid
     change: float = 0.0  # largest change of a temperature in the last cycle [K]
     unsolved_columns: int = 0  # that did not converge in the last sweep [-]
+
+    def unsettled(self) -> "HeatState":
+        """With all columns to be solved in the next sweeps."""
+        return replace(self, unseen=np.full_like(self.unseen, np.inf))
 
     def refined(self) -> "HeatState":
         """On the next finer grid, as a start."""
@@ -42,6 +52,8 @@ class HeatState:
             flux=np.stack([fine(part) for part in self.flux]),
             dissipation=fine(self.dissipation),
             recirculates=fine(self.recirculates.astype(np.float64)) > 0.0,
+            unseen=np.full_like(fine(self.unseen), np.inf),
+            fields=None,
         )
 
 
@@ -99,6 +111,8 @@ class FilmHeat:
         sweeps = [not along, along] if last else [along, not along, along]
         # arrays of its own, which the sweeps change in place
         state = deepcopy(last) if last else self._initial(fields.p.shape, section)
+        if state.fields is not None:
+            state.unseen[:] += self._unfollowed(state.temperature, state.fields, fields)
         before = state.temperature.copy()
         unsolved = 0
         for forward in sweeps:
@@ -109,10 +123,23 @@ class FilmHeat:
                 *((*wall_slopes(section), curvature(section)), kernel_rheology(rheology)),
                 *(self.inlet, self.bulk, np.stack(response), weights),
                 *(state.temperature, middle, state.mass, state.flux, state.dissipation),
-                state.recirculates,
+                *(state.recirculates, state.unseen),
             )
         change = float(np.abs(state.temperature - before).max())
-        return replace(state, change=change, unsolved_columns=int(unsolved))
+        return replace(state, fields=fields, change=change, unsolved_columns=int(unsolved))
+
+    def _unfollowed(self, temperature: Array, before: FilmFields, now: FilmFields) -> Array:
+        """How much, in order of magnitude, a change of film and pressure changes the temperatures
+        of each column, shape (ny, nx) [K]: what shear and conduction have brought it, in
+        proportion to those of h^2, of the viscosity and of the velocities.
+        """
+        oil = self.conditions.lubricant
+        h = np.maximum(now.h, SMALLEST_FILM)
+        per_gradient = h**2 / (12.0 * viscosity(now.p, oil) * self.conditions.entrainment_speed)
+        share = 2.0 * np.abs(now.h - before.h) / h
+        share += oil.pressure_viscosity * np.abs(now.p - before.p)
+        share += per_gradient * np.abs(now.gradient - before.gradient).sum(axis=0)
+        return np.abs(temperature - self.inlet).max(axis=-1) * share
 
     def _initial(self, shape: tuple[int, ...], section: Section) -> HeatState:
         """Oil at the temperature of the inflow between walls at those of the bodies."""
@@ -124,4 +151,5 @@ class FilmHeat:
             flux=np.zeros((2, *shape)),
             dissipation=np.zeros(shape),
             recirculates=np.zeros(shape, dtype=np.bool_),
+            unseen=np.full(shape, np.inf),
         )

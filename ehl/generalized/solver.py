@@ -25,10 +25,6 @@ from .section import film_section
 # of the columns that may stay unsolved or over the limiting stress, measured: they lie at the edge
 # of the cavity, where hardly anything flows
 UNSOLVED_SHARE = 0.005
-# of the heat of a film at rest, for its traction: that of a 6208 under 50 N at a slide-roll ratio
-# of 0.002 was 5 % too high without
-MOST_SWEEPS = 4
-RESTED_TEMPERATURE = 0.5  # largest change in a cycle up to which heat is at rest [K]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -142,16 +138,14 @@ def _full_multigrid(
 
 
 def _rested(flow: GeneralizedFlow, levels: Multigrid) -> FlowState | None:
-    """Flow of the finest level, its heat swept on until it is at rest there: the eddy ahead of the
-    contact, which hardly touches the film, takes longer than pressure and film.
+    """Flow of the finest level, its heat at rest: that of the eddy ahead of the contact, which
+    hardly touches the film, takes longer than pressure and film.
     """
     level = levels.levels[-1]
     state: FlowState | None = level.flow_state
-    for _ in range(MOST_SWEEPS):
-        if state is None or state.heat is None or state.heat.change < RESTED_TEMPERATURE:
-            break
-        _, state = flow.factors(levels.contact, level.grid, level.P, level.H, state)
-    return state
+    if state is None or state.heat is None:
+        return state
+    return flow.rested(levels.contact, level.grid, level.P, level.H, state)
 
 
 def _with_fields(solution: GeneralizedSolution, state: FlowState) -> GeneralizedSolution:

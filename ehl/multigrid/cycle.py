@@ -66,9 +66,10 @@ def update_film(state: Multigrid, index: int) -> None:
     level.H += level.s
     level.H += state.approach
     state.deflections[index] = state.deflections.get(index, 0) + 1
-    if state.far_field is not None and level.s is level.gap:
+    edge = state.on_edge(level) if level.s is level.gap else None
+    if edge is not None:
         layer = None if level.fill is None else level.fill.layer
-        edge_pressure(state.far_field, level.grid, level.H, level.P, layer)
+        edge_pressure(edge, level.H, level.P, layer)
 
 
 def refresh_factors(state: Multigrid, index: int) -> None:

@@ -17,6 +17,7 @@ both directions, is left out of that.
 """
 
 from dataclasses import dataclass, replace
+from functools import cache, lru_cache
 from math import cos, inf, isfinite, sin
 from typing import NamedTuple
 
@@ -33,6 +34,7 @@ Array = NDArray[np.float64]
 DIRECTIONS = 720
 FIRST_DIRECTIONS = 45
 MOST_PASSES = 100  # of that search on one set of directions
+KEPT = 64  # profiles of the last contacts
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -84,8 +86,9 @@ def far_field(contact: ScaledContact) -> FarField:
     across = v * d / (3.0 * d + 2.0)
     S, T = contact.curvature_x, contact.curvature_y
     rotation = contact.rotation if abs(contact.curvature_xy) < ALIGNMENT_TOLERANCE else 0.0
+    lengths = (contact.curvature_x, contact.curvature_y, contact.curvature_xy)
     return FarField(
-        profile=_profile(contact),
+        profile=_profile(_Wedge(*lengths, contact.velocity_x, contact.velocity_y, contact.speed)),
         pressure_x=contact.speed * (c * along + s * across),
         pressure_y=contact.speed * (c * across - s * along),
         pressure_xy=contact.speed * rotation * (T - S) / (3.0 * (S + T)),
@@ -115,26 +118,53 @@ def over_time(
     )
 
 
+@cache
 def _angles(count: int) -> Array:
-    """Middles of so many equal angles [rad]."""
-    return np.asarray((np.arange(count) + 0.5) * 2.0 * np.pi / count)
+    """Middles of so many equal angles [rad], not to be written to."""
+    angles = (np.arange(count) + 0.5) * 2.0 * np.pi / count
+    angles.setflags(write=False)
+    return np.asarray(angles)
 
 
-def _profile(contact: ScaledContact) -> Array:
-    """s = f (q/2)^2 by Reynolds' condition, shape (DIRECTIONS,) [-]: finite volumes over the
-    angle, wet directions from half as many at a time.
+@cache
+def _directions(count: int) -> tuple[Array, Array]:
+    """Cosine and sine of so many `_angles` [-], not to be written to."""
+    directions = np.cos(_angles(count)), np.sin(_angles(count))
+    for part in directions:
+        part.setflags(write=False)
+    return directions
+
+
+class _Wedge(NamedTuple):
+    """What the profile depends on, as in `ScaledContact`, all [-]."""
+
+    curvature_x: float
+    curvature_y: float
+    curvature_xy: float
+    velocity_x: float
+    velocity_y: float
+    speed: float
+
+
+@lru_cache(KEPT)
+def _profile(contact: _Wedge) -> Array:
+    """s = f (q/2)^2 by Reynolds' condition, shape (DIRECTIONS,) [-], not to be written to: finite
+    volumes over the angle, wet directions from half as many at a time. Kept, for a contact is
+    solved on several boxes and meshes.
     """
     count = FIRST_DIRECTIONS
     wet = _source(contact, count) < 0.0
     while True:
         f, wet = _broken(contact, wet)
         if count == DIRECTIONS:
-            return np.asarray(f * (0.5 * _curvature(contact, _angles(count))) ** 2)
+            profile = f * (0.5 * _curvature(contact, _angles(count))) ** 2
+            profile.setflags(write=False)
+            return np.asarray(profile)
         count *= 2
         wet = np.repeat(wet, 2)
 
 
-def _broken(contact: ScaledContact, wet: NDArray[np.bool_]) -> tuple[Array, NDArray[np.bool_]]:
+def _broken(contact: _Wedge, wet: NDArray[np.bool_]) -> tuple[Array, NDArray[np.bool_]]:
     """f over the angle, zero outside the wet directions and not negative in them, and those
     directions; to start from.
     """
@@ -168,35 +198,51 @@ def _broken(contact: ScaledContact, wet: NDArray[np.bool_]) -> tuple[Array, NDAr
     return np.roll(np.maximum(f, 0.0), first), np.roll(wet, first)
 
 
-def _curvature(contact: ScaledContact, angle: Array) -> Array:
+def _curvature(contact: _Wedge, angle: Array) -> Array:
     """q of the gap q r^2/2 [-]."""
     c, s = np.cos(angle), np.sin(angle)
     mixed = 2.0 * contact.curvature_xy * c * s
     return np.asarray(contact.curvature_x * c * c + contact.curvature_y * s * s + mixed)
 
 
-def _source(contact: ScaledContact, count: int) -> Array:
+def _source(contact: _Wedge, count: int) -> Array:
     """lambda (u . grad H)/r over so many angles [-]."""
-    angle = _angles(count)
-    c, s = np.cos(angle), np.sin(angle)
+    c, s = _directions(count)
     along = contact.velocity_x * (contact.curvature_x * c + contact.curvature_xy * s)
     across = contact.velocity_y * (contact.curvature_xy * c + contact.curvature_y * s)
     return np.asarray(contact.speed * (along + across))
 
 
-def edge_pressure(
-    field: FarField, grid: Grid, H: Array, P: Array, layer: Array | None = None
-) -> None:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EdgeField:
+    """A far field on the edge of a grid's box, whatever the film: P H^2 [-]."""
+
+    field: FarField
+    rows: dict[int, Array]  # by the number of the row, shape (nx,)
+    columns: dict[int, Array]  # by the number of the column, shape (ny,)
+
+
+def on_edge(field: FarField, grid: Grid) -> EdgeField:
+    """The far field on the edge of a grid's box."""
+    X, Y = grid.X, grid.Y
+    rows = (-1,) if grid.symmetric else (0, -1)
+    return EdgeField(
+        field=field,
+        rows={row: field.strength(X, Y[row]) for row in rows},
+        columns={column: field.strength(X[column], Y) for column in (0, -1)},
+    )
+
+
+def edge_pressure(edge: EdgeField, H: Array, P: Array, layer: Array | None = None) -> None:
     """Set the far field on the edge of the box, in place; zero where the gap is wider than a
     layer, shape (ny,).
     """
-    X, Y = grid.X, grid.Y
-    for row in (-1,) if grid.symmetric else (0, -1):
-        P[row] = field.strength(X, Y[row]) / H[row] ** 2
+    for row, strength in edge.rows.items():
+        P[row] = strength / H[row] ** 2
         if layer is not None:
             P[row, H[row] > layer[row]] = 0.0
-    for column in (0, -1):
-        P[:, column] = field.strength(X[column], Y) / H[:, column] ** 2
+    for column, strength in edge.columns.items():
+        P[:, column] = strength / H[:, column] ** 2
         if layer is not None:
             P[H[:, column] > layer, column] = 0.0
 
@@ -289,8 +335,7 @@ class _Rays(NamedTuple):
 
 def _rays(field: FarField, box: tuple[float, float, float]) -> _Rays:
     """Rays through the edge of a box (x_in, x_out, y_half)."""
-    angle = _angles(DIRECTIONS)
-    x, y = np.cos(angle), np.sin(angle)
+    x, y = _directions(DIRECTIONS)
     x_in, x_out, y_half = box
     with np.errstate(divide="ignore"):
         radius = np.minimum(np.where(x < 0.0, x_in / x, x_out / x), y_half / np.abs(y))

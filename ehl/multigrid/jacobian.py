@@ -174,13 +174,14 @@ def _oil_slopes(state: Multigrid, level: Level) -> tuple[Array, Array, Array]:
 def _open_edge(state: Multigrid, level: Level) -> tuple[Array, float, float]:
     """Pressure that the edge asks for, load of the box, and the slope of the exterior load."""
     target = np.zeros_like(level.P)
-    if state.far_field is None:
+    edge = state.on_edge(level)
+    if edge is None:
         return target, state.contact.load, 0.0
     layer = None if level.fill is None else level.fill.layer
-    edge_pressure(state.far_field, level.grid, level.H, target, layer)
+    edge_pressure(edge, level.H, target, layer)
     central = layer_at_centre(state)
     exterior, more, less = (
-        exterior_load(state.far_field, level.grid, level.H * (1.0 + step), central)
+        exterior_load(edge.field, level.grid, level.H * (1.0 + step), central)
         for step in (0.0, FILM_STEP, -FILM_STEP)
     )
     film = float(level.H[origin_line(level.grid), 0])

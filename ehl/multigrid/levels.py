@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ..grid import Grid
 from ..scaling import ScaledContact
 from ..solid.deformation import DeflectionKernel, deflection_kernel
-from .far_field import FarField
+from .far_field import EdgeField, FarField, on_edge
 from .flow_model import FlowFactors, FlowModel, entrainment_factors
 from .starved import Fill, make_fill
 from .threads import Threads
@@ -77,6 +77,7 @@ class Level:
     start: Array | None = None
     load: float = 0.0
     flow_state: Any = None  # of the flow model after the last cycle on this level
+    edge: EdgeField | None = None  # on the edge of the grid, of the last far field there
 
 
 @dataclass(slots=True, kw_only=True)
@@ -94,6 +95,14 @@ class Multigrid:
     time_step: TimeStep | None = None  # None: a steady contact
     swings: bool = False  # whether cycles took the load from one side to the other, see `settle`
     deflections: dict[int, int] = field(default_factory=dict)  # level -> number of deflection FFTs
+
+    def on_edge(self, level: Level) -> EdgeField | None:
+        """The far field on the edge of a level, made when it is asked for; None without one."""
+        if self.far_field is not None and (
+            level.edge is None or level.edge.field is not self.far_field
+        ):
+            level.edge = on_edge(self.far_field, level.grid)
+        return None if self.far_field is None else level.edge
 
     def deflected_nodes(self) -> int:
         """Nodes times deflection FFTs so far, the measure of the work."""

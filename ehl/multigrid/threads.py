@@ -34,11 +34,14 @@ class Threads:
         nodes; each part begins with one of `lines` and is half-open.
         """
         number = self.number_for(nodes)
+        if number == 1:
+            if lines:
+                kernel(lines[0], lines[-1] + 1)
+            return
         cuts = [k * len(lines) // number for k in range(number + 1)]
         parts = [(lines[a], lines[b - 1] + 1) for a, b in pairwise(cuts) if b > a]
-        jobs = (
-            [] if self._pool is None else [self._pool.submit(kernel, *part) for part in parts[1:]]
-        )
+        assert self._pool is not None  # of more than one thread
+        jobs = [self._pool.submit(kernel, *part) for part in parts[1:]]
         for part in parts[: len(parts) - len(jobs)]:
             kernel(*part)
         for job in jobs:

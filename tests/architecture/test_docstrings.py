@@ -4,17 +4,23 @@ from __future__ import annotations
 
 import ast
 import re
+from functools import cache
 
 from .sources import FILES, at, layer, nothing, text, tree
 
 PHYSICS = ("ehl", "bearing")
 UNIT = re.compile(r"\[[^\]\n]*\]")
-PUBLIC = [
-    (name, node)
-    for name in FILES
-    for node in tree(name).body
-    if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_")
-]
+
+
+@cache
+def public():
+    """(file, node) for every public function and class of the product."""
+    return [
+        (name, node)
+        for name in FILES
+        for node in tree(name).body
+        if isinstance(node, ast.FunctionDef | ast.ClassDef) and not node.name.startswith("_")
+    ]
 
 
 def docstring(node):
@@ -31,14 +37,14 @@ def returns_numbers(node):
 
 
 def test_public_names_have_docstrings():
-    assert nothing([label(name, node) for name, node in PUBLIC if not docstring(node)])
+    assert nothing([label(name, node) for name, node in public() if not docstring(node)])
 
 
 def test_quantities_have_units():
     """A function that returns numbers names a unit, [-] if there is none."""
     quantities = [
         (name, node)
-        for name, node in PUBLIC
+        for name, node in public()
         if layer(name) in PHYSICS and returns_numbers(node) and "_kernels" not in name
     ]
     assert quantities
@@ -66,7 +72,7 @@ def test_fields_that_are_numbers_have_units():
     """In the comment beside or above the field, or in the docstring for all of them."""
     offenders = [
         f"{at(name, item)} {node.name}.{item.target.id}"
-        for name, node in PUBLIC
+        for name, node in public()
         if layer(name) in PHYSICS and isinstance(node, ast.ClassDef) and node.decorator_list
         for item in fields_without_unit(name, node)
     ]

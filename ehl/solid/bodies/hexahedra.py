@@ -8,7 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
-from skfem import Basis, ElementHex2, FacetBasis, LinearForm, MeshHex, MeshHex2, asm
+from skfem import Basis, ElementHex2, LinearForm, MeshHex, MeshHex2, asm
+from skfem.quadrature import get_quadrature
+from skfem.refdom import RefQuad
 
 from ...arrays import Array
 
@@ -39,9 +41,10 @@ class HexMesh:
         corners = self.mesh.t[:8]
         return np.asarray(self.parameters[:, corners].mean(axis=1))
 
-    def basis(self) -> Basis:
-        """Scalar basis of the nodes."""
-        return Basis(self.mesh, ElementHex2(), intorder=INTEGRATION_ORDER)
+    @property
+    def numbers(self) -> NDArray[np.int64]:
+        """Numbers of the nodes of each cell, shape (cells, 27)."""
+        return np.asarray(self.mesh.dofs.element_dofs.T, dtype=np.int64)
 
     def on(self, axis: int, value: float) -> Nodes:
         """Nodes at which a parameter has a value, shape (n,)."""
@@ -61,10 +64,30 @@ def hexahedra(lines: Sequence[Array], place: Callable[[Array], Array]) -> HexMes
     box = MeshHex2.from_mesh(MeshHex.init_tensor(*lines))
     parameters = np.array(box.doflocs)
     mesh = MeshHex2(np.ascontiguousarray(place(parameters)), box.t)
-    determinant = mesh.mapping().detDF(np.array([[0.5], [0.5], [0.5]]))
+    body = HexMesh(mesh, parameters)
+    determinant = np.linalg.det(_stretch(body, _shapes(np.full((3, 1), 0.5))[1]))
     if not (np.abs(determinant) > 0.0).all() or np.ptp(np.sign(determinant)) > 0.0:
         raise ValueError("cells of the mesh are turned inside out: profile too flat or thin")
-    return HexMesh(mesh, parameters)
+    return body
+
+
+def _shapes(places: Array) -> tuple[Array, Array]:
+    """Shape functions and their gradients at places of the cube [0, 1]^3, shape (3, q): (27, q),
+    (27, 3, q) [-].
+    """
+    element = ElementHex2()
+    values, gradients = zip(*(element.lbasis(places, node) for node in range(27)), strict=True)
+    return np.stack(values), np.stack(gradients)
+
+
+def _stretch(body: HexMesh, gradients: Array) -> Array:
+    """Derivatives of the coordinates of each cell by those of the cube, from the gradients of its
+    shape functions (27, 3, q): shape (cells, q, 3, 3) [m].
+    """
+    points = body.points.T[body.numbers].transpose(0, 2, 1)
+    count = gradients.shape[-1]
+    stretched = points @ gradients.reshape(27, -1)
+    return np.asarray(stretched.reshape(len(points), 3, 3, count).transpose(0, 3, 1, 2))
 
 
 def volume_weights(body: HexMesh, cells: Nodes) -> Array:
@@ -77,8 +100,23 @@ def surface_weights(body: HexMesh, nodes: Nodes) -> Array:
     """Integrals of the shape functions over the facets all of whose corners are chosen, shape (n,)
     [m^2].
     """
-    facets = np.flatnonzero(nodes[body.mesh.facets].all(axis=0) & _is_boundary(body.mesh))
-    return np.asarray(asm(_one, FacetBasis(body.mesh, ElementHex2(), intorder=4, facets=facets)))
+    mesh = body.mesh
+    chosen = nodes[mesh.facets].all(axis=0) & _is_boundary(mesh)
+    numbers = body.numbers
+    weights = np.zeros(body.points.shape[1])
+    for facet, corners in enumerate(ElementHex2.refdom.facets):
+        cells = np.flatnonzero(chosen[mesh.t2f[facet]])
+        # 1. where the facet lies in the cube, and Gauss points on it
+        axis = int(np.ptp(ElementHex2.doflocs[corners], axis=0).argmin())
+        end = ElementHex2.doflocs[corners[0], axis]
+        across, parts = get_quadrature(RefQuad, INTEGRATION_ORDER)
+        values, gradients = _shapes(np.insert(across, axis, end, axis=0))
+        # 2. its area, by the cross product of the two directions along it
+        points = body.points.T[numbers[cells]].transpose(0, 2, 1)
+        first, second = (points @ gradients[:, k] for k in range(3) if k != axis)
+        area = np.linalg.norm(np.cross(first, second, axis=1), axis=1)
+        np.add.at(weights, numbers[cells], (area * parts) @ values.T)
+    return weights
 
 
 def _is_boundary(mesh: MeshHex2) -> Nodes:
@@ -94,7 +132,7 @@ def _one(v, w):  # type: ignore[no-untyped-def]
 
 def block_matrix(body: HexMesh, blocks: Array) -> sparse.bsr_matrix:
     """Sum of the cells' blocks, shape (cells, 27, 27, k, k), as a matrix of k x k blocks."""
-    numbers = body.basis().dofs.element_dofs.T.astype(np.int64)
+    numbers = body.numbers
     count = body.points.shape[1]
     size = blocks.shape[-1]
     keys = (numbers[:, :, None] * count + numbers[:, None, :]).ravel()
@@ -110,11 +148,15 @@ def block_matrix(body: HexMesh, blocks: Array) -> sparse.bsr_matrix:
 
 def gradient_products(body: HexMesh) -> Array:
     """Integrals of d_i phi_a d_j phi_b over each cell, shape (cells, 27, 3, 27, 3) [m]."""
-    basis = body.basis()
-    gradients = np.stack([functions[0].grad for functions in basis.basis])  # (27, 3, cells, q)
-    columns = gradients.transpose(2, 0, 1, 3).reshape(basis.nelems, 81, -1)
-    products = (columns * basis.dx[:, None, :]) @ columns.transpose(0, 2, 1)
-    return np.asarray(products.reshape(basis.nelems, 27, 3, 27, 3))
+    places, parts = get_quadrature(ElementHex2.refdom, INTEGRATION_ORDER)
+    reference = _shapes(places)[1]
+    stretch = _stretch(body, reference)
+    # d_i phi = d_k phi in the cube times dX_k/dx_i
+    gradients = np.linalg.inv(stretch).transpose(0, 1, 3, 2) @ reference.transpose(2, 1, 0)
+    columns = gradients.transpose(0, 3, 2, 1).reshape(len(stretch), 81, -1)
+    volume = np.abs(np.linalg.det(stretch)) * parts
+    products = (columns * volume[:, None, :]) @ columns.transpose(0, 2, 1)
+    return np.asarray(products.reshape(len(stretch), 27, 3, 27, 3))
 
 
 def quadratic_line(nodes: Array, x: Array) -> tuple[NDArray[np.int64], Array]:

@@ -11,11 +11,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from numpy.testing import assert_allclose
+from numpy.testing import assert_allclose, assert_array_equal
 
 from ehl import ContactConditions, Lubricant, ViscosityLaw
 from ehl.closed_form.film import film_reduction_gupta, thermal_loading
 from ehl.generalized import _heat_kernels as _kernels
+from ehl.generalized import _sweep_kernels
 from ehl.generalized.film_heat import FilmHeat
 from ehl.generalized.section import curvature, film_section, wall_slopes
 from ehl.oil.lubricant import DensityLaw, ThermalProperties
@@ -143,9 +144,11 @@ def test_linear_flux_into_a_moving_body_is_exact():
     weights, q = history_weights(50, 2e-6), np.arange(50) * 2e-6
     ours = [np.dot(weights[: i + 1][::-1], q[: i + 1]) for i in range(50)]
     assert_allclose(ours, 4.0 / 3.0 * q**1.5, rtol=1e-12)
-    forward = [_kernels.body_history(q, i, 1.0, weights) + weights[0] * q[i] for i in range(50)]
+    forward = [_sweep_kernels.body_history(q, i, 1.0, weights) + weights[0] * q[i] for i in range(50)]
     assert_allclose(forward, ours, rtol=1e-12)
-    backward = [_kernels.body_history(q[::-1].copy(), i, -1.0, weights) + weights[0] * q[49 - i] for i in range(50)]
+    backward = [
+        _sweep_kernels.body_history(q[::-1].copy(), i, -1.0, weights) + weights[0] * q[49 - i] for i in range(50)
+    ]
     assert_allclose(backward[::-1], ours, rtol=1e-12)
 
 
@@ -156,24 +159,58 @@ def test_body_at_rest():
     assert_allclose(2.0 * np.sqrt(2.0 * radius) * factor, radius / STEEL.conductivity, rtol=1e-12)
 
 
-def sweep(oil, solids, speeds, *, nx=60, film=3e-7, p=None, mesh=2e-6, turns=3, inlet=T_0):
-    """March one line of a film of uniform thickness; returns temperature, fluxes, dissipation and misses."""
-    shape, n = (1, nx), SECTION.nodes.size
-    p = np.zeros(shape) if p is None else p
-    gradient = np.stack((np.gradient(p, mesh, axis=1), np.zeros(shape)))
-    speed = [np.stack((np.full(shape, u), np.zeros(shape))) for u in speeds]
-    response = np.stack([response_factor(s[0], body, 1.0) for s, body in zip(speed, solids, strict=True)])
-    temperature, middle = np.full((*shape, n), T_0), np.full((2, *shape), np.nan)
-    mass, flux, dissipation = np.zeros((*shape, n)), np.zeros((2, *shape)), np.zeros(shape)
-    heat = (oil.thermal.conductivity, oil.density * oil.thermal.specific_heat)
-    for _ in range(turns):
-        missed = _kernels.heat_sweep(
-            *(p, np.full(shape, film), gradient, *speed, (mesh, 1.0), True, True, oil_numbers(oil), heat),
-            *(SECTION.integration, DIFFERENCES, kernel_rheology(Rheology()), inlet, (T_0, T_0), response),
-            *(history_weights(nx, mesh), temperature, middle, mass, flux, dissipation),
-            np.zeros(shape, dtype=np.bool_),
+class Line:
+    """One line of a film of uniform thickness and its heat."""
+
+    def __init__(self, oil, solids, speeds, *, nx=60, film=3e-7, p=None, mesh=2e-6):
+        shape, n = (1, nx), SECTION.nodes.size
+        p = np.zeros(shape) if p is None else p
+        gradient = np.stack((np.gradient(p, mesh, axis=1), np.zeros(shape)))
+        speed = [np.stack((np.full(shape, u), np.zeros(shape))) for u in speeds]
+        self.response = np.stack([response_factor(s[0], body, 1.0) for s, body in zip(speed, solids, strict=True)])
+        self.film = (p, np.full(shape, film), gradient, *speed)
+        self.oil, self.mesh, self.weights = oil, mesh, history_weights(nx, mesh)
+        self.temperature, self.middle = np.full((*shape, n), T_0), np.full((2, *shape), np.nan)
+        self.mass, self.flux, self.dissipation = np.zeros((*shape, n)), np.zeros((2, *shape)), np.zeros(shape)
+        self.recirculates, self.unseen = np.zeros(shape, dtype=np.bool_), np.full(shape, np.inf)
+
+    def march(self, inlet=T_0):
+        """Sweep once along the line; the number of columns that missed."""
+        heat = (self.oil.thermal.conductivity, self.oil.density * self.oil.thermal.specific_heat)
+        return _sweep_kernels.heat_sweep(
+            *(*self.film, (self.mesh, 1.0), True, True, oil_numbers(self.oil), heat, SECTION.integration, DIFFERENCES),
+            *(kernel_rheology(Rheology()), inlet, (T_0, T_0), self.response, self.weights, self.temperature),
+            *(self.middle, self.mass, self.flux, self.dissipation, self.recirculates, self.unseen),
         )
-    return temperature[0], flux[:, 0], dissipation[0], missed, middle[:, 0]
+
+
+def sweep(*film, turns=3, inlet=T_0, **more):
+    """March one line of a film of uniform thickness; returns temperature, fluxes, dissipation and misses."""
+    line = Line(*film, **more)
+    for _ in range(turns):
+        line.unseen[:] = np.inf
+        missed = line.march(inlet)
+    return line.temperature[0], line.flux[:, 0], line.dissipation[0], missed, line.middle[:, 0]
+
+
+def test_columns_are_solved_again_where_they_have_something_to_follow():
+    """A line at rest stays as it is, whatever flows in, until its first column is asked; then all that the new inflow
+    changes by more than what columns may leave follows, as in a line that is solved as a whole.
+    """
+    film = (OIL, (STEEL, STEEL), (6.0, 4.0))
+    line = Line(*film, nx=200)
+    assert line.march() == 0
+    assert line.unseen.max() == 0.0
+    rest = line.temperature.copy()
+    assert line.march(T_0 + 20.0) == 0
+    assert_array_equal(line.temperature, rest)
+    line.unseen[0, 0] = np.inf
+    assert line.march(T_0 + 20.0) == 0
+    whole = sweep(*film, nx=200, inlet=T_0 + 20.0, turns=1)[0]
+    assert np.abs(whole - rest).max() > 5.0
+    assert_allclose(line.temperature[0], whole, atol=2.0 * _sweep_kernels.LEAST_UNSEEN)
+    assert_array_equal(line.temperature[0, -1], rest[0, -1])  # there the walls have long taken the difference
+    assert line.unseen.max() < _sweep_kernels.LEAST_UNSEEN
 
 
 @pytest.mark.parametrize("slip", [1.0, 6.0, 20.0])

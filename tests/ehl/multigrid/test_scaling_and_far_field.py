@@ -13,7 +13,7 @@ from ehl import ContactConditions, DensityLaw, Lubricant, MoesConditions, Solver
 from ehl.closed_form.hertz import hertz_contact
 from ehl.conditions import moes_groups
 from ehl.grid import Grid
-from ehl.multigrid.far_field import deflection_outside, edge_pressure, exterior_load, far_field, squeeze_load
+from ehl.multigrid.far_field import deflection_outside, edge_pressure, exterior_load, far_field, on_edge, squeeze_load
 from ehl.oil.lubricant import density, viscosity
 from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
 
@@ -219,7 +219,7 @@ def test_edge_pressure_is_positive_where_the_oil_holds():
     c = scale_contact(INNER)
     grid = Grid(x_in=-4.0, hx=0.5, hy=2.0, nx=13, ny=9, symmetric=True)
     P, H = np.zeros((9, 13)), np.full((9, 13), 8.0)
-    edge_pressure(far_field(c), grid, H, P)
+    edge_pressure(on_edge(far_field(c), grid), H, P)
     assert np.all(P[:, 0] > 0.0)
     assert np.all(P[-1, grid.X <= 1.0] > 0.0)
     assert np.all(P[-1, grid.X > 1.0] == 0.0)

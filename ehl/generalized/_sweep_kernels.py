@@ -1,0 +1,171 @@
+"""Sweeps of heat over a film, compiled: columns one after the other along the flow, those alone
+that have something to follow.
+
+By how much the temperatures beside a column have changed since it was solved, and by how much film
+and pressure would change its own, is added up in kelvin: unseen. Infinite, it asks for a solution
+in any case. Most columns stand in the wide gap ahead of the contact, where a cycle soon changes
+nothing.
+"""
+
+import numpy as np
+
+from ..compiled import compiled, summing
+from ..oil._elementary_kernels import copy
+from ._heat_kernels import FLOW_ROWS, U, V, film_conductivity, solve_heat_column
+from ._stress_kernels import ROWS
+
+# [K]. Films of 19 contacts within 2.5e-4 of those with all columns in each sweep (0.15 K: 1e-3)
+LEAST_UNSEEN = 0.05
+
+
+@compiled
+def wall_flux(conductance, differences, temperature, flux):
+    """Flux from a column into body 1 and body 2 [W/m^2]; conductance: k/h [W/(m^2 K)]."""
+    gain_1 = gain_2 = 0.0
+    for k in range(temperature.size):
+        gain_1 += differences[0][k] * temperature[k]
+        gain_2 -= differences[1][k] * temperature[k]
+    flux[0], flux[1] = conductance * gain_1, conductance * gain_2
+
+
+@compiled
+def take_up_heat(j, i, p, height, heat, section, oil, differences, temperature, flux):
+    """Set the flux from a column into both bodies [W/m^2]."""
+    conductivity = film_conductivity(p[j, i], temperature[j, i], heat, section, oil)
+    wall_flux(conductivity / height, differences, temperature[j, i], flux[:, j, i])
+
+
+@compiled
+def solve_or_restart(
+    j, i, before, p, height, rise, rate, speed, mesh, symmetric, renewed, oil, heat, section,
+    differences, rheology, temperature, inlet, history, response, middle, mass, work, flow, out
+):  # fmt: skip
+    """`solve_heat_column`, tried again from the temperatures of the column `before` it."""
+    for attempt in range(2):
+        if attempt == 1 and 0 <= before < p.size:
+            copy(temperature[j, before], temperature[j, i])
+            middle[:, j, i] = np.nan
+        dissipated, converged = solve_heat_column(
+            j, i, p[i], height, rise, rate, speed, mesh, symmetric, renewed, oil, heat, section,
+            differences, rheology, temperature, inlet, history, response, middle, mass, work, flow,
+            out,
+        )  # fmt: skip
+        if converged:
+            break
+    return dissipated, converged
+
+
+@compiled
+def heat_sweep(
+    p, h, gradient, speed_1, speed_2, mesh, symmetric, forward, oil, heat, section, differences,
+    rheology, inlet, bulk, response, weights, temperature, middle, mass, flux, dissipation,
+    recirculates, unseen
+):  # fmt: skip
+    """Columns of all lines with something unseen, one after the other along x, or against it; the
+    number of unsolved ones. Against the entrainment only those in which oil flows back: others
+    take nothing from there.
+
+    p, h: (ny, nx); gradient, speed_1, speed_2, response, flux: (2, ny, nx); bulk: temperatures of
+    both bodies [K]; response: 1/(sqrt(pi u) e) of both [K m^1.5/W]; weights: of their histories
+    [m^0.5]; in and out: temperature (ny, nx, n) [K], middle (2, ny, nx) [Pa], mass (ny, nx, n)
+    [m^2/s], flux into both bodies and dissipation [W/m^2]; recirculates, (ny, nx): whether oil of
+    a column ever flowed against the entrainment; unseen, (ny, nx): see above [K].
+    """
+    ny, nx, n = temperature.shape
+    unsolved = 0
+    work, flow = np.zeros((ROWS, n)), np.zeros((FLOW_ROWS, n))
+    out, last = np.zeros(n), np.zeros(n)
+    for j in range(ny):
+        for i in range(nx) if forward else range(nx - 1, -1, -1):
+            height = h[j, i]
+            along = (speed_1[0, j, i], speed_2[0, j, i])
+            onward = along[0] + along[1] >= 0.0
+            renewed = forward == onward
+            if unseen[j, i] < LEAST_UNSEEN or not (renewed or recirculates[j, i]):
+                continue
+            # 1. walls by the heat taken up upstream
+            past = walls_before(flux[:, j], i, along, response[:, j, i], weights, bulk)
+            if height <= 0.0:
+                flux[0, j, i] = flux[1, j, i] = dissipation[j, i] = unseen[j, i] = 0.0
+                copy(past[0] + section[0] * (past[1] - past[0]), temperature[j, i])
+                continue
+            copy(temperature[j, i], last)
+            # 2. column, with the response of the walls to its own flux
+            rise = (height * gradient[0, j, i], height * gradient[1, j, i])
+            slide = speed_2[:, j, i] - speed_1[:, j, i]
+            rate = (slide[0] / height, slide[1] / height)
+            wall_response = (response[0, j, i] * weights[0], response[1, j, i] * weights[0])
+            dissipation[j, i], converged = solve_or_restart(
+                j, i, i - 1 if forward else i + 1, p[j], height, rise, rate, speed_1[:, j, i],
+                mesh, symmetric, renewed, oil, heat, section, differences, rheology, temperature,
+                inlet, past, wall_response, middle, mass, work, flow, out,
+            )  # fmt: skip
+            unsolved += 0 if converged else 1
+            if flow[U].max() > 0.0 and flow[U].min() < 0.0:
+                recirculates[j, i] = True
+            # 3. flux into the walls
+            take_up_heat(j, i, p, height, heat, section, oil, differences, temperature, flux)
+            # 4. what the columns beside it have not seen now
+            if renewed:
+                unseen[j, i] = 0.0 if converged else np.inf
+            moved = largest_shift(temperature[j, i], last)
+            show_neighbours(j, i, onward, moved, flow, mesh, recirculates, unseen)
+    return unsolved
+
+
+@compiled
+def largest_shift(temperature, last):
+    """Largest change of a column's temperatures [K]."""
+    shift = 0.0
+    for k in range(temperature.size):
+        shift = max(shift, abs(temperature[k] - last[k]))
+    return shift
+
+
+@compiled
+def sideways_share(flow, mesh):
+    """Share of what a column takes in from beside the line [-]."""
+    along = across = 0.0
+    for k in range(flow.shape[1]):
+        along += abs(flow[U, k]) * mesh[1]
+        across += abs(flow[V, k]) * mesh[0]
+    return across / (along + across) if across > 0.0 else 0.0
+
+
+@compiled
+def show_neighbours(j, i, onward, moved, flow, mesh, recirculates, unseen):
+    """Add a column's change of temperature to what the columns beside it have not seen [K]; the
+    one upstream takes something from it only where oil flows back. onward: whether the surfaces
+    move along x.
+    """
+    ny, nx = unseen.shape
+    after, before = (i + 1, i - 1) if onward else (i - 1, i + 1)
+    if 0 <= after < nx:
+        unseen[j, after] += moved
+    if 0 <= before < nx and recirculates[j, before]:
+        unseen[j, before] += moved
+    sideways = moved * sideways_share(flow, mesh)
+    for beside in (j - 1, j + 1):
+        if 0 <= beside < ny:
+            unseen[beside, i] += sideways
+
+
+@compiled
+def walls_before(flux, i, speeds, response, weights, bulk):
+    """Temperatures of both walls at node i of a line by the heat taken up before [K]."""
+    first = bulk[0] + response[0] * body_history(flux[0], i, speeds[0], weights)
+    second = bulk[1] + response[1] * body_history(flux[1], i, speeds[1], weights)
+    return first, second
+
+
+@summing
+def body_history(flux, i, speed, weights):
+    """Weighted sum of the fluxes a surface took up before node i [W/m^1.5]."""
+    total = 0.0
+    if speed >= 0.0:
+        for m in range(i):
+            total += weights[i - m] * flux[m]
+    else:
+        for m in range(i + 1, flux.size):
+            total += weights[m - i] * flux[m]
+    return total
