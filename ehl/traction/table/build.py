@@ -264,16 +264,6 @@ def _table(study: _Study) -> tuple[TractionTable, NDArray[np.float32]]:
     responses, filled = log_responses(study.contact, films)
     parts = [_scalars(films), responses, np.log(units)]
     scalars = along_axis(even, np.concatenate(parts, axis=-1), 1)
-    unchecked = TableError(
-        largest=np.inf,
-        quantile=np.inf,
-        rms=np.inf,
-        largest_spin=np.inf,
-        largest_rolling=np.inf,
-        films=0,
-        motions=0,
-        tolerance=study.options.tolerance,
-    )
     table = TractionTable(
         contact=study.contact,
         range=study.range,
@@ -282,7 +272,7 @@ def _table(study: _Study) -> tuple[TractionTable, NDArray[np.float32]]:
         scalars=spline_coefficients(scalars, (0, 1)),
         values=stored_values(raw),  # rounded as in a file
         kappa_max=float((largest[..., 0] / _axis_loads(axes[0])[:, None]).max()),
-        error=unchecked,
+        error=_unchecked(study.options.tolerance),
         films=len(study.films) + len(study.checks),
         converged=False,
         message="",
@@ -291,6 +281,21 @@ def _table(study: _Study) -> tuple[TractionTable, NDArray[np.float32]]:
     table = replace(table, error=_error(study, table))
     table = replace(table, films=table.films + len(study.doubtful))
     return _with_message(study, table, filled), raw
+
+
+def _unchecked(tolerance: float) -> TableError:
+    """The error of a table before its check: none is known to be reached."""
+    unknown = np.inf
+    return TableError(
+        largest=unknown,
+        quantile=unknown,
+        rms=unknown,
+        largest_spin=unknown,
+        largest_rolling=unknown,
+        films=0,
+        motions=0,
+        tolerance=tolerance,
+    )
 
 
 def _with_message(study: _Study, table: TractionTable, filled: int) -> TractionTable:
