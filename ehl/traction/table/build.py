@@ -15,14 +15,14 @@ from math import ceil, log
 import numpy as np
 from numpy.typing import NDArray
 
-from ...arrays import Array, lagrange_weights
+from ...arrays import Array
 from ...multigrid.threads import film_threads
 from .._kernels import LOAD_POWER
 from .check import check_places, doubtful_places, of_responses, table_error
 from .film import FilmSample, film_sample
 from .packing import mirrored, stored_values
 from .responses import Place, log_responses, wanted_responses
-from .splines import along_axis, left_out_error, spline_coefficients
+from .splines import left_out_error, spline_coefficients
 from .table import TableContact, TableError, TableRange, TractionTable, load_place
 from .values import grid_values
 
@@ -34,7 +34,6 @@ SCALE_DEGREES = (3, 2)  # of the scales over load and speed, chosen by trial [-]
 # of the units of forces and moments: their largest bend where the motion that has it changes
 UNIT_DEGREES = (5, 2)
 GROWTH = 1.4  # of the nodes of a motion
-CUBIC = 4  # nodes of one cubic
 NARROW_LOADS = 6  # fewest nodes of a narrow range of loads
 NARROW_STEP = 0.2  # ln(load) between them
 Progress = Callable[[int, int, str], None]  # done, in all, what
@@ -51,7 +50,7 @@ class TableOptions:
     tolerance: float = 0.01  # of the force over kappa_max Q at every point of the check [-]
     check_films: int = 8  # random ones
     check_doubtful: bool = True  # and those where the splines over the load bend most
-    check_motions: int = 60  # random ones, at each film of the check
+    check_motions: int = 400  # random ones, at each film of the check
     check_responses: int = 3  # films of the check that stiffness and damping are solved at, too
     rounds: int = 4  # refinements at most
     workers: int = 1  # films solved at a time
@@ -173,27 +172,6 @@ def _axis_nodes(axis: Array) -> Array:
     return axis[0] + np.arange(int(axis[2])) / axis[1]
 
 
-def _film_speeds(axis: Array) -> Array:
-    """Places of the speeds that films are solved at, shape (n,) [-]: the axis's nodes; of four,
-    which have one cubic, Chebyshev's, whose largest error is 0.63 of that of even nodes.
-    """
-    count = int(axis[2])
-    if count != CUBIC:
-        return _axis_nodes(axis)
-    half = 0.5 * (count - 1.0) / axis[1]
-    angles = (np.arange(count) + 0.5) * np.pi / count
-    return np.asarray(axis[0] + half - half * np.cos(angles))
-
-
-def _at_nodes(axis: Array) -> Array:
-    """Weights of the values at the speeds of the films at the axis's nodes, shape (n, n) [-]."""
-    places = _film_speeds(axis)
-    if places.size != CUBIC:
-        return np.eye(places.size)
-    known = np.broadcast_to(places, (places.size, places.size))
-    return lagrange_weights(known, _axis_nodes(axis))
-
-
 def _axis_loads(axis: Array) -> Array:
     """Loads at the nodes of their axis, shape (n,) [N]."""
     return np.asarray((-_axis_nodes(axis)) ** (1.0 / LOAD_POWER))
@@ -202,7 +180,7 @@ def _axis_loads(axis: Array) -> Array:
 def _grid_films(study: _Study, axes: Array) -> list[list[FilmSample]]:
     """The films of all nodes of load and speed; those not known yet are solved."""
     loads = np.log(_axis_loads(axes[0]))
-    rows = [[(float(q), float(u)) for u in _film_speeds(axes[1])] for q in loads]
+    rows = [[(float(q), float(u)) for u in _axis_nodes(axes[1])] for q in loads]
     keys = {place: (round(place[0], 9), round(place[1], 9)) for row in rows for place in row}
     known = [study.films.get(key) for key in keys.values()]
     response = wanted_responses(
@@ -239,8 +217,7 @@ def _smooth(known: Array, axes: Array, degrees: tuple[int, int]) -> Array:
     """Numbers of films over load and speed, shape (nQ, nU, k), by polynomials of these degrees
     through them, by least squares [same unit].
     """
-    loads = np.linspace(-1.0, 1.0, int(axes[0, 2]))
-    speeds = 2.0 * (_film_speeds(axes[1]) - axes[1, 0]) * axes[1, 1] / (axes[1, 2] - 1.0) - 1.0
+    loads, speeds = (np.linspace(-1.0, 1.0, int(axis[2])) for axis in axes[:2])
     terms = np.polynomial.legendre.legvander2d(
         np.repeat(loads, speeds.size), np.tile(speeds, loads.size), degrees
     )
@@ -258,18 +235,15 @@ def _table(study: _Study) -> tuple[TractionTable, NDArray[np.float32]]:
     raw, largest = grid_values(study.contact, study.range, films, nodes, study.options.workers)
     units = np.exp(_smooth(np.log(largest), axes, UNIT_DEGREES))
     raw *= (largest / units)[..., None, None, None, [0, 0, 1, 2]].astype(np.float32)
-    even = _at_nodes(axes[1])
-    raw = along_axis(even, raw, 1)
     # 2. splines: values over their largest, logarithms of what depends on load and speed alone
     responses, filled = log_responses(study.contact, films)
-    parts = [_scalars(films), responses, np.log(units)]
-    scalars = along_axis(even, np.concatenate(parts, axis=-1), 1)
+    scalars = [_scalars(films), responses, np.log(units)]
     table = TractionTable(
         contact=study.contact,
         range=study.range,
         points=study.options.points,
         axes=axes,
-        scalars=spline_coefficients(scalars, (0, 1)),
+        scalars=spline_coefficients(np.concatenate(scalars, axis=-1), (0, 1)),
         values=stored_values(raw),  # rounded as in a file
         kappa_max=float((largest[..., 0] / _axis_loads(axes[0])[:, None]).max()),
         error=_unchecked(study.options.tolerance),
