@@ -5,10 +5,11 @@ risen by half) and the largest slide L
 
     X = (1 - w) asinh(S/(u s))/asinh(L/s) + w e(S/u)/e(L),
 
-e(t) = t across the rolling direction, 1 - sqrt(1 - t/2) along it, one from t = 2 on: near a
-slide-roll ratio of 2 one body is slow, and the heat that it takes up, and with it the traction,
-turns as the root of its speed. S_x is taken at the vertex of the parabola of spin and curvature
-slip, near zero; spin counts as Omega R_x/u, without e.
+e(t) = t across the rolling direction, sqrt(1 + r) - sqrt(1 + r - t/2) along it, r = `REST_SHARE`,
+the same from t = 2 on: near a slide-roll ratio of 2 one body is slow, and the heat that it takes
+up, and with it the traction, turns as the root of its speed; at rest it conducts, too. S_x is
+taken at the vertex of the parabola of spin and curvature slip, near zero; spin counts as
+Omega R_x/u, without e.
 """
 
 from collections.abc import Callable
