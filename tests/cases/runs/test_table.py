@@ -143,7 +143,7 @@ def test_table_plots_and_summary(quick, tmp_path):
     assert any("assumed" in message for message in document["messages"])
     for race, table in load_tables(path).items():
         told = document["tables"][race.value]
-        assert told["films"] == table.films == 18
+        assert told["films"] == table.films == 16 + table.error.films
         assert told["load_N"] == list(table.range.load)
         assert 0.0 < told["error"]["rms"] < told["error"]["largest"]
         (beside,) = told["full_solves"]
