@@ -123,8 +123,8 @@ def _first_converged(
         fallbacks = (*fallbacks, *contact.record.fallbacks[len(newtonian.record.fallbacks) :])
         if contact.converged:
             return with_fallbacks(contact, fallbacks), state
-    # 3. full multigrid with all its attempts
-    contact, state = _full_multigrid(flow, options, ATTEMPTS)
+    # 3. full multigrid with its other attempts
+    contact, state = _full_multigrid(flow, options, ATTEMPTS[1:])
     return with_fallbacks(contact, (*fallbacks, *contact.record.fallbacks)), state
 
 

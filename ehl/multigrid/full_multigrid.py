@@ -155,7 +155,7 @@ def solve_with_fallbacks(
             if attempt.cycles_factor * ATTEMPT_WORK * state.levels[-1].P.size > left:
                 progress.fallbacks.append(f"{attempt.name}: {TOO_MUCH_WORK}")
                 continue
-            progress.fallbacks.append(attempt.name)
+        progress.fallbacks += [] if attempt is ATTEMPTS[0] else [attempt.name]
         result = AttemptResult(state=state, attempt=attempt)
         limit = replace(options, max_cycles=attempt.cycles_factor * options.max_cycles)
         steps = lighter if attempt.from_lighter else ()
