@@ -22,7 +22,7 @@ EXTERIOR_SHARE = 0.1  # of the load; a box is widened until less than this lies 
 LARGEST_WIDENING = 4.0
 # of the widening around 1, in which a box turns from one of its film to one of its load without a
 # bend, which splines over the load of tables would not follow
-TURN = 0.25
+TURN = 0.15
 # over the share of the load outside, by boxes of twice the size around 90 random contacts:
 # relative error of the films, that of H0 over 1 + Hc, and what the square of the rotation's speed
 # over u_m at b (1 + 2 Hc/(T b^2)) adds to both, T the gap's curvature across; a film without end

@@ -216,7 +216,7 @@ class TractionTable:
         vars(shifted)["_numbers"] = self._numbers  # of the same values: a torque point asks anew
         return shifted
 
-    def largest(self, load: float, speed: float) -> Array:
+    def units(self, load: float, speed: float) -> Array:
         """Units of force [N] and moments about n, y [N m] by sliding at load [N], speed [m/s]: the
         largest, smoothed over both, off by up to 17, 30 and 17 % where a film turns.
         """

@@ -122,3 +122,11 @@ def along_first(coefficients, place, axis):
     """Spline along the first axis at a place of that axis."""
     first, weights = spline_weights((place - axis[0]) * axis[1], int(axis[2]))
     return np.tensordot(weights, coefficients[first : first + 4], axes=1)
+
+
+def largest_force(table, load, speed):
+    """Of a table's film at load [N] and speed [m/s] by sliding along or across it, of 60 slides each [N]."""
+    shares = speed * np.geomspace(1e-5, 1.0, 60)
+    along = [table.forces(load, speed, one * table.range.slide_x, 0.0, 0.0).force_x for one in shares]
+    across = [table.forces(load, speed, 0.0, one * table.range.slide_y, 0.0).force_y for one in shares]
+    return float(np.abs([along, across]).max())

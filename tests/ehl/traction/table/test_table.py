@@ -81,7 +81,7 @@ def test_whole_numbers_of_lookups_are_as_fine_as_those_of_files(table):
             found = table.forces(*motion)
             wanted = reference.table_forces(table, *motion, whole=False)
             off = np.array(found[:4]) - wanted[:4]
-            largest = table.largest(load, speed)[[0, 0, 1, 2]]
+            largest = table.units(load, speed)[[0, 0, 1, 2]]
             assert np.all(np.abs(off) <= 4.5 * unit * largest)
             assert 4.5 * unit < 3e-4
 
@@ -90,7 +90,7 @@ def test_lookup_agrees_with_shear_in_a_film_solved_there(table):
     """Within the error that the table states, for a load and motions that are not in it."""
     load, speed = 53.0, 1.37
     solution = ehl.solve_contact(CIRCLE.conditions(load, speed), ehl.SolverOptions(points=65))
-    largest = table.largest(load, speed)
+    largest = table.units(load, speed)
     errors = []
     for _, other, *motion_at_other in motions(40, 88123):
         slide_x, slide_y, spin = (part * speed / other for part in motion_at_other)
@@ -215,7 +215,7 @@ def test_halves_of_the_mirror_image_meet(table):
     """Without slide_y and spin nothing pulls across, to round-off; with spin, no step and no bend at slide_y = 0."""
     for load, speed, slide_x, _, spin in motions(10, 55418):
         straight = table.forces(load, speed, slide_x, 0.0, 0.0)
-        largest = table.largest(load, speed)
+        largest = table.units(load, speed)
         assert_allclose([straight.force_y, straight.spin_moment], 0.0, atol=1e-14 * largest[0])
         step = 1e-8 * speed
         below, at, above = (np.array(table.forces(load, speed, slide_x, k * step, spin)[:4]) for k in (-1, 0, 1))
