@@ -40,6 +40,7 @@ def main(name: str, points: int = 129, films: int = 12, motions: int = 400) -> N
             f"  stiffness {error.largest_stiffness:.1%}, damping {error.largest_damping:.1%} at {error.responses} films"
         )
         print(f"  unseen {error.largest:.2%}, near rolling {error.largest_straight:.2%}, 95 % {error.quantile:.2%}")
+        print(f"  spin moment: own check {table.error.largest_spin:.2%}, unseen {error.largest_spin:.2%}")
 
 
 if __name__ == "__main__":

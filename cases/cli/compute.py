@@ -286,7 +286,7 @@ def table(  # noqa: PLR0913
     quiet: Quiet = False,
 ) -> int:
     """Tabulate shear traction of a bearing's contacts over load, speed and sliding."""
-    loaded = load_bearing(case, "a traction table needs a bearing")
+    loaded = load_bearing(case, "a traction table needs a bearing", own_table=False)
     path = output
     if output is None and not as_json:
         path = Path(f"{Path(case).stem}_table.zip")

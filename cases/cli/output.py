@@ -23,15 +23,16 @@ if TYPE_CHECKING:
     from ..runs.films import Progress
 
 
-def load_bearing(name: str, needed: str, *, heated: bool = True) -> Case:
+def load_bearing(name: str, needed: str, *, heated: bool = True, own_table: bool = True) -> Case:
     """The bearing case of a name; `CaseError` saying what is `needed` for a single contact.
 
-    `heated`: at the temperature that it warms itself to by formulas; a run finds its own.
+    `heated`: at the temperature that it warms itself to by formulas; a run finds its own;
+    `own_table`: with the traction tables that it names, which `oilfilm table` makes.
     """
     from ..format.case import Case, load_case
     from ..runs.heating import at_its_temperature
 
-    case = load_case(name)
+    case = load_case(name, own_table=own_table)
     if not isinstance(case, Case):
         raise CaseError(f"{name}: is a single contact; {needed}")
     return at_its_temperature(case) if heated else case

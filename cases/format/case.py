@@ -102,17 +102,17 @@ class ContactCase(AnyCase):
     transient: tuple[TransientConditions, TransientOptions] | None = None
 
 
-def load_case(name_or_path: str | Path) -> Case | ContactCase:
+def load_case(name_or_path: str | Path, *, own_table: bool = True) -> Case | ContactCase:
     """Read a case, SI: a case file, or the name (stem) of a shipped case; `CaseError` with one
-    line for every error of the file.
+    line for every error of the file; own_table as `validate_text`.
     """
     path = find_case(name_or_path)
-    return case_from_text(read_text(path), str(path))
+    return case_from_text(read_text(path), str(path), own_table=own_table)
 
 
-def case_from_text(text: str, name: str) -> Case | ContactCase:
+def case_from_text(text: str, name: str, *, own_table: bool = True) -> Case | ContactCase:
     """The case that the text of a case file describes; `name` stands for the file in messages."""
-    return case_of_file(validate_text(text, name), name, text)
+    return case_of_file(validate_text(text, name, own_table=own_table), name, text)
 
 
 def case_of_document(document: dict[str, Any], name: str = "case") -> Case | ContactCase:

@@ -175,9 +175,14 @@ def read_text(path: FilePath) -> str:
         raise CaseError(f"{path}: not a text file in UTF-8; allowed: a case file") from None
 
 
-def validate_text(text: str, name: str) -> BearingFile | ContactFile:
-    """The checked file, in its units, catalogue values filled in; `name` stands in messages."""
+def validate_text(text: str, name: str, *, own_table: bool = True) -> BearingFile | ContactFile:
+    """The checked file, in its units, catalogue values filled in; `name` stands in messages.
+
+    own_table: False for `oilfilm table`, which makes the file of `friction.traction_table`.
+    """
     document = parse(text, name)
+    if not own_table:
+        document = friction.without_own_table(document)
     file, faults = check_document(document)
     if file is None or faults:
         raise faults_error(faults, name, text)

@@ -14,6 +14,7 @@ from bearing.library.catalogue import nearest_series
 from bearing.library.lubricants import lubricant_data
 from bearing.library.oil_sets import limiting_coefficient
 from bearing.library.plugins import FRICTION, TORQUE, Plugin, PluginError, plugin
+from bearing.operation import BallKinematics
 from bearing.supply.supply import CAPTURED, InletFilm, Supply
 from bearing.torque.inputs import FrictionInput
 from bearing.torque.skf import Lubrication, series_of
@@ -230,8 +231,31 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     name = values.get("friction", "traction_table")
     if name is not None and values.get("friction", "traction") == "table" and not _is_file(name):
         finding = f"{shown(name)} cannot be read: there is no such file from the working directory"
-        allowed = "allowed: a file that `oilfilm table` wrote"
-        yield CaseFault(("friction", "traction_table"), finding, allowed)
+        yield CaseFault(("friction", "traction_table"), finding, made_by(name))
+
+
+def made_by(name: str) -> str:
+    """The command that makes the file of this name, of tables of the case that asks for it."""
+    return f"allowed: a file that `oilfilm table CASE -o {name}` wrote, CASE this case"
+
+
+def without_own_table(document: dict[str, Any]) -> dict[str, Any]:
+    """A document in which friction is of no file of tables, for the command that makes this file;
+    balls in traction equilibrium, which would need it, move half and half: loads and speeds, of
+    which tables have a range, hardly depend on that.
+    """
+    friction = document.get("friction")
+    if not isinstance(friction, dict) or friction.get("traction") != "table":
+        return document
+    own = ("traction", "traction_table")
+    document = {**document, "friction": {k: v for k, v in friction.items() if k not in own}}
+    model = document.get("model")
+    if (
+        isinstance(model, dict)
+        and model.get("ball_kinematics") == BallKinematics.TRACTION_EQUILIBRIUM.value
+    ):
+        document["model"] = {**model, "ball_kinematics": BallKinematics.HALF_AND_HALF.value}
+    return document
 
 
 def _is_file(name: str) -> bool:

@@ -27,7 +27,7 @@ from ehl.traction.table.table import TractionTable
 from ehl.traction.table.temperature import TemperatureTable
 
 from .film_model import CaseFilms, FilmPhysics
-from .friction import OWN_LAWS, FrictionTable
+from .friction import OWN_LAWS, FrictionTable, made_by
 from .problems import UnfitKey
 from .shipped import table_path
 
@@ -80,7 +80,8 @@ def _law(
         try:
             tables = read_race_tables(path, bearing, oil, films.rheology, films.solids)
         except ValueError as error:
-            raise UnfitKey(("friction", "traction_table"), str(error)) from None
+            key = ("friction", "traction_table")
+            raise UnfitKey(key, str(error), made_by(table.traction_table)) from None
         return LawTraction(laws=dict(tables))
     source = coefficient_source(table.traction, dict(table))
     return source or _of_plugin(table)

@@ -62,7 +62,7 @@ def temperature_axis(name: str, text: str) -> TemperatureAxis:
             "Celsius, 40,60,80"
         )
     path = find_case(name)
-    file = validate_text(read_text(path), str(path))
+    file = validate_text(read_text(path), str(path), own_table=False)
     assert isinstance(file, BearingFile)  # checked before
 
     oil = oil_of_file(file)

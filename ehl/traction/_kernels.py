@@ -21,7 +21,7 @@ STIFFNESS, DAMPING, LARGEST_FORCE, LARGEST_SPIN, LARGEST_ROLLING = range(5, 10)
 # of its whole numbers, semi-axis along the rolling direction at 1 N, `TractionTable.spacing`,
 # entrainment that sliding is taken over at least
 RADIUS_X, DIFFERENCE, RANGE_X, RANGE_Y, RANGE_SPIN, UNIT_AXIS, CURVATURE, VALUE_UNIT = range(8)
-UNIT_AXIS_X, SPACING_LIMIT, SPACING_SPIN, LEAST_SPEED = range(8, 12)
+UNIT_AXIS_X, SPACING_LIMIT, SPACING_SPIN, SPACING_REST, LEAST_SPEED = range(8, 13)
 # of the shape of an ellipse: semi-axes at 1 N, R_x, 1/(2R), curvature difference of the bodies
 SHAPE_AXIS_X, SHAPE_AXIS_Y, SHAPE_RADIUS_X, SHAPE_CURVATURE, SHAPE_DIFFERENCE = range(5)
 LOAD_POWER = -0.2  # of the load in its coordinate
@@ -30,6 +30,8 @@ LOAD_POWER = -0.2  # of the load in its coordinate
 SPIN_SHARE = 0.3
 SPIN_SHARE_Y = 0.15
 LIMIT_SHARE = 0.1
+# share of the entrainment below which the slow body's own takes up heat no more as its root
+REST_SHARE = 0.005
 STANDING = 2.0  # slide over the entrainment speed at which one body stands still [-]
 # twice the shift of slide_x over its reach stays below the inverse: chosen, any above 1 will do
 SHIFT_MARGIN = 1.1 * 2.0
@@ -106,9 +108,9 @@ def _film_values(scalars, load, speed, film):
 
 
 @compiled
-def _standing_part(size):
+def _standing_part(size, rest):
     """See `table.coordinates.standing_part`."""
-    return 1.0 - np.sqrt(1.0 - min(size / STANDING, 1.0))
+    return np.sqrt(1.0 + rest) - np.sqrt(1.0 + rest - min(size / STANDING, 1.0))
 
 
 @compiled
@@ -135,7 +137,8 @@ def _motion_places(film, axes, constants, motions, load):
     shift = vertex_slide(turn, b_axis, constants[RADIUS_X], constants[CURVATURE])
     top = slide_x + (_fading_shift(shift, slide_x, limit_x) if weight > 0.0 else shift)
     scale = _motion_scale(film[SCALE_X], turn, b_axis, constants)
-    part = _standing_part(min(abs(top), limit_x)) / _standing_part(limit_x)
+    rest = constants[SPACING_REST]
+    part = _standing_part(min(abs(top), limit_x), rest) / _standing_part(limit_x, rest)
     x, beyond_x = _scaled(top, scale, limit_x, axes[2], part, weight)
     spread = constants[SPACING_SPIN] * turn * constants[UNIT_AXIS_X] * root / constants[RADIUS_X]
     scale = np.hypot(film[SCALE_Y], spread)

@@ -180,6 +180,15 @@ def test_box_is_open_by_default_and_covers_a_thick_film():
     assert -5.0 < thin[0] < -2.5
 
 
+def test_box_turns_without_a_bend_from_one_of_its_film_to_one_of_its_load():
+    """Slopes over the load change by the square of a small step, not by the step."""
+    step = 0.01
+    loads = 8.0 * np.exp(step * np.arange(-150, 150))
+    inlets = [-choose_domain(scale_contact(replace(CIRCULAR, load_parameter=load)))[0] for load in loads]
+    bends = np.diff(np.log(inlets), 2) / step**2
+    assert np.abs(bends).max() < 10.0  # 69 where they turned at once
+
+
 def test_thin_film_pressure_goes_to_hertz():
     """Rising load at fixed L: the pressure leaves the inlet and approaches Hertz' half-ellipsoid."""
     distance = []

@@ -1,8 +1,9 @@
 """Build a traction table: films over load and speed, shear over the motions, more of both until a
 check is passed.
 
-The check solves films at loads and speeds between the nodes and evaluates the shear at random
-motions there: its error counts everything that the table does. Where it is too large, the axis
+The check solves films at loads and speeds between the nodes, random ones and those where the
+splines are most in doubt, and evaluates the shear at random motions there: its error counts
+everything that the table does. Where it is too large, the axis
 whose nodes are worst predicted by their neighbours gets more of them. Films are kept when the
 nodes along load or speed are doubled.
 """
@@ -17,7 +18,7 @@ from numpy.typing import NDArray
 from ...arrays import Array
 from ...multigrid.threads import film_threads
 from .._kernels import LOAD_POWER
-from .check import check_places, of_responses, table_error
+from .check import check_places, doubtful_places, of_responses, table_error
 from .film import FilmSample, film_sample
 from .packing import mirrored, stored_values
 from .responses import Place, log_responses, wanted_responses
@@ -30,6 +31,8 @@ from .values import grid_values
 START = (12, 4, 55, 15, 35)
 HEATED_START = (19, 4, 59, 17, 37)
 SCALE_DEGREES = (3, 2)  # of the scales over load and speed, chosen by trial [-]
+# of the units of forces and moments: their largest bend where the motion that has it changes
+UNIT_DEGREES = (5, 2)
 GROWTH = 1.4  # of the nodes of a motion
 NARROW_LOADS = 6  # fewest nodes of a narrow range of loads
 NARROW_STEP = 0.2  # ln(load) between them
@@ -45,8 +48,9 @@ class TableOptions:
 
     points: int = 257  # of the films along x, 2^k + 1
     tolerance: float = 0.01  # of the force over kappa_max Q at every point of the check [-]
-    check_films: int = 8
-    check_motions: int = 60  # random ones, at each film of the check
+    check_films: int = 8  # random ones
+    check_doubtful: bool = True  # and those where the splines over the load bend most
+    check_motions: int = 400  # random ones, at each film of the check
     check_responses: int = 3  # films of the check that stiffness and damping are solved at, too
     rounds: int = 4  # refinements at most
     workers: int = 1  # films solved at a time
@@ -69,7 +73,8 @@ class _Study:
     progress: Progress
     counts: list[int]
     films: dict[tuple[float, float], FilmSample] = field(default_factory=dict)
-    checks: list[FilmSample] = field(default_factory=list)
+    checks: list[FilmSample] = field(default_factory=list)  # random ones
+    doubtful: list[FilmSample] = field(default_factory=list)  # of the last table
 
 
 def build_table(
@@ -101,10 +106,12 @@ def check_table(table: TractionTable, contact: TableContact, options: TableOptio
 
 
 def _error(study: _Study, table: TractionTable) -> TableError:
-    """Of a table at the films of the check."""
+    """Of a table at the films of the check, and at those where it is in doubt."""
     options = study.options
     drawn = options.check_motions, options.seed
-    error = table_error(table, study.contact, study.checks, *drawn)
+    if options.check_doubtful:
+        study.doubtful = _solve(study, [(place, False) for place in doubtful_places(table)])
+    error = table_error(table, study.contact, study.checks + study.doubtful, *drawn)
     return replace(error, tolerance=options.tolerance)
 
 
@@ -198,17 +205,24 @@ def _with_smooth_scales(films: list[list[FilmSample]], axes: Array) -> list[list
     Where a film turns from rolling in oil to a flat contact its own scale falls a hundredfold, and
     so would move all else along its axis.
     """
-    loads, speeds = (np.linspace(-1.0, 1.0, int(axis[2])) for axis in axes[:2])
-    terms = np.polynomial.legendre.legvander2d(
-        np.repeat(loads, speeds.size), np.tile(speeds, loads.size), SCALE_DEGREES
-    )
-    known = np.log([film.scales for row in films for film in row])
-    fitted = np.exp(terms @ np.linalg.lstsq(terms, known, rcond=None)[0])
-    scales = fitted.reshape(loads.size, speeds.size, 3)
+    known = np.log([[film.scales for film in row] for row in films])
+    scales = np.exp(_smooth(known, axes, SCALE_DEGREES))
     return [
         [replace(film, scales=tuple(own)) for film, own in zip(row, rows, strict=True)]
         for row, rows in zip(films, scales.tolist(), strict=True)
     ]
+
+
+def _smooth(known: Array, axes: Array, degrees: tuple[int, int]) -> Array:
+    """Numbers of films over load and speed, shape (nQ, nU, k), by polynomials of these degrees
+    through them, by least squares [same unit].
+    """
+    loads, speeds = (np.linspace(-1.0, 1.0, int(axis[2])) for axis in axes[:2])
+    terms = np.polynomial.legendre.legvander2d(
+        np.repeat(loads, speeds.size), np.tile(speeds, loads.size), degrees
+    )
+    flat = known.reshape(len(terms), -1)
+    return np.asarray((terms @ np.linalg.lstsq(terms, flat, rcond=None)[0]).reshape(known.shape))
 
 
 def _table(study: _Study) -> tuple[TractionTable, NDArray[np.float32]]:
@@ -219,19 +233,11 @@ def _table(study: _Study) -> tuple[TractionTable, NDArray[np.float32]]:
     study.progress(len(study.films), len(study.films), "shear")
     nodes = [_axis_nodes(axis) for axis in axes[2:]]
     raw, largest = grid_values(study.contact, study.range, films, nodes, study.options.workers)
+    units = np.exp(_smooth(np.log(largest), axes, UNIT_DEGREES))
+    raw *= (largest / units)[..., None, None, None, [0, 0, 1, 2]].astype(np.float32)
     # 2. splines: values over their largest, logarithms of what depends on load and speed alone
     responses, filled = log_responses(study.contact, films)
-    scalars = [_scalars(films), responses, np.log(largest)]
-    unchecked = TableError(
-        largest=np.inf,
-        quantile=np.inf,
-        rms=np.inf,
-        largest_spin=np.inf,
-        largest_rolling=np.inf,
-        films=0,
-        motions=0,
-        tolerance=study.options.tolerance,
-    )
+    scalars = [_scalars(films), responses, np.log(units)]
     table = TractionTable(
         contact=study.contact,
         range=study.range,
@@ -240,18 +246,35 @@ def _table(study: _Study) -> tuple[TractionTable, NDArray[np.float32]]:
         scalars=spline_coefficients(np.concatenate(scalars, axis=-1), (0, 1)),
         values=stored_values(raw),  # rounded as in a file
         kappa_max=float((largest[..., 0] / _axis_loads(axes[0])[:, None]).max()),
-        error=unchecked,
+        error=_unchecked(study.options.tolerance),
         films=len(study.films) + len(study.checks),
         converged=False,
         message="",
     )
     # 3. check
-    return _with_message(study, replace(table, error=_error(study, table)), filled), raw
+    table = replace(table, error=_error(study, table))
+    table = replace(table, films=table.films + len(study.doubtful))
+    return _with_message(study, table, filled), raw
+
+
+def _unchecked(tolerance: float) -> TableError:
+    """The error of a table before its check: none is known to be reached."""
+    unknown = np.inf
+    return TableError(
+        largest=unknown,
+        quantile=unknown,
+        rms=unknown,
+        largest_spin=unknown,
+        largest_rolling=unknown,
+        films=0,
+        motions=0,
+        tolerance=tolerance,
+    )
 
 
 def _with_message(study: _Study, table: TractionTable, filled: int) -> TractionTable:
     """Whether it converged, and what did not; at how many nodes the response is filled in."""
-    films = [*study.films.values(), *study.checks]
+    films = [*study.films.values(), *study.checks, *study.doubtful]
     bad = sum(not film.film.converged for film in films)
     error = table.error
     faults = []

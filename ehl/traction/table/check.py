@@ -1,5 +1,5 @@
-"""Check of a table: films at loads and speeds between its nodes, their shear at random motions,
-and stiffness and damping at some of them.
+"""Check of a table: films at loads and speeds between its nodes, random ones and those where its
+splines bend most, their shear at random motions, and stiffness and damping at some of them.
 """
 
 from collections.abc import Sequence
@@ -8,6 +8,7 @@ from math import log
 import numpy as np
 
 from ...arrays import Array
+from .._kernels import LOAD_POWER, STANDING
 from .coordinates import from_vertex, vertex_slide
 from .film import FilmSample, relative_forces
 from .responses import Place
@@ -20,6 +21,9 @@ RESPONSE_TOLERANCE = 0.05
 # smaller ones traction goes with the motion
 SMALLEST_SLIDE = 1e-7
 SMALLEST_SPIN = 1e-5
+# of `standing_motions`: the slow body's speed over half the entrainment, across the slide over it
+SLOW = (1e-3, 0.25)
+SMALLEST_ACROSS = 1e-4
 
 
 def check_places(
@@ -33,6 +37,34 @@ def check_places(
     return [((float(q), float(u)), k < responses) for k, (q, u) in enumerate(places)]
 
 
+def doubtful_places(table: TractionTable) -> list[Place]:
+    """Places between nodes of load and speed where fourth differences over the load, to which the
+    error of a cubic spline goes, are largest: of the force and of the spin moment, at the slow and
+    at the fast half of the speeds, between the last two nodes there; one where several are the
+    same.
+    """
+    loads, speeds = table.axes[:2]
+    # 1. of the splines' coefficients, by the largest over the motions
+    some = (slice(None), slice(1, -1), *(slice(None, None, 2),) * 3)
+    bend = np.abs(np.diff(table.values[*some, :3].astype(np.float32), 4, axis=0)).max(
+        axis=(2, 3, 4)
+    )
+    more = np.abs(np.diff(table.scalars[:, 1:-1, [7, 7, 8]], 4, axis=0))
+    at_nodes = np.pad(bend + more, ((1, 1), (0, 0), (0, 0)))
+    between = at_nodes[:-1] + at_nodes[1:]
+    kinds = (between[..., :2].max(axis=-1), between[..., 2])
+    # 2. half-way between the nodes
+    count = int(speeds[2])
+    half = count // 2
+    found = []
+    for kind in kinds:
+        for own, at in ((kind[:, :half], 0.5), (kind[:, half:], count - 1.5)):
+            row = int(np.argmax(own.max(axis=1)))
+            place = loads[0] + (row + 0.5) / loads[1]
+            found.append((float(log(-place) / LOAD_POWER), float(speeds[0] + at / speeds[1])))
+    return list(dict.fromkeys(found))
+
+
 def table_error(
     table: TractionTable,
     contact: TableContact,
@@ -40,30 +72,29 @@ def table_error(
     motions: int,
     seed: int,
 ) -> TableError:
-    """Error at films of a contact, each at so many motions drawn evenly in the table's coordinates
-    and as many `straight_motions`.
+    """Error at films of a contact, each at so many motions drawn evenly in the table's
+    coordinates, as many `straight_motions`, and as many `standing_motions`.
     """
-    rng, others = (np.random.default_rng(seed + k) for k in (1, 2))
+    rng, others, slow = (np.random.default_rng(seed + k) for k in (1, 2, 3))
     errors = []
-    straight = []
-    spun = []
     for film in films:
         places = rng.uniform(-1.0, 1.0, (3, motions))
-        even = table_motions(contact, table.range, film, places)
-        errors.append(_errors(contact, table, film, even))
-        rolling = straight_motions(contact, table.range, film.load, others, motions)
-        force, spin, _ = _errors(contact, table, film, rolling).max(axis=0)
-        straight.append(force)
-        spun.append(spin)
-    every = np.concatenate(errors)
+        drawn = (
+            table_motions(contact, table.range, film, places),
+            straight_motions(contact, table.range, film.load, others, motions),
+            standing_motions(table.range, slow, motions),
+        )
+        errors.append(_errors(contact, table, film, drawn))
+    even, straight, standing = np.moveaxis(np.array(errors), 1, 0)
+    every = even.reshape(-1, 3)
     responses = _response_errors(table, films)
     return TableError(
-        largest=float(every[:, 0].max()),
+        largest=float(max(every[:, 0].max(), standing[..., 0].max())),
         quantile=float(np.quantile(every[:, 0], 0.95)),
         rms=float(np.sqrt(np.mean(every[:, 0] ** 2))),
-        largest_spin=float(max(every[:, 1].max(), *spun)),
+        largest_spin=float(max(every[:, 1].max(), straight[..., 1].max())),
         largest_rolling=float(every[:, 2].max()),
-        largest_straight=float(max(straight)),
+        largest_straight=float(straight[..., 0].max()),
         largest_stiffness=float(responses[:, 0].max()) if len(responses) else np.nan,
         largest_damping=float(responses[:, 1].max()) if len(responses) else np.nan,
         responses=len(responses),
@@ -95,22 +126,46 @@ def straight_motions(
     return [slide_x, slide_y, spin]
 
 
-def _errors(
-    contact: TableContact, table: TractionTable, film: FilmSample, motions: Sequence[Array]
-) -> Array:
-    """Errors of force and moments about n, y at a film's motions, shape (n, 3), as `TableError`
-    measures them [-].
+def standing_motions(limits: TableRange, rng: np.random.Generator, count: int) -> list[Array]:
+    """Motions over u, u and u/R_x at which one body nearly stands still, where the traction turns
+    with the heat that it takes up, narrower the faster the contact: slow speeds even in their
+    logarithm, every eighth none; two of three with a slide across, every second with spin [-].
     """
-    expected = relative_forces(contact, film.film, film.speed, list(motions))
+    order = np.arange(count)
+    gap = np.exp(rng.uniform(log(SLOW[0]), log(SLOW[1]), count))
+    gap[order % 8 == 0] = 0.0
+    across = np.exp(rng.uniform(log(SMALLEST_ACROSS), log(limits.slide_y), count))
+    across[order % 3 == 0] = 0.0
+    signs = rng.choice([-1.0, 1.0], (2, count))
+    spin = rng.uniform(-limits.spin, limits.spin, count)
+    spin[order % 2 == 0] = 0.0
+    reach = min(limits.slide_x, STANDING)
+    return [signs[0] * reach * (1.0 - gap / STANDING), signs[1] * across, spin]
+
+
+def _errors(
+    contact: TableContact, table: TractionTable, film: FilmSample, kinds: Sequence[Sequence[Array]]
+) -> Array:
+    """Errors of force and moments about n, y at a film's motions of each kind over the film's own
+    largest at all of these, shape (kinds, n, 3), as `TableError` measures them [-].
+    """
+    moved = [np.concatenate(parts) for parts in zip(*kinds, strict=True)]
+    expected = relative_forces(contact, film.film, film.speed, moved)
+    sizes = _sizes(expected)
     expected[:, 0] -= 0.5 * contact.curvature_difference * film.moment
     expected[:, 3] -= film.moment
-    slide_x, slide_y, spin = (part * film.speed for part in motions)
+    slide_x, slide_y, spin = (part * film.speed for part in moved)
     places = np.stack([slide_x, slide_y, spin / contact.radius_x], axis=1)
     lookups = [table.forces(film.load, film.speed, *place)[:4] for place in places]
-    off = np.array(lookups) - expected
-    parts = (np.hypot(off[:, 0], off[:, 1]), np.abs(off[:, 2]), np.abs(off[:, 3]))
-    unit = table.largest(film.load, film.speed) + np.array([0.0, 0.0, film.moment])
-    return np.asarray(np.stack(parts, axis=1) / unit)
+    unit = sizes.max(axis=0) + np.array([0.0, 0.0, film.moment])
+    errors = _sizes(np.array(lookups) - expected) / unit
+    return np.asarray(errors.reshape(len(kinds), -1, 3))
+
+
+def _sizes(forces: Array) -> Array:
+    """Of forces (n, 4): force and moments about n, y, shape (n, 3) [N], [N m]."""
+    force = np.hypot(forces[:, 0], forces[:, 1])
+    return np.stack([force, np.abs(forces[:, 2]), np.abs(forces[:, 3])], axis=1)
 
 
 def _response_errors(table: TractionTable, films: Sequence[FilmSample]) -> Array:

@@ -5,10 +5,11 @@ risen by half) and the largest slide L
 
     X = (1 - w) asinh(S/(u s))/asinh(L/s) + w e(S/u)/e(L),
 
-e(t) = t across the rolling direction, 1 - sqrt(1 - t/2) along it, one from t = 2 on: near a
-slide-roll ratio of 2 one body is slow, and the heat that it takes up, and with it the traction,
-turns as the root of its speed. S_x is taken at the vertex of the parabola of spin and curvature
-slip, near zero; spin counts as Omega R_x/u, without e.
+e(t) = t across the rolling direction, sqrt(1 + r) - sqrt(1 + r - t/2) along it, r = `REST_SHARE`,
+the same from t = 2 on: near a slide-roll ratio of 2 one body is slow, and the heat that it takes
+up, and with it the traction, turns as the root of its speed; at rest it conducts, too. S_x is
+taken at the vertex of the parabola of spin and curvature slip, near zero; spin counts as
+Omega R_x/u, without e.
 """
 
 from collections.abc import Callable
@@ -16,7 +17,7 @@ from collections.abc import Callable
 import numpy as np
 
 from ...arrays import Array
-from .._kernels import LIMIT_SHARE, SHIFT_MARGIN, SPIN_SHARE, SPIN_SHARE_Y, STANDING
+from .._kernels import LIMIT_SHARE, REST_SHARE, SHIFT_MARGIN, SPIN_SHARE, SPIN_SHARE_Y, STANDING
 from .table import TableContact
 
 Part = Callable[[Array | float], Array]
@@ -92,7 +93,8 @@ def standing_part(size: Array | float) -> Array:
     """Of the place of a slide_x over u [-]: where one body is slow it takes up heat as the root of
     its speed, and the traction turns as that.
     """
-    return np.asarray(1.0 - np.sqrt(1.0 - np.minimum(size / STANDING, 1.0)))
+    whole = 1.0 + REST_SHARE
+    return np.asarray(np.sqrt(whole) - np.sqrt(whole - np.minimum(size / STANDING, 1.0)))
 
 
 def even_part(size: Array | float) -> Array:

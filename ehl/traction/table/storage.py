@@ -111,13 +111,14 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
         raise ValueError(f"{path}: no traction table")
     version = document.get("format_version")
     if version != FORMAT_VERSION:
-        needed = f"reads {FORMAT_VERSION}; make the table again (its case without this key)"
+        needed = f"reads {FORMAT_VERSION}; make the table again"
         raise ValueError(f"{path}: format version {version}, this program {needed}")
     try:
         parts = {name: _restored(document[name]) for name in PARTS}
         values = unpacked(arrays["values"], tuple(document["shape"]))
         plain = {name: document[name] for name in PLAIN}
-        plain["spacing"] = tuple(map(float, plain["spacing"]))
+        spacing = map(float, [*plain["spacing"], 0.0][:3])  # older files have no REST_SHARE
+        plain["spacing"] = tuple(spacing)
         table = TractionTable(**parts, **(arrays | {"values": values}), **plain)
     except (KeyError, TypeError, AttributeError, ValueError, *DAMAGED) as problem:
         fault = "damaged, or written by another version of this program"

@@ -90,7 +90,7 @@ def table_forces(table, load, speed, slide_x, slide_y, spin, whole=True):
     mirror = 1.0 if slide_y >= 0.0 else -1.0
     turn = mirror * spin * radius / speed
     shift = vertex_slide(np.asarray(turn), table.contact, load)
-    even = table.spacing == (0.0, 0.0)  # of files of version 6
+    even = table.spacing[:2] == (0.0, 0.0)  # of files of version 6
     top = float(slide_x / speed + shift if even else at_vertex(np.asarray(slide_x / speed), shift, limits[0]))
     scales = np.exp(scalars[:3])
     along, across = spinning_scales(tuple(scales[:2]), np.asarray(turn), table.contact, load)
@@ -122,3 +122,11 @@ def along_first(coefficients, place, axis):
     """Spline along the first axis at a place of that axis."""
     first, weights = spline_weights((place - axis[0]) * axis[1], int(axis[2]))
     return np.tensordot(weights, coefficients[first : first + 4], axes=1)
+
+
+def largest_force(table, load, speed):
+    """Of a table's film at load [N] and speed [m/s] by sliding along or across it, of 60 slides each [N]."""
+    shares = speed * np.geomspace(1e-5, 1.0, 60)
+    along = [table.forces(load, speed, one * table.range.slide_x, 0.0, 0.0).force_x for one in shares]
+    across = [table.forces(load, speed, 0.0, one * table.range.slide_y, 0.0).force_y for one in shares]
+    return float(np.abs([along, across]).max())

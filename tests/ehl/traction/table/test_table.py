@@ -31,7 +31,7 @@ from ehl.traction.table.check import straight_motions
 from ehl.traction.table.packing import VALUE_STEP, packed, stored_values, unpacked, whole_numbers
 from ehl.traction.table.splines import node_values, spline_coefficients, spline_weights
 from ehl.traction.table.storage import inputs_digest, load_table, save_table
-from ehl.traction.table.table import FullSolve, TableContact, TableRange
+from ehl.traction.table.table import FullSolve, TableContact, TableRange, load_place
 
 from ....reference.ehl import traction as reference
 
@@ -81,7 +81,7 @@ def test_whole_numbers_of_lookups_are_as_fine_as_those_of_files(table):
             found = table.forces(*motion)
             wanted = reference.table_forces(table, *motion, whole=False)
             off = np.array(found[:4]) - wanted[:4]
-            largest = table.largest(load, speed)[[0, 0, 1, 2]]
+            largest = table.units(load, speed)[[0, 0, 1, 2]]
             assert np.all(np.abs(off) <= 4.5 * unit * largest)
             assert 4.5 * unit < 3e-4
 
@@ -90,7 +90,7 @@ def test_lookup_agrees_with_shear_in_a_film_solved_there(table):
     """Within the error that the table states, for a load and motions that are not in it."""
     load, speed = 53.0, 1.37
     solution = ehl.solve_contact(CIRCLE.conditions(load, speed), ehl.SolverOptions(points=65))
-    largest = table.largest(load, speed)
+    largest = table.units(load, speed)
     errors = []
     for _, other, *motion_at_other in motions(40, 88123):
         slide_x, slide_y, spin = (part * speed / other for part in motion_at_other)
@@ -121,7 +121,8 @@ def test_table_states_its_error(table):
     assert error.rms < error.quantile < error.largest
     assert 0.0 < error.largest_straight < 0.02
     assert error.responses == 3 and 0.0 < error.largest_stiffness < 0.02 and 0.0 < error.largest_damping < 0.05
-    assert (error.films, error.motions) == (3, 40)
+    assert 4 <= error.films <= 7  # three random ones, and where the splines bend most
+    assert (error.motions, table.films) == (40, 20 + error.films)
     assert table.converged == (error.largest <= 0.02)
 
 
@@ -147,6 +148,33 @@ def test_check_draws_rolling_without_spin():
             counts, _ = np.histogram(np.log10(np.abs(alone[sign * alone > 0.0])), np.arange(-7, 0))
             assert np.all(counts > 0)
     assert np.any(straight & (slide_x != 0.0) & (slide_y != 0.0))
+
+
+def test_check_draws_motions_at_which_a_body_nearly_stands_still():
+    limits = replace(LIMITS, slide_x=2.0)
+    slide_x, slide_y, spin = check.standing_motions(limits, np.random.default_rng(4), 600)
+    gap = 2.0 - np.abs(slide_x)
+    assert np.count_nonzero(gap == 0.0) == 75
+    counts, _ = np.histogram(np.log10(gap[gap > 0.0]), [-3.0, -2.0, -1.0, 0.0])
+    assert np.all(counts > 90)
+    for part, limit in ((slide_y, limits.slide_y), (spin, limits.spin)):
+        assert np.any(part == 0.0) and 0.5 * limit < part.max() <= limit and -limit <= part.min() < -0.5 * limit
+    assert {-1.0, 1.0} == set(np.sign(slide_x))
+    narrow, *_ = check.standing_motions(LIMITS, np.random.default_rng(4), 600)
+    assert np.abs(narrow).max() == LIMITS.slide_x
+
+
+def test_check_draws_films_where_the_splines_bend_most(table):
+    """A kink of the force between two loads, at one speed, and another of the spin moment."""
+    values = np.zeros_like(table.values)
+    values[3, 1, ..., 0] = 0.5  # coefficients stand one before the nodes
+    values[4, 4, ..., 2] = 0.5
+    found = check.doubtful_places(replace(table, values=values, scalars=np.zeros_like(table.scalars)))
+    counted = [[load_place(np.exp(q)), u] for q, u in found]
+    places = (np.array(counted) - table.axes[:2, 0]) * table.axes[:2, 1]
+    slow, fast = places[0], places[-1]
+    assert slow[0] % 1.0 == pytest.approx(0.5) and 1.0 < slow[0] < 3.0 and slow[1] == pytest.approx(0.5)
+    assert fast[0] % 1.0 == pytest.approx(0.5) and 2.0 < fast[0] < 4.0 and fast[1] == pytest.approx(2.5)
 
 
 def test_mirror_image_in_y(table):
@@ -187,7 +215,7 @@ def test_halves_of_the_mirror_image_meet(table):
     """Without slide_y and spin nothing pulls across, to round-off; with spin, no step and no bend at slide_y = 0."""
     for load, speed, slide_x, _, spin in motions(10, 55418):
         straight = table.forces(load, speed, slide_x, 0.0, 0.0)
-        largest = table.largest(load, speed)
+        largest = table.units(load, speed)
         assert_allclose([straight.force_y, straight.spin_moment], 0.0, atol=1e-14 * largest[0])
         step = 1e-8 * speed
         below, at, above = (np.array(table.forces(load, speed, slide_x, k * step, spin)[:4]) for k in (-1, 0, 1))
