@@ -206,9 +206,9 @@ class _OpenedOnce(h5py.File):
 class _Groups(h5netcdf.File):
     """The groups of a file that is opened once, and closed with them."""
 
-    def __init__(self, path: Path) -> None:
-        self._opened_once = _OpenedOnce(path)
-        super().__init__(self._opened_once, "r", decode_vlen_strings=True)
+    def __init__(self, opened: _OpenedOnce) -> None:
+        self._opened_once = opened
+        super().__init__(opened, "r", decode_vlen_strings=True)
 
     def close(self) -> None:
         """Close the groups and their file."""
@@ -223,4 +223,4 @@ def open_file(path: Path) -> h5netcdf.File:
     `_writable` when it closes a file, and sets it late in its opening.
     """
     h5netcdf.File._writable = False
-    return _Groups(path)
+    return _Groups(_OpenedOnce(path))
