@@ -110,9 +110,10 @@ class FilmHeat:
         along = contact.velocity_x >= 0.0
         sweeps = [not along, along] if last else [along, not along, along]
         # arrays of its own, which the sweeps change in place
-        state = deepcopy(last) if last else self._initial(fields.p.shape, section)
-        if state.fields is not None:
-            state.unseen[:] += self._unfollowed(state.temperature, state.fields, fields)
+        shape = fields.p.shape
+        state = deepcopy(replace(last, fields=None)) if last else self._initial(shape, section)
+        if last and last.fields:
+            state.unseen[:] += self._unfollowed(last.temperature, last.fields, fields)
         before = state.temperature.copy()
         unsolved = 0
         for forward in sweeps:

@@ -85,9 +85,14 @@ class FlowState:
     heat: HeatState | None  # None: uniform temperature
     # change of ln(Poiseuille factor) in the cycle, weighted with the pressure's flow [-]
     change: float
-    unsolved_columns: int  # without a converged stress or temperature [-]
+    unsolved_stresses: int  # columns without a converged stress [-]
     # in which h/2 grad p exceeds the limiting stress: the law's tangent replaces it there [-]
     over_limit_columns: int
+
+    @property
+    def unsolved_columns(self) -> int:
+        """Without a converged stress or temperature [-]."""
+        return self.unsolved_stresses + (0 if self.heat is None else self.heat.unsolved_columns)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -159,7 +164,7 @@ class GeneralizedFlow:
             temperature=temperature,
             heat=heat,
             change=change,
-            unsolved_columns=new.unsolved + (0 if heat is None else heat.unsolved_columns),
+            unsolved_stresses=new.unsolved,
             over_limit_columns=self._over_limit_columns(fields, temperature),
         )
 
@@ -167,7 +172,8 @@ class GeneralizedFlow:
         self, contact: ScaledContact, grid: Grid, P: Array, H: Array, last: FlowState
     ) -> FlowState:
         """The state of a film at rest with its heat swept on until that rests, too, and the stress
-        of these temperatures.
+        of these temperatures: the eddy ahead of the contact, which hardly touches the film, takes
+        longer than pressure and film.
         """
         if self.heat is None or last.heat is None:
             return last
@@ -179,8 +185,7 @@ class GeneralizedFlow:
             )
             if heat.change < RESTED_TEMPERATURE:
                 break
-        unsolved = last.unsolved_columns + heat.unsolved_columns - last.heat.unsolved_columns
-        return replace(last, mid_stress=middle, heat=heat, unsolved_columns=unsolved)
+        return replace(last, mid_stress=middle, heat=heat)
 
     def change(self, state: FlowState) -> float:
         """Of ln(Poiseuille factor) before the last cycle, weighted with the flow [-]."""

@@ -10,7 +10,6 @@ from ..closed_form.hertz import MEAN_PRESSURE_RATIO, hertz_contact
 from ..conditions import ContactConditions
 from ..grid import unfolded
 from ..multigrid.full_multigrid import ATTEMPTS, Attempt
-from ..multigrid.levels import Multigrid
 from ..oil.film_state import FilmState, log_gradient_thinning, log_mean_fluidity
 from ..oil.rheology import Rheology, contact_rheology
 from ..options import GENERALIZED_POINTS, SolverOptions
@@ -133,19 +132,11 @@ def _full_multigrid(
 ) -> tuple[ContactSolution, FlowState | None]:
     """Full multigrid from a Hertz pressure, and the flow of its last cycle."""
     contact, levels = solve_attempts(flow.conditions, options, flow, attempts)
-    state = levels.levels[-1].flow_state
-    return _checked(contact, _rested(flow, levels) if contact.converged else state)
-
-
-def _rested(flow: GeneralizedFlow, levels: Multigrid) -> FlowState | None:
-    """Flow of the finest level, its heat at rest: that of the eddy ahead of the contact, which
-    hardly touches the film, takes longer than pressure and film.
-    """
     level = levels.levels[-1]
     state: FlowState | None = level.flow_state
-    if state is None or state.heat is None:
-        return state
-    return flow.rested(levels.contact, level.grid, level.P, level.H, state)
+    if contact.converged and state is not None:
+        state = flow.rested(levels.contact, level.grid, level.P, level.H, state)
+    return _checked(contact, state)
 
 
 def _with_fields(solution: GeneralizedSolution, state: FlowState) -> GeneralizedSolution:

@@ -135,7 +135,7 @@ def _motion_places(film, axes, constants, motions, load):
     limit_x = constants[RANGE_X]
     limit_y = constants[RANGE_Y]
     shift = vertex_slide(turn, b_axis, constants[RADIUS_X], constants[CURVATURE])
-    top = slide_x + (_fading_shift(shift, slide_x, limit_x) if weight > 0.0 else shift)
+    top = slide_x + _fading_shift(shift, slide_x, limit_x)
     scale = _motion_scale(film[SCALE_X], turn, b_axis, constants)
     rest = constants[SPACING_REST]
     part = _standing_part(min(abs(top), limit_x), rest) / _standing_part(limit_x, rest)
@@ -156,7 +156,7 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
     table's range.
 
     axes, shape (5, 3): start, nodes per unit, nodes of -load^LOAD_POWER, ln(speed), and the three
-    scaled motions. constants, shape (12,), and scalars, shape (nQ + 2, nU + 2, 10): as named
+    scaled motions. constants, shape (13,), and scalars, shape (nQ + 2, nU + 2, 10): as named
     above. values, shape (nX + 2, nY + 2, nS + 2, nQ, nU, 4), whole numbers. Both are B-spline
     coefficients, of values those of the nodes of load and speed alone. out, 8 numbers: F_x, F_y on
     body 1 [N], M_n, M_y on body 1 [N m], power lost [W], central film [m], stiffness [N/m],

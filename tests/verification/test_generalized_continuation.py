@@ -204,7 +204,7 @@ def test_columns_over_the_limiting_stress_are_counted_and_reported():
     assert 0 < state.over_limit_columns < P.size
     assert flow.factors(contact, grid, P, np.full_like(P, 0.01))[1].over_limit_columns == 0
     solved = solve_contact(CIRCULAR, COARSE)
-    state = replace(state, change=0.0, unsolved_columns=0, over_limit_columns=int(0.004 * solved.P.size))
+    state = replace(state, change=0.0, unsolved_stresses=0, over_limit_columns=int(0.004 * solved.P.size))
     assert _checked(solved, state)[0].converged
     count = int(0.006 * solved.P.size)
     state = replace(state, over_limit_columns=count)

@@ -252,8 +252,8 @@ def _table(study: _Study) -> tuple[TractionTable, NDArray[np.float32]]:
         message="",
     )
     # 3. check
-    table = replace(table, error=_error(study, table))
-    table = replace(table, films=table.films + len(study.doubtful))
+    error = _error(study, table)
+    table = replace(table, error=error, films=table.films + len(study.doubtful))
     return _with_message(study, table, filled), raw
 
 

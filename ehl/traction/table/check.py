@@ -8,7 +8,7 @@ from math import log
 import numpy as np
 
 from ...arrays import Array
-from .._kernels import LOAD_POWER, STANDING
+from .._kernels import LARGEST_FORCE, LARGEST_SPIN, LOAD_POWER, STANDING
 from .coordinates import from_vertex, vertex_slide
 from .film import FilmSample, relative_forces
 from .responses import Place
@@ -49,7 +49,8 @@ def doubtful_places(table: TractionTable) -> list[Place]:
     bend = np.abs(np.diff(table.values[*some, :3].astype(np.float32), 4, axis=0)).max(
         axis=(2, 3, 4)
     )
-    more = np.abs(np.diff(table.scalars[:, 1:-1, [7, 7, 8]], 4, axis=0))
+    units = table.scalars[:, 1:-1, [LARGEST_FORCE, LARGEST_FORCE, LARGEST_SPIN]]
+    more = np.abs(np.diff(units, 4, axis=0))
     at_nodes = np.pad(bend + more, ((1, 1), (0, 0), (0, 0)))
     between = at_nodes[:-1] + at_nodes[1:]
     kinds = (between[..., :2].max(axis=-1), between[..., 2])

@@ -224,7 +224,7 @@ class TractionTable:
         for axis, place in zip(self.axes, (load_place(load), log(speed)), strict=False):
             first, weights = spline_weights((place - axis[0]) * axis[1], int(axis[2]))
             scalars = np.tensordot(weights, scalars[first : first + 4], axes=1)
-        return np.exp(scalars[7:10])
+        return np.exp(scalars[_kernels.LARGEST_FORCE : _kernels.LARGEST_ROLLING + 1])
 
 
 def load_place(load: float) -> float:

@@ -8,7 +8,7 @@ import numpy as np
 
 from ehl.oil.rheology import limited, shear_stress
 from ehl.traction.coefficient_kernels import RampedCoulomb
-from ehl.traction.table.coordinates import PLACE_PARTS, at_vertex, no_part, place_of, spinning_scales, vertex_slide
+from ehl.traction.table.coordinates import PLACE_PARTS, at_vertex, place_of, spinning_scales, vertex_slide
 from ehl.traction.table.packing import whole_numbers
 from ehl.traction.table.splines import spline_weights
 from ehl.traction.table.table import load_place
@@ -90,14 +90,12 @@ def table_forces(table, load, speed, slide_x, slide_y, spin, whole=True):
     mirror = 1.0 if slide_y >= 0.0 else -1.0
     turn = mirror * spin * radius / speed
     shift = vertex_slide(np.asarray(turn), table.contact, load)
-    even = table.spacing[:2] == (0.0, 0.0)  # of files of version 6
-    top = float(slide_x / speed + shift if even else at_vertex(np.asarray(slide_x / speed), shift, limits[0]))
+    top = float(at_vertex(np.asarray(slide_x / speed), shift, limits[0]))
     scales = np.exp(scalars[:3])
-    along, across = spinning_scales(tuple(scales[:2]), np.asarray(turn), table.contact, load)
-    scales[0], scales[1] = along, scales[1] if even else across
+    scales[:2] = spinning_scales(tuple(scales[:2]), np.asarray(turn), table.contact, load)
     motion = (top, abs(slide_y) / speed, turn)
     for axis, (part, scale, limit) in enumerate(zip(motion, scales, limits, strict=True)):
-        place = float(place_of(np.asarray(part), scale, limit, no_part if even else PLACE_PARTS[axis]))
+        place = float(place_of(np.asarray(part), scale, limit, PLACE_PARTS[axis]))
         values = along_first(values, place, table.axes[2 + axis])
     hydrodynamic = -exp(scalars[4])
     force = np.array([values[0], mirror * values[1]]) * exp(scalars[7])
