@@ -14,9 +14,6 @@ from ..oil._elementary_kernels import copy
 from ._heat_kernels import FLOW_ROWS, U, V, film_conductivity, solve_heat_column
 from ._stress_kernels import ROWS
 
-# [K]. Films of 19 contacts within 2.5e-4 of those with all columns in each sweep (0.15 K: 1e-3)
-LEAST_UNSEEN = 0.05
-
 
 @compiled
 def wall_flux(conductance, differences, temperature, flux):
@@ -59,7 +56,7 @@ def solve_or_restart(
 def heat_sweep(
     p, h, gradient, speed_1, speed_2, mesh, symmetric, forward, oil, heat, section, differences,
     rheology, inlet, bulk, response, weights, temperature, middle, mass, flux, dissipation,
-    recirculates, unseen
+    recirculates, unseen, least
 ):  # fmt: skip
     """Columns of all lines with something unseen, one after the other along x, or against it; the
     number of unsolved ones. Against the entrainment only those in which oil flows back: others
@@ -69,7 +66,8 @@ def heat_sweep(
     both bodies [K]; response: 1/(sqrt(pi u) e) of both [K m^1.5/W]; weights: of their histories
     [m^0.5]; in and out: temperature (ny, nx, n) [K], middle (2, ny, nx) [Pa], mass (ny, nx, n)
     [m^2/s], flux into both bodies and dissipation [W/m^2]; recirculates, (ny, nx): whether oil of
-    a column ever flowed against the entrainment; unseen, (ny, nx): see above [K].
+    a column ever flowed against the entrainment; unseen, (ny, nx): see above [K]. least: unseen
+    from which on a column is solved [K].
     """
     ny, nx, n = temperature.shape
     unsolved = 0
@@ -81,7 +79,7 @@ def heat_sweep(
             along = (speed_1[0, j, i], speed_2[0, j, i])
             onward = along[0] + along[1] >= 0.0
             renewed = forward == onward
-            if unseen[j, i] < LEAST_UNSEEN or not (renewed or recirculates[j, i]):
+            if unseen[j, i] < least or not (renewed or recirculates[j, i]):
                 continue
             # 1. walls by the heat taken up upstream
             past = walls_before(flux[:, j], i, along, response[:, j, i], weights, bulk)

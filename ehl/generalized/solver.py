@@ -6,10 +6,12 @@ from time import perf_counter
 import numpy as np
 
 from ..arrays import Array
+from ..closed_form.film import film_reduction_gupta, thermal_loading
 from ..closed_form.hertz import MEAN_PRESSURE_RATIO, hertz_contact
 from ..conditions import ContactConditions
 from ..grid import unfolded
 from ..multigrid.full_multigrid import ATTEMPTS, Attempt
+from ..multigrid.verdict import tolerance_judged
 from ..oil.film_state import FilmState, log_gradient_thinning, log_mean_fluidity
 from ..oil.rheology import Rheology, contact_rheology
 from ..options import GENERALIZED_POINTS, SolverOptions
@@ -24,6 +26,11 @@ from .section import film_section
 # of the columns that may stay unsolved or over the limiting stress, measured: they lie at the edge
 # of the cavity, where hardly anything flows
 UNSOLVED_SHARE = 0.005
+# of the film, in its error bar, times the square of what heat takes by Gupta's formula: the
+# differences across the film are of first order where oil flows back ahead of the contact. 15
+# films on 12 nodes are up to 0.118 times that square thicker than on 36, and half as much more is
+# left there
+SECTION_ERROR = 0.18
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -94,9 +101,33 @@ def solve_generalized(
     flow = GeneralizedFlow(conditions=conditions, rheology=rheology, heat=heat)
     start = perf_counter()
     contact, state = _first_converged(flow, options)
+    if heat is not None:
+        contact = _with_section_error(contact, hertz.pressure, options.tolerance)
     contact = replace(contact, record=replace(contact.record, wall_time=perf_counter() - start))
     solution = GeneralizedSolution(contact=contact, rheology=rheology, nodes=flow.section.nodes)
     return _with_oil_state(solution if state is None else _with_fields(solution, state))
+
+
+def _with_section_error(
+    contact: ContactSolution, hertz_pressure: float, tolerance: float | None
+) -> ContactSolution:
+    """The solution whose error bars hold what the differences across the film do."""
+    conditions = contact.conditions
+    assert isinstance(conditions, ContactConditions)
+    pressure_ratio = hertz_pressure / conditions.reduced_modulus
+    loading = thermal_loading(conditions)
+    left = film_reduction_gupta(pressure_ratio, loading, conditions.slide_roll_ratio)
+    error = SECTION_ERROR * (1.0 - max(left, 0.0)) ** 2
+    central, minimum = (
+        replace(film, uncertainty=film.uncertainty + error * abs(film.finest))
+        for film in (contact.film_central_dimensionless, contact.film_minimum_dimensionless)
+    )
+    contact = replace(
+        contact, film_central_dimensionless=central, film_minimum_dimensionless=minimum
+    )
+    if tolerance is None:
+        return contact
+    return tolerance_judged(contact, tolerance, f"{film_section().nodes.size} nodes of the film")
 
 
 def _first_converged(
