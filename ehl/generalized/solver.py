@@ -30,7 +30,7 @@ UNSOLVED_SHARE = 0.005
 # differences across the film are of first order where oil flows back ahead of the contact. 15
 # films on 12 nodes are up to 0.118 times that square thicker than on 36, and half as much more is
 # left there
-SECTION_ERROR = 0.18
+SECTION_ERROR = 0.2
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
