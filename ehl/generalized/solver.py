@@ -11,7 +11,7 @@ from ..closed_form.hertz import MEAN_PRESSURE_RATIO, hertz_contact
 from ..conditions import ContactConditions
 from ..grid import unfolded
 from ..multigrid.full_multigrid import ATTEMPTS, Attempt
-from ..multigrid.verdict import judged, tolerance_judged
+from ..multigrid.verdict import judged, tolerance_judged, tolerance_reached
 from ..oil.film_state import FilmState, log_gradient_thinning, log_mean_fluidity
 from ..oil.rheology import Rheology, contact_rheology
 from ..options import GENERALIZED_POINTS, SolverOptions
@@ -122,12 +122,12 @@ def _with_section_error(
         replace(film, uncertainty=film.uncertainty + error * abs(film.finest))
         for film in (contact.film_central_dimensionless, contact.film_minimum_dimensionless)
     )
-    contact = judged(
+    wider = judged(
         replace(contact, film_central_dimensionless=central, film_minimum_dimensionless=minimum)
     )
-    if tolerance is None:
-        return contact
-    return tolerance_judged(contact, tolerance, f"{film_section().nodes.size} nodes of the film")
+    if tolerance is None or not tolerance_reached(contact, tolerance):  # which its message says
+        return wider
+    return tolerance_judged(wider, tolerance, f"{film_section().nodes.size} nodes across the film")
 
 
 def _first_converged(

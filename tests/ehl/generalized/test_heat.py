@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
-from ehl import ContactConditions, Lubricant, SolverOptions, ViscosityLaw
+from ehl import ContactConditions, Lubricant, SolverOptions, ViscosityLaw, solve_contact
 from ehl.closed_form.film import film_reduction_gupta, thermal_loading
 from ehl.generalized import _heat_kernels as _kernels
 from ehl.generalized import _sweep_kernels, flow, solver
@@ -300,6 +300,15 @@ def test_error_bar_holds_what_the_nodes_across_the_film_do(monkeypatch):
     assert film.finest == without.finest
     error = 2.0 * (film.finest - finer.finest)
     assert 0.04 * film.finest < error < film.uncertainty - without.uncertainty
+
+
+@pytest.mark.parametrize(("share", "said"), [(1.001, True), (0.5, False)])
+def test_tolerance_that_the_nodes_across_the_film_exceed_is_told_once(share, said):
+    """Only where the mesh has reached it; where it has not, the message tells that already."""
+    plain = solve_contact(ball_contact(entrainment_speed=20.0), SolverOptions(points=65))
+    found = solver._with_section_error(plain, 1e9, share * plain.widest_bar)
+    assert found.widest_bar > 1.001 * plain.widest_bar
+    assert ("nodes across the film" in found.message) == said
 
 
 def test_less_effusive_bodies_are_hotter():
