@@ -8,7 +8,7 @@ from numpy.polynomial import legendre
 from ..arrays import Array
 
 # across the film: integrals exact for polynomials of degree 21. A multiple of four, as many
-# numbers as a register holds: with 11, three of them alone, a film with heat takes a sixth longer
+# numbers as a register holds: with 11, three of them alone, a film with heat takes a tenth longer
 NODES = 12
 
 
