@@ -11,12 +11,24 @@ upwind ones for W, which keep the temperature between those it comes from where 
 the walls the temperatures of the bodies follow the flux that they take up (three-point, too), T =
 T_hist + R q with q = +-k/h T_zeta, see `solid/heat.py`. Conduction along the film is neglected: it
 is thin. rheology, section, work: as in `_stress_kernels`; differences: slopes at both
-walls and curvature of `section.wall_slopes` and `section.curvature`.
+walls of `section.wall_slopes`.
+
+Upwind differences conduct c = |W| s/2 on their own, s the distance to the node that W comes from:
+they are of first order. Their temperatures give the velocities and the heat of shear, to which
+they respond in Newton's method. With both held, the heat equation is solved again, c taken off the
+oil's conduction C as far as temperatures stay between those they come from:
+
+    C' = C^2/(c + sqrt(C^2 + c^2))
+
+of second order, C - c where c is small, never negative. Temperatures of second order that drive
+the velocities themselves swing for ever, by up to 14 K, where oil recirculates ahead of a fast
+contact.
 """
 
 import numpy as np
 
 from ..compiled import compiled, summing
+from ..oil._elementary_kernels import copy
 from ..oil._kernels import capacity_ratio, column_softening, conductivity_ratio, thermal_expansion
 from ._kernels import solve_column
 from ._stress_kernels import FLUIDITY, LOG_ETA, RHO, T_XX, T_XY, T_YY
@@ -36,7 +48,8 @@ U, V, RATE_X, RATE_Y, CROSSING, INFLOW, ADVECTED, SOURCE, CAPACITY, COMPRESSION 
 # (along) and a row (pull)
 DIAGONAL, ALONG, PULL = range(10, 13)
 # of the linear system: three diagonals, the solution of `along`
-LOWER, MIDDLE, UPPER, COUPLED, FLOW_ROWS = range(13, 18)
+LOWER, MIDDLE, UPPER, COUPLED = range(13, 17)
+LAST, FLOW_ROWS = range(17, 19)  # the temperatures that the flow is of [K]
 
 
 @compiled
@@ -61,23 +74,35 @@ def solve_tridiagonal(flow, right):
 
 
 @compiled
-def inner_rows(film, conductivity, last, nodes, curvature, flow, out):
+def conduction_left(spread, crossing, distance):
+    """Of conduction, k/h^2 = spread, beside that of upwind differences over a distance."""
+    own = 0.5 * abs(crossing) * distance
+    return spread * spread / (own + np.sqrt(spread * spread + own * own))
+
+
+@compiled
+def inner_rows(film, conductivity, second_order, nodes, flow, out):
     """Rows of the nodes inside: conduction, convection, the heat of shear at the last temperature.
 
     Returns the product of `pull` and the last temperatures.
     """
+    last = flow[LAST]
     spread = conductivity / (film * film)
     pulled = 0.0
     for k in range(last.size):
         pulled += flow[PULL, k] * last[k]
     for k in range(1, last.size - 1):
         crossing = flow[CROSSING, k]
-        down = crossing / (nodes[k] - nodes[k - 1]) if crossing >= 0.0 else 0.0
-        up = crossing / (nodes[k + 1] - nodes[k]) if crossing < 0.0 else 0.0
-        flow[LOWER, k] = -spread * curvature[k, k - 1] - down
-        flow[UPPER, k] = -spread * curvature[k, k + 1] + up
-        flow[MIDDLE, k] = flow[INFLOW, k] - flow[COMPRESSION, k] - flow[DIAGONAL, k]
-        flow[MIDDLE, k] += down - up - spread * curvature[k, k]
+        below = nodes[k] - nodes[k - 1]
+        above = nodes[k + 1] - nodes[k]
+        left = spread
+        if second_order:
+            left = conduction_left(spread, crossing, below if crossing >= 0.0 else above)
+        both = 2.0 * left / (below + above)
+        down = (both + max(crossing, 0.0)) / below
+        up = (both - min(crossing, 0.0)) / above
+        flow[LOWER, k], flow[UPPER, k] = -down, -up
+        flow[MIDDLE, k] = flow[INFLOW, k] - flow[COMPRESSION, k] - flow[DIAGONAL, k] + down + up
         out[k] = flow[ADVECTED, k] + flow[SOURCE, k] - flow[DIAGONAL, k] * last[k]
         out[k] += flow[ALONG, k] * pulled
     return pulled
@@ -86,7 +111,7 @@ def inner_rows(film, conductivity, last, nodes, curvature, flow, out):
 @compiled
 def wall_rows(flux, history, response, differences, flow, out):
     """Rows of both walls, their third entry eliminated by the row beside; flux: k/h."""
-    below, above, _ = differences
+    below, above = differences
     n = out.size
     for wall, beside, sign in ((0, 1, -1.0), (n - 1, n - 2, 1.0)):
         slopes = below if wall == 0 else above
@@ -101,16 +126,18 @@ def wall_rows(flux, history, response, differences, flow, out):
 
 
 @compiled
-def column_temperature(film, conductivity, last, history, response, nodes, differences, flow, out):
+def column_temperature(
+    film, conductivity, second_order, history, response, nodes, differences, flow, out
+):
     """Temperature at the nodes of a column, its source linearised at the last one [K].
 
     The system is three diagonals and the product of `along` and `pull`: Sherman and Morrison's
     formula (1950).
     """
-    n = last.size
+    n = out.size
     for k in range(n):
         flow[COUPLED, k] = flow[ALONG, k] if 0 < k < n - 1 else 0.0
-    pulled = inner_rows(film, conductivity, last, nodes, differences[2], flow, out)
+    pulled = inner_rows(film, conductivity, second_order, nodes, flow, out)
     wall_rows(conductivity / film, history, response, differences, flow, out)
     factor_tridiagonal(flow)
     solve_tridiagonal(flow, out)
@@ -194,27 +221,13 @@ def source_slope(p, temperature, middle, rise, rate, oil, section, work, flow):
 
 
 @compiled
-def column_transport(
-    j, i, mesh, symmetric, renewed, temperature, inlet, mass, height, section, work, flow
-):
-    """Convection into a column: the upwind parts along x and y, and the flow through lines of
-    constant z/h, by the heat capacities in `flow`. mass: mass fluxes int_0^z rho u dz of all
-    columns along x over rho_0 [m^2/s]; the column's own is set here if it is to be renewed.
-
-    Continuity takes both from one sweep along the flow: against it, where oil recirculates, an own
-    flux of now beside those of the last sweep upstream makes the core of the eddy alternate.
+def convection(j, i, mesh, symmetric, temperature, inlet, flow):
+    """Convection into a column along x and y, the upwind parts, by the heat capacities and
+    velocities in `flow`.
     """
     ny, nx, n = temperature.shape
-    cumulative = section[2]
-    for k in range(n if renewed else 0):
-        mass[j, i, k] = height * carried_to(k, cumulative, flow, work)
-    before = i - 1 if mass[j, i, n - 1] >= 0.0 else i + 1
-    inside = 0 <= before < nx
     by_x = 1.0 / mesh[0]
     by_y = 1.0 / mesh[1]
-    by_height = 1.0 / height
-    by_step = -by_x if mass[j, i, n - 1] < 0.0 else by_x
-    whole = (mass[j, i, n - 1] - mass[j, before, n - 1]) * by_step if inside else 0.0
     for k in range(n):
         dense = flow[CAPACITY, k]
         west = i - 1 if flow[U, k] >= 0.0 else i + 1
@@ -226,10 +239,31 @@ def column_transport(
         a_x, a_y = dense * abs(flow[U, k]) * by_x, dense * abs(flow[V, k]) * by_y
         flow[INFLOW, k] = a_x + a_y
         flow[ADVECTED, k] = a_x * from_x + a_y * from_y
+
+
+@compiled
+def crossing_flow(j, i, mesh_x, renewed, mass, height, section, work, flow):
+    """Flow of heat capacity through the lines of constant z/h, by the capacities in `flow`. mass:
+    mass fluxes int_0^z rho u dz of all columns along x over rho_0 [m^2/s]; the column's own is set
+    here if it is to be renewed.
+
+    Continuity takes both from one sweep along the flow: against it, where oil recirculates, an own
+    flux of now beside those of the last sweep upstream makes the core of the eddy alternate.
+    """
+    nx, n = mass.shape[1:]
+    cumulative = section[2]
+    for k in range(n if renewed else 0):
+        mass[j, i, k] = height * carried_to(k, cumulative, flow, work)
+    before = i - 1 if mass[j, i, n - 1] >= 0.0 else i + 1
+    inside = 0 <= before < nx
+    by_height = 1.0 / height
+    by_step = -1.0 / mesh_x if mass[j, i, n - 1] < 0.0 else 1.0 / mesh_x
+    whole = (mass[j, i, n - 1] - mass[j, before, n - 1]) * by_step if inside else 0.0
+    for k in range(n):
         change = (mass[j, i, k] - mass[j, before, k]) * by_step if inside else 0.0
         # the gain or loss of the film as a whole leaves sideways or in cavities, evenly over its
         # thickness
-        own = dense / work[RHO, k]
+        own = flow[CAPACITY, k] / work[RHO, k]
         flow[CROSSING, k] = -own * (change - section[0][k] * whole) * by_height
 
 
@@ -260,12 +294,11 @@ def solve_heat_column(
     j, i, p, height, rise, rate, speed, mesh, symmetric, renewed, oil, heat, section,
     differences, rheology, temperature, inlet, history, response, middle, mass, work, flow, out
 ):  # fmt: skip
-    """Temperature and stress of one column by Newton's method; heat of shear [W/m^2] and whether
-    it converged. heat: conductivity and rho_0 c of the oil at ambient pressure and the temperature
-    of operation.
+    """Temperature of first order and stress of one column by Newton's method; whether it
+    converged. heat: conductivity and rho_0 c of the oil at ambient pressure and the temperature of
+    operation.
     """
     n = section[0].size
-    converged = False
     for turn in range(COLUMN_STEPS):
         # 1. stress at the last temperatures
         guess = (middle[0, j, i], middle[1, j, i])
@@ -279,24 +312,49 @@ def solve_heat_column(
             ratio = capacity_ratio(p, temperature[j, i, k], work[RHO, k], oil)
             flow[CAPACITY, k] = heat[1] * ratio
         column_motion((t_x, t_y), rise, speed, height, section, work, flow)
-        column_transport(
-            j, i, mesh, symmetric, renewed, temperature, inlet, mass, height, section, work, flow
-        )
+        convection(j, i, mesh, symmetric, temperature, inlet, flow)
+        crossing_flow(j, i, mesh[0], renewed, mass, height, section, work, flow)
         source_slope(p, temperature[j, i], (t_x, t_y), rise, rate, oil, section, work, flow)
         for k in range(n):
             expansion = thermal_expansion(p, temperature[j, i, k], oil)
             pressing = flow[U, k] * rise[0] + flow[V, k] * rise[1]
             flow[COMPRESSION, k] = expansion * pressing / height
         # 3. temperatures of the linearised column, within bounds
+        copy(temperature[j, i], flow[LAST])
         column_temperature(
-            height, conductivity, temperature[j, i], history, response, section[0], differences,
-            flow, out,
-        )  # fmt: skip
+            height, conductivity, False, history, response, section[0], differences, flow, out
+        )
         largest = change_temperature(temperature[j, i], out, 0.5 ** (turn // HALVED_AFTER))
         if largest < COLUMN_TOLERANCE:
-            converged = solved
-            break
-    dissipated = 0.0
-    for k in range(n):
-        dissipated += height * section[1][k] * flow[SOURCE, k]
-    return dissipated, converged
+            return solved
+    return False
+
+
+@compiled
+def sharpen_heat_column(
+    j, i, p, height, mesh, symmetric, oil, heat, section, differences, temperature, inlet,
+    history, response, share, flow, out
+):  # fmt: skip
+    """Follow the temperature of second order of one column by a share; what is left to follow [K].
+    Its flow and its linearised heat of shear are those of the temperature of first order.
+    """
+    conductivity = film_conductivity(p, flow[LAST], heat, section, oil)
+    convection(j, i, mesh, symmetric, temperature, inlet, flow)
+    column_temperature(
+        height, conductivity, True, history, response, section[0], differences, flow, out
+    )
+    largest = change_temperature(temperature[j, i], out, share)
+    return largest if np.isinf(largest) else (1.0 / share - 1.0) * largest
+
+
+@compiled
+def heat_of_shear(height, weights, temperature, flow):
+    """Of a column [W/m^2], linearised about the temperatures that its flow is of."""
+    drawn = 0.0
+    for k in range(temperature.size):
+        drawn += flow[PULL, k] * (temperature[k] - flow[LAST, k])
+    total = 0.0
+    for k in range(temperature.size):
+        source = flow[SOURCE, k] + flow[DIAGONAL, k] * (temperature[k] - flow[LAST, k])
+        total += height * weights[k] * (source - flow[ALONG, k] * drawn)
+    return total

@@ -90,7 +90,11 @@ def solve_by_continuation(
         where = f"from the Newtonian film at {share:.0%} of rheology and heat"
         message = f"not converged: diverged {where}; try more points"
         solution = replace(plain, converged=False, message=message)
-    return with_fallbacks(solution, fallbacks), state.levels[-1].flow_state
+    level = state.levels[-1]
+    last: FlowState | None = level.flow_state
+    if solution.converged and last is not None:
+        last = flow.rested(state.contact, level.grid, level.P, level.H, last)
+    return with_fallbacks(solution, fallbacks), last
 
 
 def with_fallbacks(solution: ContactSolution, fallbacks: tuple[str, ...]) -> ContactSolution:

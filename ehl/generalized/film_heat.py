@@ -16,7 +16,7 @@ from ..oil.rheology import Rheology, kernel_rheology
 from ..scaling import ScaledContact
 from ..solid.heat import SolidThermal, history_weights, response_factor
 from . import _sweep_kernels as _kernels
-from .section import FilmFields, Section, curvature, wall_slopes
+from .section import FilmFields, Section, wall_slopes
 
 Mask = NDArray[np.bool_]
 
@@ -29,9 +29,13 @@ SMALLEST_FILM = 1e-12  # keeps a relative change finite [m]
 class HeatState:
     """Heat of one grid, SI; n nodes across the film."""
 
-    temperature: Array  # of the oil, walls included, shape (ny, nx, n) [K]
+    # of the oil, walls included, of second order and upwind, shape (ny, nx, n) [K]
+    temperature: Array
+    upwind_temperature: Array
     mass: Array  # int_0^z rho u dz/rho_0, shape (ny, nx, n) [m^2/s]
-    flux: Array  # into body 1 and body 2, shape (2, ny, nx) [W/m^2]
+    # into body 1 and body 2, of second order and upwind, shape (2, ny, nx) [W/m^2]
+    flux: Array
+    upwind_flux: Array
     dissipation: Array  # heat of shear over the film, shape (ny, nx) [W/m^2]
     recirculates: Mask  # whether oil of a column flows against the entrainment, shape (ny, nx)
     # what the temperatures of a column do not follow yet, infinite: any, shape (ny, nx) [K]
@@ -47,8 +51,10 @@ class HeatState:
         return replace(
             self,
             temperature=fine(self.temperature),
+            upwind_temperature=fine(self.upwind_temperature),
             mass=fine(self.mass),
             flux=np.stack([fine(part) for part in self.flux]),
+            upwind_flux=np.stack([fine(part) for part in self.upwind_flux]),
             dissipation=fine(self.dissipation),
             recirculates=fine(self.recirculates.astype(np.float64)) > 0.0,
             unseen=np.full_like(fine(self.unseen), np.inf),
@@ -120,9 +126,10 @@ class FilmHeat:
                 *(fields.p, fields.h, fields.gradient, *speeds),
                 *((grid.hx * a, grid.hy * a), grid.symmetric, forward),
                 *(oil_numbers(oil), heat, section.integration),
-                *((*wall_slopes(section), curvature(section)), kernel_rheology(rheology)),
+                *(wall_slopes(section), kernel_rheology(rheology)),
                 *(self.inlet, self.bulk, np.stack(response), weights),
-                *(state.temperature, middle, state.mass, state.flux, state.dissipation),
+                *(state.upwind_temperature, state.upwind_flux, state.temperature, state.flux),
+                *(middle, state.mass, state.dissipation),
                 *(state.recirculates, state.unseen, state.least),
             )
         change = float(np.abs(state.temperature - before).max())
@@ -147,8 +154,10 @@ class FilmHeat:
         temperature[..., 0], temperature[..., -1] = self.bulk
         return HeatState(
             temperature=temperature,
+            upwind_temperature=temperature.copy(),
             mass=np.zeros_like(temperature),
             flux=np.zeros((2, *shape)),
+            upwind_flux=np.zeros((2, *shape)),
             dissipation=np.zeros(shape),
             recirculates=np.zeros(shape, dtype=np.bool_),
             unseen=np.full(shape, np.inf),

@@ -190,7 +190,8 @@ class GeneralizedFlow:
             )
             if heat.change < RESTED_TEMPERATURE:
                 break
-        return replace(last, mid_stress=middle, heat=heat)
+        unsolved = self._evaluate(fields, middle, heat.temperature)[-1]
+        return replace(last, mid_stress=middle, heat=heat, unsolved_stresses=unsolved)
 
     def change(self, state: FlowState) -> float:
         """Of ln(Poiseuille factor) before the last cycle, weighted with the flow [-]."""

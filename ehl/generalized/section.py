@@ -64,15 +64,3 @@ def wall_slopes(section: Section) -> tuple[Array, Array]:
     below[:3] = -(a + b) / (a * b), b / (a * (b - a)), -a / (b * (b - a))
     above[-3:] = -below[2::-1]
     return below, above
-
-
-def curvature(section: Section) -> Array:
-    """Matrix of d2T/d(zeta)2 at the inner nodes, shape (n, n), T = 0 at the walls [-]."""
-    z = section.nodes
-    matrix = np.zeros((z.size, z.size))
-    for k in range(1, z.size - 1):
-        down = z[k] - z[k - 1]
-        up = z[k + 1] - z[k]
-        weights = np.array([1.0 / down, -1.0 / down - 1.0 / up, 1.0 / up])
-        matrix[k, k - 1 : k + 2] = weights * 2.0 / (down + up)
-    return matrix
