@@ -13,14 +13,15 @@ T_hist + R q with q = +-k/h T_zeta, see `solid/heat.py`. Conduction along the fi
 is thin. rheology, section, work: as in `_stress_kernels`; differences: slopes at both
 walls of `section.wall_slopes`.
 
-Upwind differences conduct c = |W| s/2 on their own, s the distance to the node that W comes from:
-they are of first order. Their temperatures give the velocities and the heat of shear, to which
-they respond in Newton's method. With both held, the heat equation is solved again, c taken off the
-oil's conduction C as far as temperatures stay between those they come from:
+Upwind differences conduct D = rho c |W|/h s/2 on their own, s the distance in zeta to the node
+that W comes from: they are of first order. Their temperatures give the velocities and the heat of
+shear, to which they respond in Newton's method. With both held, the heat equation is solved again,
+D taken off the oil's conduction C = k/h^2 as far as temperatures stay between those that they come
+from:
 
-    C' = C^2/(c + sqrt(C^2 + c^2))
+    C' = C^2/(D + sqrt(C^2 + D^2))
 
-of second order, C - c where c is small, never negative. Temperatures of second order that drive
+of second order, C - D where D is small, never negative. Temperatures of second order that drive
 the velocities themselves swing for ever, by up to 14 K, where oil recirculates ahead of a fast
 contact.
 """

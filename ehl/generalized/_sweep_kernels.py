@@ -98,14 +98,14 @@ def upwind_column(
 @compiled
 def sharper_column(
     j, i, p, height, mesh, symmetric, oil, heat, section, differences, temperature, flux, inlet,
-    walls, wall_response, recirculates, converged, change, flow, out
+    walls, wall_response, recirculates, converged, upwind, upwind_last, flow, out
 ):  # fmt: skip
     """Temperature of second order of one column: it moves by the change of that of first order,
     then by itself; what is left to follow [K].
     """
     left = np.inf
-    for k in range(change.size):
-        temperature[j, i, k] += change[k]
+    for k in range(upwind_last.size):
+        temperature[j, i, k] += upwind[j, i, k] - upwind_last[k]
     if converged:
         share = FOLLOWED if recirculates[j, i] else 1.0
         left = sharpen_heat_column(
@@ -155,23 +155,23 @@ def heat_sweep(
             copy(upwind[j, i], upwind_last)
             copy(temperature[j, i], last)
             wall_response = (response[0, j, i] * weights[0], response[1, j, i] * weights[0])
-            # 1. of first order
             converged = upwind_column(
                 j, i, p, height, gradient, speed_1, speed_2, mesh, symmetric, forward, renewed,
                 oil, heat, section, differences, rheology, upwind, upwind_flux, inlet, walls,
                 wall_response, middle, mass, recirculates, work, flow, out,
             )  # fmt: skip
             unsolved += 0 if converged else 1
-            # 2. of second order
-            change = upwind[j, i] - upwind_last
             left = sharper_column(
                 j, i, p, height, mesh, symmetric, oil, heat, section, differences, temperature,
-                flux, inlet, walls, wall_response, recirculates, converged, change, flow, out,
+                flux, inlet, walls, wall_response, recirculates, converged, upwind, upwind_last,
+                flow, out,
             )  # fmt: skip
             dissipation[j, i] = heat_of_shear(height, section[1], temperature[j, i], flow)
-            # 3. what the columns beside it have not seen now
-            unseen[j, i] = left if renewed else unseen[j, i]
-            moved = max(np.abs(change).max(), largest_shift(temperature[j, i], last))
+            # what the columns beside it have not seen now
+            if renewed:
+                unseen[j, i] = left
+            moved = largest_shift(upwind[j, i], upwind_last)
+            moved = max(moved, largest_shift(temperature[j, i], last))
             show_neighbours(j, i, onward, moved, flow, mesh, recirculates, unseen)
     return unsolved
 

@@ -90,16 +90,25 @@ def solve_by_continuation(
         where = f"from the Newtonian film at {share:.0%} of rheology and heat"
         message = f"not converged: diverged {where}; try more points"
         solution = replace(plain, converged=False, message=message)
-    level = state.levels[-1]
-    last: FlowState | None = level.flow_state
-    if solution.converged and last is not None:
-        last = flow.rested(state.contact, level.grid, level.P, level.H, last)
-    return with_fallbacks(solution, fallbacks), last
+    return with_fallbacks(solution, fallbacks), last_flow(flow, state, solution)
 
 
 def with_fallbacks(solution: ContactSolution, fallbacks: tuple[str, ...]) -> ContactSolution:
     """The solution whose record names these fallbacks."""
     return replace(solution, record=replace(solution.record, fallbacks=fallbacks))
+
+
+def last_flow(
+    flow: GeneralizedFlow, state: Multigrid, solution: ContactSolution
+) -> FlowState | None:
+    """Flow of the last cycle on the finest grid, with heat and stress at rest where the solution
+    converged; None without one.
+    """
+    level = state.levels[-1]
+    last: FlowState | None = level.flow_state
+    if last is None or not solution.converged:
+        return last
+    return flow.rested(state.contact, level.grid, level.P, level.H, last)
 
 
 def _start(

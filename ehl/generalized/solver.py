@@ -18,7 +18,7 @@ from ..options import GENERALIZED_POINTS, SolverOptions
 from ..solid.heat import SolidThermal
 from ..solution import ContactSolution
 from ..solver import solve_attempts, solve_contact
-from .continuation import FLOW_TOLERANCE, solve_by_continuation, with_fallbacks
+from .continuation import FLOW_TOLERANCE, last_flow, solve_by_continuation, with_fallbacks
 from .film_heat import FilmHeat
 from .flow import Continuation, FlowState, GeneralizedFlow
 from .section import film_section
@@ -170,11 +170,7 @@ def _full_multigrid(
 ) -> tuple[ContactSolution, FlowState | None]:
     """Full multigrid from a Hertz pressure, and the flow of its last cycle."""
     contact, levels = solve_attempts(flow.conditions, options, flow, attempts)
-    level = levels.levels[-1]
-    state: FlowState | None = level.flow_state
-    if contact.converged and state is not None:
-        state = flow.rested(levels.contact, level.grid, level.P, level.H, state)
-    return _checked(contact, state)
+    return _checked(contact, last_flow(flow, levels, contact))
 
 
 def _with_fields(solution: GeneralizedSolution, state: FlowState) -> GeneralizedSolution:
