@@ -5,12 +5,13 @@ from functools import cache
 from pathlib import Path
 
 PACKAGES = ("ehl", "bearing")
-CONSTANTS = (  # modules from which kernels take constants and types, beside other kernels
+CONSTANTS = (  # modules from which kernels take constants, types and how they are compiled
     "bearing/dynamics/arrays.py",
     "bearing/dynamics/layout.py",
     "bearing/quasistatic/limits.py",
     "bearing/vibration/arrays.py",
     "ehl/arrays.py",
+    "ehl/compiled.py",
     "ehl/oil/heat_properties.py",
     "ehl/oil/lubricant.py",
     "ehl/traction/heated/nahme.py",

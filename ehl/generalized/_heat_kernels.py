@@ -54,24 +54,24 @@ LAST, FLOW_ROWS = range(17, 19)  # the temperatures that the flow is of [K]
 
 
 @compiled
-def factor_tridiagonal(flow):
-    """LU factors of three diagonals in place of them (Thomas), the middle one inverted."""
-    inverse = flow[MIDDLE, 0] = 1.0 / flow[MIDDLE, 0]
-    for k in range(1, flow.shape[1]):
-        flow[LOWER, k] *= inverse
-        inverse = 1.0 / (flow[MIDDLE, k] - flow[LOWER, k] * flow[UPPER, k - 1])
-        flow[MIDDLE, k] = inverse
-
-
-@compiled
 def solve_tridiagonal(flow, right):
-    """The solution of a factored system replaces `right`."""
+    """The solutions of a system of three diagonals replace `right` and the row COUPLED (Thomas);
+    both at once take the time of one.
+    """
     n = right.size
+    inverse = flow[MIDDLE, 0] = 1.0 / flow[MIDDLE, 0]
     for k in range(1, n):
-        right[k] -= flow[LOWER, k] * right[k - 1]
-    right[n - 1] *= flow[MIDDLE, n - 1]
+        share = flow[LOWER, k] * inverse
+        right[k] -= share * right[k - 1]
+        flow[COUPLED, k] -= share * flow[COUPLED, k - 1]
+        inverse = 1.0 / (flow[MIDDLE, k] - share * flow[UPPER, k - 1])
+        flow[MIDDLE, k] = inverse
+    right[n - 1] *= inverse
+    flow[COUPLED, n - 1] *= inverse
     for k in range(n - 2, -1, -1):
         right[k] = (right[k] - flow[UPPER, k] * right[k + 1]) * flow[MIDDLE, k]
+        coupled = flow[COUPLED, k] - flow[UPPER, k] * flow[COUPLED, k + 1]
+        flow[COUPLED, k] = coupled * flow[MIDDLE, k]
 
 
 @compiled
@@ -83,9 +83,8 @@ def conduction_left(spread, crossing, distance):
 
 @compiled
 def inner_rows(film, conductivity, second_order, nodes, flow, out):
-    """Rows of the nodes inside: conduction, convection, the heat of shear at the last temperature.
-
-    Returns the product of `pull` and the last temperatures.
+    """Rows of the nodes inside: conduction, convection, the heat of shear at the last
+    temperature.
     """
     last = flow[LAST]
     spread = conductivity / (film * film)
@@ -106,7 +105,6 @@ def inner_rows(film, conductivity, second_order, nodes, flow, out):
         flow[MIDDLE, k] = flow[INFLOW, k] - flow[COMPRESSION, k] - flow[DIAGONAL, k] + down + up
         out[k] = flow[ADVECTED, k] + flow[SOURCE, k] - flow[DIAGONAL, k] * last[k]
         out[k] += flow[ALONG, k] * pulled
-    return pulled
 
 
 @compiled
@@ -138,13 +136,9 @@ def column_temperature(
     n = out.size
     for k in range(n):
         flow[COUPLED, k] = flow[ALONG, k] if 0 < k < n - 1 else 0.0
-    pulled = inner_rows(film, conductivity, second_order, nodes, flow, out)
+    inner_rows(film, conductivity, second_order, nodes, flow, out)
     wall_rows(conductivity / film, history, response, differences, flow, out)
-    factor_tridiagonal(flow)
     solve_tridiagonal(flow, out)
-    if pulled == 0.0:
-        return
-    solve_tridiagonal(flow, flow[COUPLED])
     drawn = own = 0.0
     for k in range(n):
         drawn += flow[PULL, k] * out[k]
@@ -271,9 +265,11 @@ def crossing_flow(j, i, mesh_x, renewed, mass, height, section, work, flow):
 @compiled
 def change_temperature(temperature, target, share):
     """Step of a share towards the target temperatures, in bounds; the largest change [K]."""
-    if not np.isfinite(target.sum()):  # some are no numbers
+    total = largest = 0.0
+    for k in range(target.size):
+        total += target[k]
+    if not np.isfinite(total):  # some are no numbers
         return np.inf
-    largest = 0.0
     for k in range(target.size):
         step = min(max(share * (target[k] - temperature[k]), -LARGEST_STEP), LARGEST_STEP)
         largest = max(largest, abs(step))

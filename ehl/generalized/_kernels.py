@@ -24,7 +24,6 @@ from ._stress_kernels import (
     LOG_ETA,
     MASS,
     RHO,
-    ROWS,
     T_XX,
     T_XY,
     T_YY,
@@ -172,7 +171,7 @@ def gradient_power(rise, mean, moment, first, section, work):
 @compiled
 def flow_factors(
     p, h, gradient, speed_a, speed_b, temperature, oil, section, rheology, middle, poiseuille,
-    couette, tangent, power
+    couette, tangent, power, work
 ):  # fmt: skip
     """Factors of every column of a grid; returns the number of columns without a converged stress.
 
@@ -182,12 +181,11 @@ def flow_factors(
     at the temperature of operation: poiseuille, tangent (2, ny, nx): the factor (rho/eta)_e and
     the tangent of the whole flux along x and y [-]; couette: (2, ny, nx), flux of the surfaces
     over h [m/s]; power: d(ln (rho/eta)_e)/d(ln |grad p|) [-]. Columns without a film keep 1, the
-    mean velocity and 0.
+    mean velocity and 0. work: (ROWS, n), for a column.
     """
     ny, nx = p.shape
     unsolved = 0
     newtonian = is_newtonian(rheology)
-    work = np.empty((ROWS, section[0].size))
     for j in range(ny):
         for i in range(nx):
             height = h[j, i]
@@ -218,7 +216,9 @@ def flow_factors(
                 power[j, i] = gradient_power(rise, mean, moment, first, section, work) / factor
                 along, across = column_tangent(section, work)
                 tangent[0, j, i], tangent[1, j, i] = along * thick, across * thick
-            dense = (section[1] * work[RHO]).sum()
+            dense = 0.0
+            for k in range(section[1].size):
+                dense += section[1][k] * work[RHO, k]
             couette[0, j, i] = (first / mean * du + dense * u) / reference
             couette[1, j, i] = (first / mean * dv + dense * v) / reference
     return unsolved

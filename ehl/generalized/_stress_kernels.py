@@ -78,7 +78,10 @@ def newtonian_stress(tau, limit, margin, rheology):
 def column_limit(p, temperature, eta, rate, rheology):
     """Limiting stress of a column [Pa], and the margin below it where the tangent begins [-]."""
     limit = limiting_stress(p, temperature, *rheology[4:])
-    base = shear_stress(rate, eta.max(), np.inf, *rheology[:4])
+    thickest = 0.0
+    for k in range(eta.size):
+        thickest = max(thickest, eta[k])
+    base = shear_stress(rate, thickest, np.inf, *rheology[:4])
     margin = LIMIT_EXCESS / max(base / limit, 1.0)
     return limit, margin if int(rheology[0]) == NEWTONIAN else margin / LIMIT_POWER
 
@@ -209,8 +212,10 @@ def first_guess(eta, rate, section, limit, rheology):
     size = np.hypot(rate[0], rate[1])
     if size == 0.0:
         return 0.0, 0.0
-    mean = 1.0 / (section[1] / eta).sum()
-    tau = shear_stress(size, mean, limit, *rheology[:4])
+    fluidity = 0.0
+    for k in range(eta.size):
+        fluidity += section[1][k] / eta[k]
+    tau = shear_stress(size, 1.0 / fluidity, limit, *rheology[:4])
     return tau * rate[0] / size, tau * rate[1] / size
 
 

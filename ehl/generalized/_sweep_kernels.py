@@ -9,7 +9,7 @@ nothing.
 
 import numpy as np
 
-from ..compiled import compiled, summing
+from ..compiled import compiled, inlined, summing
 from ..oil._elementary_kernels import copy
 from ._heat_kernels import (
     FLOW_ROWS,
@@ -25,6 +25,11 @@ from ._stress_kernels import ROWS
 # of the step towards temperatures of second order, where oil recirculates: 0, 1 and 2 of 32 fast
 # contacts on 129 points needed the continuation with 0.5, 0.7 and 1
 FOLLOWED = 0.5
+
+
+def column_rooms(n):
+    """Arrays for a column of n nodes: work, flow, and three more."""
+    return np.zeros((ROWS, n)), np.zeros((FLOW_ROWS, n)), *np.zeros((3, n))
 
 
 @compiled
@@ -44,7 +49,7 @@ def take_up_heat(j, i, p, height, heat, section, oil, differences, temperature, 
     wall_flux(conductivity / height, differences, temperature[j, i], flux[:, j, i])
 
 
-@compiled
+@inlined
 def solve_or_restart(
     j, i, before, p, height, rise, rate, speed, mesh, symmetric, renewed, oil, heat, section,
     differences, rheology, temperature, inlet, history, response, middle, mass, work, flow, out
@@ -68,11 +73,12 @@ def solve_or_restart(
 def bridge(j, i, walls, nodes, temperature, flux):
     """A column without film: temperatures from wall to wall, no flux."""
     past = walls_before(flux[:, j], *walls)
-    copy(past[0] + nodes * (past[1] - past[0]), temperature[j, i])
+    for k in range(nodes.size):
+        temperature[j, i, k] = past[0] + nodes[k] * (past[1] - past[0])
     flux[0, j, i] = flux[1, j, i] = 0.0
 
 
-@compiled
+@inlined
 def upwind_column(
     j, i, p, height, gradient, speed_1, speed_2, mesh, symmetric, forward, renewed, oil, heat,
     section, differences, rheology, upwind, upwind_flux, inlet, walls, wall_response, middle, mass,
@@ -82,20 +88,24 @@ def upwind_column(
     whether it converged.
     """
     rise = (height * gradient[0, j, i], height * gradient[1, j, i])
-    slide = speed_2[:, j, i] - speed_1[:, j, i]
-    rate = (slide[0] / height, slide[1] / height)
+    along = (speed_2[0, j, i] - speed_1[0, j, i]) / height
+    across = (speed_2[1, j, i] - speed_1[1, j, i]) / height
     converged = solve_or_restart(
-        j, i, i - 1 if forward else i + 1, p[j], height, rise, rate, speed_1[:, j, i], mesh,
-        symmetric, renewed, oil, heat, section, differences, rheology, upwind, inlet,
+        j, i, i - 1 if forward else i + 1, p[j], height, rise, (along, across), speed_1[:, j, i],
+        mesh, symmetric, renewed, oil, heat, section, differences, rheology, upwind, inlet,
         walls_before(upwind_flux[:, j], *walls), wall_response, middle, mass, work, flow, out,
     )  # fmt: skip
-    if flow[U].max() > 0.0 and flow[U].min() < 0.0:
+    slowest = fastest = flow[U, 0]
+    for k in range(flow.shape[1]):
+        slowest = min(slowest, flow[U, k])
+        fastest = max(fastest, flow[U, k])
+    if slowest < 0.0 < fastest:
         recirculates[j, i] = True
     take_up_heat(j, i, p, height, heat, section, oil, differences, upwind, upwind_flux)
     return converged
 
 
-@compiled
+@inlined
 def sharper_column(
     j, i, p, height, mesh, symmetric, oil, heat, section, differences, temperature, flux, inlet,
     walls, wall_response, recirculates, converged, upwind, upwind_last, flow, out
@@ -120,7 +130,7 @@ def sharper_column(
 def heat_sweep(
     p, h, gradient, speed_1, speed_2, mesh, symmetric, forward, oil, heat, section, differences,
     rheology, inlet, bulk, response, weights, upwind, upwind_flux, temperature, flux, middle, mass,
-    dissipation, recirculates, unseen, least
+    dissipation, recirculates, unseen, least, rooms
 ):  # fmt: skip
     """Columns of all lines with something unseen, one after the other along x, or against it; the
     number of unsolved ones. Against the entrainment only those in which oil flows back: others
@@ -132,12 +142,11 @@ def heat_sweep(
     order, beside those of first order, upwind; middle (2, ny, nx) [Pa], mass (ny, nx, n) [m^2/s],
     dissipation [W/m^2]; recirculates, (ny, nx): whether oil of a column ever flowed against the
     entrainment; unseen, (ny, nx): see above [K]. least: unseen from which on a column is solved
-    [K].
+    [K]. rooms: of `column_rooms`.
     """
-    ny, nx, n = temperature.shape
+    ny, nx = p.shape
     unsolved = 0
-    work, flow = np.zeros((ROWS, n)), np.zeros((FLOW_ROWS, n))
-    out, last, upwind_last = np.zeros(n), np.zeros(n), np.zeros(n)
+    work, flow, out, last, upwind_last = rooms
     for j in range(ny):
         for i in range(nx) if forward else range(nx - 1, -1, -1):
             height = h[j, i]

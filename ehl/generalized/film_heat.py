@@ -120,6 +120,7 @@ class FilmHeat:
         if last and last.fields:
             state.unseen[:] += self._unfollowed(last.temperature, last.fields, fields)
         before = state.temperature.copy()
+        rooms = _kernels.column_rooms(section.nodes.size)
         unsolved = 0
         for forward in sweeps:
             unsolved = _kernels.heat_sweep(
@@ -130,7 +131,7 @@ class FilmHeat:
                 *(self.inlet, self.bulk, np.stack(response), weights),
                 *(state.upwind_temperature, state.upwind_flux, state.temperature, state.flux),
                 *(middle, state.mass, state.dissipation),
-                *(state.recirculates, state.unseen, state.least),
+                *(state.recirculates, state.unseen, state.least, rooms),
             )
         change = float(np.abs(state.temperature - before).max())
         return replace(state, fields=fields, change=change, unsolved_columns=int(unsolved))

@@ -40,7 +40,7 @@ from ..oil.numbers import oil_numbers
 from ..oil.rheology import Rheology, divide_stresses, kernel_rheology, limiting_stress
 from ..scaling import ScaledContact
 from . import _kernels
-from ._stress_kernels import LIMIT_EXCESS
+from ._stress_kernels import LIMIT_EXCESS, ROWS
 from .film_heat import LEAST_UNSEEN, FilmHeat, HeatState
 from .section import FilmFields, Section, film_section
 
@@ -315,7 +315,8 @@ class GeneralizedFlow:
         oil = (numbers, self.section.integration, kernel_rheology(self._rheology))
         columns = (fields.p, fields.h, *motion, temperature, *oil)
         results = (poiseuille, couette, tangent, power)
-        unsolved = _kernels.flow_factors(*columns, middle, *results)
+        room = np.empty((ROWS, self.section.nodes.size))
+        unsolved = _kernels.flow_factors(*columns, middle, *results, room)
         return poiseuille, couette, tangent.max(axis=0), np.maximum(power, 0.0), int(unsolved)
 
 

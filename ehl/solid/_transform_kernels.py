@@ -8,7 +8,7 @@ radix 4, 3 and 2; its frequencies come out with the digits of their numbers reve
 
 import numpy as np
 
-from ..compiled import compiled
+from ..compiled import allocating, compiled
 
 LANES = 16  # two registers of 512 bits: 1.25 times as fast as with one (513 points)
 # unsigned as places in an array are, of which none counts from its end
@@ -106,7 +106,7 @@ def _stage(z, out, radix, before, roots, lanes):
             _radix_2(z, out, places, apart, turns, lanes)
 
 
-@compiled
+@allocating
 def _transform(z, other, radices, roots, lanes):
     """Sum z_n exp(-2 pi i n k/N), digits of k reversed; the result and the other array."""
     before = 1
@@ -153,7 +153,7 @@ def _load_even(columns, turns, z, rows, width):
                 z[mirror + k] += imaginary * cos - real * sin
 
 
-@compiled
+@allocating
 def _store_even(z, order, turns, far, columns, width):
     """Y_n = exp(-i pi n/2N) U_n + exp(i pi n/2N) U_(N-n), the way back of `_load_even`; the last
     number gets what its mirror image, at distance N, adds.
@@ -201,7 +201,7 @@ def _store(z, order, columns, width):
             own[k] = complex(z[at + SIDE + k], z[at + k])
 
 
-@compiled
+@allocating
 def convolve_columns(columns, even, spectrum, far, tables, first, stop):
     """Convolution of complex columns, shape (ny, nx), with real even ones, in place; these are
     given by their spectrum, shape (blocks of LANES columns, N, LANES). Blocks from `first` to

@@ -1,9 +1,10 @@
 """Compiled sums of B-splines over the five axes of a traction table, as lookups take them."""
 
 import numpy as np
-from numba import carray, types
+from numba import types
 from numba.core import cgutils
 from numba.extending import intrinsic, overload
+from numba.np.arrayobj import populate_array
 
 from ..compiled import compiled, inlined
 
@@ -47,22 +48,34 @@ def row_sums():
 
 @intrinsic
 def _room(typing):
-    """A pointer to as much on the stack: nothing to free, and known to overlap nothing."""
+    """As much on the stack: nothing to free, and known to overlap nothing."""
     del typing
+    kind = types.Array(types.float64, 1, "C")
 
     def build(context, builder, signature, arguments):
         del signature, arguments
-        return cgutils.alloca_once(
-            builder, context.get_value_type(types.float64), size=16 * COLUMNS
+        number = context.get_value_type(types.float64)
+        item = context.get_constant(types.intp, context.get_abi_sizeof(number))
+        array = context.make_array(kind)(context, builder)
+        populate_array(
+            array,
+            data=cgutils.alloca_once(builder, number, size=16 * COLUMNS),
+            shape=(context.get_constant(types.intp, 16 * COLUMNS),),
+            strides=(item,),
+            itemsize=item,
+            meminfo=None,
         )
+        return array._getvalue()
 
-    return types.CPointer(types.float64)(), build
+    return kind(), build
 
 
-@overload(row_sums, inline="always")
+@overload(row_sums, inline="always", jit_options={"_nrt": True})
 def _compiled_row_sums():
-    """`row_sums` where it is compiled."""
-    return lambda: carray(_room(), (16 * COLUMNS,))
+    """`row_sums` where it is compiled. (Only who counts arrays may return one; it is part of its
+    caller.)
+    """
+    return lambda: _room()
 
 
 @compiled

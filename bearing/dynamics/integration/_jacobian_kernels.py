@@ -7,7 +7,7 @@ ring and cage. Its columns cost the contacts of one ball each, those of ring and
 
 import numpy as np
 
-from ehl.compiled import compiled, inlined
+from ehl.compiled import allocating, compiled, inlined
 from ehl.oil._elementary_kernels import copy_rows
 
 from .._handle_kernels import handle
@@ -91,7 +91,7 @@ def columns_of_ball(p, t, j, base, owner, scale, out):
     copy_rows(total, p.loads)
 
 
-@compiled
+@allocating
 def jacobian(t, y, data, scale, out):
     """Slopes of the rates of coordinates and speeds that are solved over them, shape (mechanical,
     mechanical), by one-sided differences of steps `scale`.

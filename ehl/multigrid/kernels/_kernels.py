@@ -12,13 +12,13 @@ the grid. Arrays are stored with lines along x contiguous, shape (ny, nx). On a 
 
 import numpy as np
 
-from ...compiled import compiled
+from ...compiled import allocating, compiled
 from ...oil._elementary_kernels import exponential, logarithm
 
 EXPONENT_LIMIT = 600.0  # largest ln(eta/eta_0), keeps exp() finite
 
 
-@compiled
+@allocating
 def flow_properties(
     P, H, slope, pressure, exponent, dense_1, dense_2, speed, eps, rho, rho_slope, first, stop
 ):

@@ -9,7 +9,7 @@ side.
 
 import numpy as np
 
-from ...compiled import compiled
+from ...compiled import allocating, compiled
 
 LANES = 8  # lines solved at once, as many as fit a register of 512 bits
 LOWER = 4  # sub-diagonals of the line system
@@ -40,7 +40,7 @@ HERE = LOWER * ROW
 WINDOW = (LOWER + 1 + LOWER) * ROW
 
 
-@compiled
+@allocating
 def line_influences(near, weights):
     """Deflections at distances 0 to 6 in the line of a change and in the next two, from a change
     of each kind: [line][Gauss-Seidel, Jacobi][distance].

@@ -4,7 +4,7 @@ layout of arrays, `_line_kernels` for the systems of the lines.
 
 import numpy as np
 
-from ...compiled import compiled
+from ...compiled import allocating, compiled
 from ...oil._elementary_kernels import copy
 from ._kernels import lateral_at, operator_of_line
 from ._line_kernels import (
@@ -159,7 +159,7 @@ def _apply_line(P, eps, kind, delta, wx, relief, spread):
         P[i] = changed if kind[i] == GAUSS_SEIDEL else P[i]
 
 
-@compiled
+@allocating
 def relax_lines(
     P, H, eps, flow_x, slope_x, flow_y, slope_y, lateral, f, storage, near, hx, hy, symmetric,
     starved, rest, empty, share, relief, switch, kinds, spread, first, stop,

@@ -13,6 +13,7 @@ from numpy.testing import assert_allclose
 from scipy.integrate import quad
 
 from ehl.generalized import _kernels
+from ehl.generalized._stress_kernels import ROWS
 from ehl.generalized.section import film_section
 from ehl.oil.lubricant import Lubricant, ThermalProperties, ViscosityLaw, density, viscosity
 from ehl.oil.numbers import oil_numbers
@@ -21,6 +22,7 @@ from ehl.oil.rheology import Rheology, ShearLaw, kernel_rheology
 from ...reference.ehl.film_columns import FilmColumns, _stresses, flow_integrals, fluidities, mid_stress
 
 SECTION = film_section()
+ROOM = np.empty((ROWS, SECTION.nodes.size))
 NEWTON = Rheology()
 EYRING = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5e6)
 CARREAU = Rheology(law=ShearLaw.CARREAU_YASUDA, carreau_modulus=7e6, carreau_exponent=0.46)
@@ -238,7 +240,7 @@ def test_kernel_agrees(rheology):
     couette, tangent, power = np.empty((2, *shape)), np.empty((2, *shape)), np.empty(shape)
     fields = (p, h, gradient, speed_a, speed_b, temperature)
     given = (oil_numbers(oil), SECTION.integration, kernel_rheology(rheology))
-    missed = _kernels.flow_factors(*fields, *given, middle, poiseuille, couette, tangent, power)
+    missed = _kernels.flow_factors(*fields, *given, middle, poiseuille, couette, tangent, power, ROOM)
     assert missed == 0
     assert poiseuille[2, 3] == 1.0
     assert power[2, 3] == 0.0
@@ -285,7 +287,7 @@ def test_kernel_is_ordinary_without_heat_and_thinning():
         poiseuille, couette, tangent = np.empty(shape), np.empty((2, *shape)), np.empty((2, *shape))
         fields = (p, h, random.uniform(-1e12, 1e12, (2, *shape)), speed_a, speed_b, temperature)
         results = (np.full((2, *shape), np.nan), poiseuille, couette, tangent, np.empty(shape))
-        _kernels.flow_factors(*fields, oil_numbers(oil), SECTION.integration, kernel_rheology(NEWTON), *results)
+        _kernels.flow_factors(*fields, oil_numbers(oil), SECTION.integration, kernel_rheology(NEWTON), *results, ROOM)
         assert_allclose(poiseuille, 1.0, rtol=1e-13)
         assert_allclose(tangent, 1.0, rtol=1e-13)
         assert_allclose(couette, 0.5 * (speed_a + speed_b), rtol=1e-12, atol=1e-12)

@@ -159,15 +159,17 @@ def test_column_kernel_agrees(second_order):
 
 
 def test_tridiagonal_solver():
+    """Of two right sides."""
     random, n = np.random.default_rng(91822), 9
-    flow, right = np.zeros((_kernels.FLOW_ROWS, n)), random.standard_normal(n)
+    flow, right = np.zeros((_kernels.FLOW_ROWS, n)), random.standard_normal((n, 2))
     flow[_kernels.LOWER, 1:], flow[_kernels.UPPER, :-1] = random.random(n - 1), random.random(n - 1)
     flow[_kernels.MIDDLE] = 2.0 + random.random(n)
     lower, middle, upper = (flow[row].copy() for row in (_kernels.LOWER, _kernels.MIDDLE, _kernels.UPPER))
     wanted = np.linalg.solve(np.diag(middle) + np.diag(lower[1:], -1) + np.diag(upper[:-1], 1), right)
-    _kernels.factor_tridiagonal(flow)
-    _kernels.solve_tridiagonal(flow, right)
-    assert_allclose(right, wanted, rtol=1e-12)
+    first, flow[_kernels.COUPLED] = right.T.copy()
+    _kernels.solve_tridiagonal(flow, first)
+    assert_allclose(first, wanted[:, 0], rtol=1e-12)
+    assert_allclose(flow[_kernels.COUPLED], wanted[:, 1], rtol=1e-12)
 
 
 def test_uniform_flux_into_a_moving_body():
@@ -227,7 +229,7 @@ class Line:
             *(*self.film, (self.mesh, 1.0), True, True, oil_numbers(self.oil), heat, SECTION.integration, DIFFERENCES),
             *(kernel_rheology(Rheology()), inlet, (T_0, T_0), self.response, self.weights),
             *(self.upwind, self.upwind_flux, self.temperature, self.flux, self.middle, self.mass, self.dissipation),
-            *(self.recirculates, self.unseen, LEAST_UNSEEN),
+            *(self.recirculates, self.unseen, LEAST_UNSEEN, _sweep_kernels.column_rooms(SECTION.nodes.size)),
         )
 
 
