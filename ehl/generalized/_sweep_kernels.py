@@ -72,9 +72,8 @@ def solve_or_restart(
 @compiled
 def bridge(j, i, walls, nodes, temperature, flux):
     """A column without film: temperatures from wall to wall, no flux."""
-    past = walls_before(flux[:, j], *walls)
     for k in range(nodes.size):
-        temperature[j, i, k] = past[0] + nodes[k] * (past[1] - past[0])
+        temperature[j, i, k] = walls[0] + nodes[k] * (walls[1] - walls[0])
     flux[0, j, i] = flux[1, j, i] = 0.0
 
 
@@ -93,7 +92,7 @@ def upwind_column(
     converged = solve_or_restart(
         j, i, i - 1 if forward else i + 1, p[j], height, rise, (along, across), speed_1[:, j, i],
         mesh, symmetric, renewed, oil, heat, section, differences, rheology, upwind, inlet,
-        walls_before(upwind_flux[:, j], *walls), wall_response, middle, mass, work, flow, out,
+        walls, wall_response, middle, mass, work, flow, out,
     )  # fmt: skip
     slowest = fastest = flow[U, 0]
     for k in range(flow.shape[1]):
@@ -120,7 +119,7 @@ def sharper_column(
         share = FOLLOWED if recirculates[j, i] else 1.0
         left = sharpen_heat_column(
             j, i, p[j, i], height, mesh, symmetric, oil, heat, section, differences, temperature,
-            inlet, walls_before(flux[:, j], *walls), wall_response, share, flow, out,
+            inlet, walls, wall_response, share, flow, out,
         )  # fmt: skip
     take_up_heat(j, i, p, height, heat, section, oil, differences, temperature, flux)
     return left
@@ -155,10 +154,10 @@ def heat_sweep(
             renewed = forward == onward
             if unseen[j, i] < least or not (renewed or recirculates[j, i]):
                 continue
-            walls = (i, along, response[:, j, i], weights, bulk)
+            walls_1, walls_2 = walls_at(j, i, upwind_flux, flux, along, response, weights, bulk)
             if height <= 0.0:
-                bridge(j, i, walls, section[0], upwind, upwind_flux)
-                bridge(j, i, walls, section[0], temperature, flux)
+                bridge(j, i, walls_1, section[0], upwind, upwind_flux)
+                bridge(j, i, walls_2, section[0], temperature, flux)
                 dissipation[j, i] = unseen[j, i] = 0.0
                 continue
             copy(upwind[j, i], upwind_last)
@@ -166,13 +165,13 @@ def heat_sweep(
             wall_response = (response[0, j, i] * weights[0], response[1, j, i] * weights[0])
             converged = upwind_column(
                 j, i, p, height, gradient, speed_1, speed_2, mesh, symmetric, forward, renewed,
-                oil, heat, section, differences, rheology, upwind, upwind_flux, inlet, walls,
-                wall_response, middle, mass, recirculates, work, flow, out,
+                oil, heat, section, differences, rheology, upwind, upwind_flux, inlet,
+                walls_1, wall_response, middle, mass, recirculates, work, flow, out,
             )  # fmt: skip
             unsolved += 0 if converged else 1
             left = sharper_column(
                 j, i, p, height, mesh, symmetric, oil, heat, section, differences, temperature,
-                flux, inlet, walls, wall_response, recirculates, converged, upwind, upwind_last,
+                flux, inlet, walls_2, wall_response, recirculates, converged, upwind, upwind_last,
                 flow, out,
             )  # fmt: skip
             dissipation[j, i] = heat_of_shear(height, section[1], temperature[j, i], flow)
@@ -223,21 +222,28 @@ def show_neighbours(j, i, onward, moved, flow, mesh, recirculates, unseen):
 
 
 @compiled
-def walls_before(flux, i, speeds, response, weights, bulk):
-    """Temperatures of both walls at node i of a line by the heat taken up before [K]."""
-    first = bulk[0] + response[0] * body_history(flux[0], i, speeds[0], weights)
-    second = bulk[1] + response[1] * body_history(flux[1], i, speeds[1], weights)
-    return first, second
+def walls_at(j, i, upwind_flux, flux, speeds, response, weights, bulk):
+    """Temperatures of both walls at node i of a line by the heat taken up before: by the flux of
+    first and by that of second order [K].
+    """
+    upwind_1, heat_1 = body_history(0, j, i, upwind_flux, flux, speeds[0], weights)
+    upwind_2, heat_2 = body_history(1, j, i, upwind_flux, flux, speeds[1], weights)
+    first = response[0, j, i]
+    second = response[1, j, i]
+    upwind = (bulk[0] + first * upwind_1, bulk[1] + second * upwind_2)
+    return upwind, (bulk[0] + first * heat_1, bulk[1] + second * heat_2)
 
 
 @summing
-def body_history(flux, i, speed, weights):
-    """Weighted sum of the fluxes a surface took up before node i [W/m^1.5]."""
-    total = 0.0
+def body_history(body, j, i, upwind_flux, flux, speed, weights):
+    """Weighted sums of both fluxes that a surface took up before node i [W/m^1.5]."""
+    upwind = total = 0.0
     if speed >= 0.0:
         for m in range(i):
-            total += weights[i - m] * flux[m]
+            upwind += weights[i - m] * upwind_flux[body, j, m]
+            total += weights[i - m] * flux[body, j, m]
     else:
-        for m in range(i + 1, flux.size):
-            total += weights[m - i] * flux[m]
-    return total
+        for m in range(i + 1, flux.shape[2]):
+            upwind += weights[m - i] * upwind_flux[body, j, m]
+            total += weights[m - i] * flux[body, j, m]
+    return upwind, total

@@ -103,9 +103,6 @@ def flow(state: Multigrid, level: Level) -> None:
         level.slope_x *= factors.couette_x
     if factors.poiseuille is not None:
         level.eps *= factors.poiseuille
-    if factors.thinning is not None and factors.log_viscosity is not None:
-        thicker = log_viscosity(state.contact, level.P) - factors.log_viscosity
-        level.eps *= np.exp(factors.thinning * thicker)
 
 
 def _store(step: TimeStep, level: Level) -> None:
@@ -120,7 +117,9 @@ def _store(step: TimeStep, level: Level) -> None:
 
 
 def _oil(state: Multigrid, level: Level) -> None:
-    """eps, and rho and its slope in place of the flow, of a Newtonian isothermal oil."""
+    """eps, and rho and its slope in place of the flow, of a Newtonian isothermal oil; of one that
+    thins, eps as much less as its factors follow the pressure.
+    """
     c = state.contact
     if c.oil is None:
         viscosity = (c.viscosity_slope, c.viscosity_pressure, c.viscosity_exponent)
@@ -129,7 +128,7 @@ def _oil(state: Multigrid, level: Level) -> None:
     else:
         numbers = oil_numbers(c.oil)
         law = partial(properties.flow_properties, level.P, level.H, c.hertz_pressure, numbers)
-    lines = partial(law, c.speed, level.eps, level.flow_x, level.slope_x)
+    lines = partial(law, *level.factors.follows, c.speed, level.eps, level.flow_x, level.slope_x)
     state.threads.run(lines, range(level.grid.ny), level.P.size)
 
 

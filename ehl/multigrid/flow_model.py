@@ -42,6 +42,13 @@ class FlowFactors:
     couette_x: Array | None = None  # u over u_m, the flow being rho u H
     couette_y: Array | None = None  # v over u_m; a grid of the upper half has none
 
+    @property
+    def follows(self) -> tuple[Array, Array]:
+        """`thinning` and `log_viscosity`, both empty where the factors stay as they are."""
+        if self.thinning is None or self.log_viscosity is None:
+            return np.empty((0, 0)), np.empty((0, 0))
+        return self.thinning, self.log_viscosity
+
     def coarsened(self) -> "FlowFactors":
         """Those of the next coarser grid, by injection [-]."""
         parts = {field.name: getattr(self, field.name) for field in fields(self)}

@@ -290,9 +290,12 @@ def density_slope(pressure, oil):
 
 
 @compiled
-def flow_properties(P, H, hertz_pressure, oil, speed, eps, rho, rho_slope, first, stop):
+def flow_properties(
+    P, H, hertz_pressure, oil, thinning, at, speed, eps, rho, rho_slope, first, stop
+):
     """eps = rho H^3/(eta lambda), rho and d(rho)/dP [-] of the lines from `first` to before
-    `stop`, any law, at the temperature of operation.
+    `stop`, any law, at the temperature of operation. thinning: share of the change of ln(eta),
+    from what it is `at` the pressure of the factors, that these take back; empty without any.
     """
     nx = P.shape[1]
     for j in range(first, stop):
@@ -302,4 +305,7 @@ def flow_properties(P, H, hertz_pressure, oil, speed, eps, rho, rho_slope, first
             density = density_ratio(p, oil[4], oil)
             rho[j, i] = density
             rho_slope[j, i] = density_slope(p, oil) * hertz_pressure
-            eps[j, i] = density * h * h * h / speed * np.exp(-log_viscosity_ratio(p, oil[4], oil))
+            thinner = -log_viscosity_ratio(p, oil[4], oil)
+            if thinning.size > 0:
+                thinner -= thinning[j, i] * (thinner + at[j, i])
+            eps[j, i] = density * h * h * h / speed * np.exp(thinner)

@@ -20,10 +20,13 @@ EXPONENT_LIMIT = 600.0  # largest ln(eta/eta_0), keeps exp() finite
 
 @allocating
 def flow_properties(
-    P, H, slope, pressure, exponent, dense_1, dense_2, speed, eps, rho, rho_slope, first, stop
-):
+    P, H, slope, pressure, exponent, dense_1, dense_2, thinning, at, speed, eps, rho, rho_slope,
+    first, stop
+):  # fmt: skip
     """eps = rho H^3/(eta lambda), ln(eta) = s [(1 + q P)^z - 1], rho = 1 + d1 P/(1 + d2 P) and
-    d(rho)/dP at every node of the lines from `first` to before `stop`.
+    d(rho)/dP at every node of the lines from `first` to before `stop`. thinning: share of the
+    change of ln(eta), from what it is `at` the pressure of the factors, that these take back;
+    empty without any.
     """
     rise = np.empty(P.shape[1])
     for j in range(first, stop):
@@ -36,7 +39,12 @@ def flow_properties(
         # 2. ln of eta_0/eta
         exponential(rise)
         for i in range(rise.size):
-            rise[i] = max(slope * (1.0 - rise[i]), -EXPONENT_LIMIT)
+            rise[i] = slope * (1.0 - rise[i])
+        if thinning.size > 0:
+            for i in range(rise.size):
+                rise[i] -= thinning[j, i] * (rise[i] + at[j, i])
+        for i in range(rise.size):
+            rise[i] = max(rise[i], -EXPONENT_LIMIT)
         # 3. density and flow coefficient
         exponential(rise)
         _flow_of_line(P[j], H[j], rise, dense_1, dense_2, speed, eps[j], rho[j], rho_slope[j])

@@ -191,12 +191,12 @@ def test_linear_flux_into_a_moving_body_is_exact():
     weights, q = history_weights(50, 2e-6), np.arange(50) * 2e-6
     ours = [np.dot(weights[: i + 1][::-1], q[: i + 1]) for i in range(50)]
     assert_allclose(ours, 4.0 / 3.0 * q**1.5, rtol=1e-12)
-    forward = [_sweep_kernels.body_history(q, i, 1.0, weights) + weights[0] * q[i] for i in range(50)]
-    assert_allclose(forward, ours, rtol=1e-12)
-    backward = [
-        _sweep_kernels.body_history(q[::-1].copy(), i, -1.0, weights) + weights[0] * q[49 - i] for i in range(50)
-    ]
-    assert_allclose(backward[::-1], ours, rtol=1e-12)
+    both = np.stack((q, 2.0 * q)).reshape(2, 1, 50)
+    past = [_sweep_kernels.body_history(1, 0, i, both, 3.0 * both, 1.0, weights) for i in range(50)]
+    assert_allclose(np.array(past) / (2.0, 6.0), (ours - weights[0] * q)[:, None] * (1.0, 1.0), rtol=1e-12)
+    both = both[..., ::-1].copy()
+    past = [_sweep_kernels.body_history(1, 0, 49 - i, both, 3.0 * both, -1.0, weights) for i in range(50)]
+    assert_allclose(np.array(past) / (2.0, 6.0), (ours - weights[0] * q)[:, None] * (1.0, 1.0), rtol=1e-12)
 
 
 def test_body_at_rest():

@@ -10,7 +10,8 @@ from numpy.testing import assert_allclose
 
 from ehl import Lubricant, MoesConditions, ViscosityLaw
 from ehl.grid import Grid
-from ehl.multigrid.cycle import relax, start_level, update_film
+from ehl.multigrid.cycle import log_viscosity, relax, start_level, update_film
+from ehl.multigrid.flow_model import FlowFactors
 from ehl.multigrid.kernels import _kernels, _relaxation_kernels
 from ehl.multigrid.levels import Damping, make_multigrid
 from ehl.oil import _kernels as properties
@@ -47,11 +48,11 @@ def fields(request):
     return g, P, H
 
 
-def compiled_flow(c, P, H):
+def compiled_flow(c, P, H, factors=FlowFactors()):  # noqa: B008 - it is frozen
     eps, rho, slope = np.empty_like(P), np.empty_like(P), np.empty_like(P)
     viscosity = (c.viscosity_slope, c.viscosity_pressure, c.viscosity_exponent)
     density = (c.density_numerator, c.density_denominator)
-    _kernels.flow_properties(P, H, *viscosity, *density, c.speed, eps, rho, slope, 0, len(P))
+    _kernels.flow_properties(P, H, *viscosity, *density, *factors.follows, c.speed, eps, rho, slope, 0, len(P))
     return eps, rho, slope
 
 
@@ -149,12 +150,30 @@ def test_half_and_full_domain_sweeps_agree():
 
 
 @pytest.mark.parametrize("law", list(CLOSED_FORM_LAWS))
+def test_factors_that_follow_the_pressure(fields, law):
+    """Each kernel multiplies eps by [eta(P)/eta(P_0)]^k."""
+    _, P, H = fields
+    c, random = contact(law), np.random.default_rng(60217)
+    k, at = random.random(P.shape), log_viscosity(c, P * random.uniform(0.9, 1.1, P.shape))
+    factors = FlowFactors(thinning=k, log_viscosity=at)
+    wanted = compiled_flow(c, P, H)[0] * np.exp(k * (log_viscosity(c, P) - at))
+    assert_allclose(compiled_flow(c, P, H, factors)[0], wanted, rtol=1e-11, atol=1e-300)
+    oil = Lubricant(viscosity=0.05, pressure_viscosity=18e-9, viscosity_law=law)
+    found = np.empty_like(P), np.empty_like(P), np.empty_like(P)
+    numbers = oil_numbers(oil)
+    properties.flow_properties(P, H, c.hertz_pressure, numbers, *factors.follows, c.speed, *found, 0, len(P))
+    assert_allclose(found[0], wanted, rtol=1e-11, atol=1e-300)
+
+
+@pytest.mark.parametrize("law", list(CLOSED_FORM_LAWS))
 def test_any_law_by_the_general_kernel(fields, law):
     """The kernel for laws of any kind, and the one for closed forms, on laws that both know."""
     _, P, H = fields
     c = contact(law)
     oil = Lubricant(viscosity=0.05, pressure_viscosity=18e-9, viscosity_law=law)
     found = np.empty_like(P), np.empty_like(P), np.empty_like(P)
-    properties.flow_properties(P, H, c.hertz_pressure, oil_numbers(oil), c.speed, *found, 0, len(P))
+    properties.flow_properties(
+        P, H, c.hertz_pressure, oil_numbers(oil), *FlowFactors().follows, c.speed, *found, 0, len(P)
+    )
     for ours, twin in zip(found, compiled_flow(c, P, H), strict=True):
         assert_allclose(ours, twin, rtol=1e-11, atol=1e-300)

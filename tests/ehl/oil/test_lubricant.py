@@ -224,7 +224,8 @@ def test_flow_properties(oil):
     random = np.random.default_rng(33817)
     P, H = random.uniform(-0.1, 1.2, (5, 7)), random.uniform(-0.05, 1.0, (5, 7))
     eps, rho, slope = (np.empty_like(P) for _ in range(3))
-    _kernels.flow_properties(P, H, 1.1e9, oil_numbers(oil), 0.03, eps, rho, slope, 0, len(P))
+    follows = np.empty((0, 0)), np.empty((0, 0))
+    _kernels.flow_properties(P, H, 1.1e9, oil_numbers(oil), *follows, 0.03, eps, rho, slope, 0, len(P))
     p = np.maximum(P, 0.0) * 1.1e9
     assert_allclose(rho, density(p, oil) / oil.density, rtol=1e-13)
     thin = np.exp(-log_viscosity_ratio(p, oil))
