@@ -1,9 +1,10 @@
 """Named tuples of numbers and arrays for compiled functions, handed on as one pointer.
 
-A tuple that is passed to a compiled function is copied, number by number, and each array in it
-counted up and down in memory that all cores share: for the 60 arrays and 50 numbers of a bearing
-ten times the time of the physics of a ball. `handle` keeps the tuple where it is called; what it
-returns is read like the tuple, lives as long as that call, and counts nothing.
+A tuple that is passed to a compiled function is copied, number by number, and where arrays are
+counted each of them is, up and down in memory that all cores share: for the 60 arrays and 50
+numbers of a bearing ten times the time of the physics of a ball, with the counting. `handle`
+keeps the tuple where it is called; what it returns is read like the tuple, lives as long as
+that call, and counts nothing.
 """
 
 from numba import types
