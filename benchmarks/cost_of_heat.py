@@ -7,6 +7,7 @@ at speed and ten at random, 129 points, Newtonian and with Eyring's law.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from math import cos, pi, radians, sin
 from time import process_time
 
@@ -80,18 +81,15 @@ def main() -> None:
     """Print a line for each contact, and the medians."""
     ratios: dict[str, list[float]] = {"Newtonian": [], "Eyring": [], "Eyring over Newtonian": []}
     for name, conditions, ball in contacts():
-        solids = (ball, STEEL)
-        solve_generalized(conditions, EYRING, solids=solids, options=SolverOptions(points=33))  # kernels
-        plain = least_time(lambda: solve_contact(conditions, OPTIONS))  # noqa: B023 - called at once
-        eyring = least_time(lambda: solve_generalized(conditions, EYRING, options=OPTIONS))  # noqa: B023
-        hot = {
-            law: least_time(lambda: solve_generalized(conditions, rheology, solids=solids, options=OPTIONS))  # noqa: B023
-            for law, rheology in (("Newtonian", Rheology()), ("Eyring", EYRING))
-        }
-        found = (hot["Newtonian"] / plain, hot["Eyring"] / eyring, hot["Eyring"] / plain)
+        with_heat = partial(solve_generalized, conditions, solids=(ball, STEEL))
+        with_heat(EYRING, options=SolverOptions(points=33))  # kernels are made
+        plain = least_time(partial(solve_contact, conditions, OPTIONS))
+        eyring = least_time(partial(solve_generalized, conditions, EYRING, options=OPTIONS))
+        hot, hot_eyring = (least_time(partial(with_heat, law, options=OPTIONS)) for law in (Rheology(), EYRING))
+        found = (hot / plain, hot_eyring / eyring, hot_eyring / plain)
         for law, ratio in zip(ratios, found, strict=True):
             ratios[law].append(ratio)
-        times = f"{plain:.2f} s, with heat {hot['Newtonian']:.2f}; Eyring {eyring:.2f} s, with heat {hot['Eyring']:.2f}"
+        times = f"{plain:.2f} s, with heat {hot:.2f}; Eyring {eyring:.2f} s, with heat {hot_eyring:.2f}"
         print(f"{name}: Newtonian {times}; ratios {found[0]:.1f}, {found[1]:.1f}, {found[2]:.1f}", flush=True)
     for law, values in ratios.items():
         below = sum(value < 8.0 for value in values)

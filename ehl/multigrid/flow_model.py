@@ -29,6 +29,8 @@ from .transfer import inject
 
 Array = NDArray[np.float64]
 
+NOTHING: Array = np.empty((0, 0))  # in place of a field, for kernels
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FlowFactors:
@@ -46,7 +48,7 @@ class FlowFactors:
     def follows(self) -> tuple[Array, Array]:
         """`thinning` and `log_viscosity`, both empty where the factors stay as they are."""
         if self.thinning is None or self.log_viscosity is None:
-            return np.empty((0, 0)), np.empty((0, 0))
+            return NOTHING, NOTHING
         return self.thinning, self.log_viscosity
 
     def coarsened(self) -> "FlowFactors":

@@ -21,6 +21,7 @@ from ehl.solid.deformation import deflection_kernel
 
 from ...reference.ehl import relaxation, reynolds
 
+PLAIN = FlowFactors()  # of a Newtonian oil
 ROUND_OFF = 1e-12  # relative; sums of a few terms in another order
 
 
@@ -48,7 +49,7 @@ def fields(request):
     return g, P, H
 
 
-def compiled_flow(c, P, H, factors=FlowFactors()):  # noqa: B008 - it is frozen
+def compiled_flow(c, P, H, factors=PLAIN):
     eps, rho, slope = np.empty_like(P), np.empty_like(P), np.empty_like(P)
     viscosity = (c.viscosity_slope, c.viscosity_pressure, c.viscosity_exponent)
     density = (c.density_numerator, c.density_denominator)
@@ -172,8 +173,6 @@ def test_any_law_by_the_general_kernel(fields, law):
     c = contact(law)
     oil = Lubricant(viscosity=0.05, pressure_viscosity=18e-9, viscosity_law=law)
     found = np.empty_like(P), np.empty_like(P), np.empty_like(P)
-    properties.flow_properties(
-        P, H, c.hertz_pressure, oil_numbers(oil), *FlowFactors().follows, c.speed, *found, 0, len(P)
-    )
+    properties.flow_properties(P, H, c.hertz_pressure, oil_numbers(oil), *PLAIN.follows, c.speed, *found, 0, len(P))
     for ours, twin in zip(found, compiled_flow(c, P, H), strict=True):
         assert_allclose(ours, twin, rtol=1e-11, atol=1e-300)

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from ehl.multigrid.flow_model import NOTHING
 from ehl.oil import _kernels
 from ehl.oil.free_volume import (
     DoolittleFreeVolume,
@@ -224,8 +225,7 @@ def test_flow_properties(oil):
     random = np.random.default_rng(33817)
     P, H = random.uniform(-0.1, 1.2, (5, 7)), random.uniform(-0.05, 1.0, (5, 7))
     eps, rho, slope = (np.empty_like(P) for _ in range(3))
-    follows = np.empty((0, 0)), np.empty((0, 0))
-    _kernels.flow_properties(P, H, 1.1e9, oil_numbers(oil), *follows, 0.03, eps, rho, slope, 0, len(P))
+    _kernels.flow_properties(P, H, 1.1e9, oil_numbers(oil), NOTHING, NOTHING, 0.03, eps, rho, slope, 0, len(P))
     p = np.maximum(P, 0.0) * 1.1e9
     assert_allclose(rho, density(p, oil) / oil.density, rtol=1e-13)
     thin = np.exp(-log_viscosity_ratio(p, oil))
