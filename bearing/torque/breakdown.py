@@ -2,14 +2,12 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import isfinite
 from typing import Any
 
 from ehl import ContactSolution, Lubricant
 from ehl.units import from_si, notebook_html
 
 from ..contacts.contact import BearingContact
-from ..library.plugins import Plugin
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.starved_films import StarvedFilm, starved_films
 from ..supply.supply import Supply
@@ -125,8 +123,7 @@ def torque_breakdown(
     speed = solution.operation.shaft_speed
     if speed == 0.0:
         stationary = ModelTorque(note="the rings do not turn against each other")
-        names = (*NAMES, *(plugin.name for plugin in friction.more_models))
-        return TorqueBreakdown(models=dict.fromkeys(names, stationary), coefficient=0.0)
+        return TorqueBreakdown(models=dict.fromkeys(NAMES, stationary), coefficient=0.0)
     mu = coulomb_coefficient(solution, lubricant, friction)
     rough = shear is not None and friction.roughness is not None
     asperities = shear.asperity_share if shear is not None and rough else None
@@ -141,7 +138,6 @@ def torque_breakdown(
     lacking = {} if shear is None or friction.roughness is None else shear.missing_components
     lambda_note = lacking.get("asperity", "needs the films and their roughness, [surface]")
     models.setdefault("skf_lambda", ModelTorque(note=lambda_note))
-    models |= more_models(solution, contacts, lubricant, friction)
     models[STARVED], starved = _starved(solution, contacts, lubricant, friction, solutions)
     films: tuple[StarvedFilm | None, ...] = ()
     if friction.supply is not None:
@@ -158,41 +154,6 @@ def torque_breakdown(
         behind_layers=behind_layers,
         inlet=None if shear is None else inlet,
     )
-
-
-def more_models(
-    solution: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    lubricant: Lubricant,
-    friction: FrictionInput,
-) -> dict[str, ModelTorque]:
-    """Torque [N m] by the models of plug-ins that are wanted, by their names.
-
-    Each is called as model(solution, contacts, lubricant, friction) and gives its components
-    [N m] by name, or a `ModelTorque`.
-    """
-    models = {}
-    for plugin in friction.more_models:
-        if plugin.name in NAMES:
-            raise plugin.wrong("has the name of a model of oilfilm")
-        given = plugin.call(plugin.load(), solution, contacts, lubricant, friction)
-        models[plugin.name] = given if isinstance(given, ModelTorque) else _summed(plugin, given)
-    return models
-
-
-def _summed(plugin: Plugin, components: object) -> ModelTorque:
-    """The torque of a plug-in's components [N m], which are finite numbers by name."""
-    if not isinstance(components, dict) or not components:
-        kind = type(components).__name__
-        raise plugin.wrong(f"gives {kind}, and components by name [N m] are needed")
-    wrong = [name for name, value in components.items() if not _is_finite(value)]
-    if wrong or "total" in components:
-        raise plugin.wrong(f"gives no torque [N m] for {', '.join(map(str, wrong)) or 'total'}")
-    return summed({str(name): float(value) for name, value in components.items()})
-
-
-def _is_finite(value: object) -> bool:
-    return isinstance(value, int | float) and isfinite(value)
 
 
 def model_torque(

@@ -17,7 +17,6 @@ from pydantic import (
 )
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
-from bearing.library.plugins import GROUP, PluginError, plugin
 from ehl.units import to_si, without_unit
 
 FREE_WORD = "free"
@@ -127,35 +126,6 @@ class OneOf:
 
     def __get_pydantic_core_schema__(self, *_: Any) -> CoreSchema:
         return core_schema.literal_schema(self.words)
-
-
-class OrPlugin:
-    """One of these words, or the name of a plug-in of a kind."""
-
-    def __init__(self, kind: str, *words: str) -> None:
-        self.kind = kind
-        self.words = words
-
-    def _check(self, value: object) -> str:
-        if isinstance(value, str):
-            if value in self.words:
-                return value
-            try:
-                found = plugin(self.kind, value)
-            except PluginError as error:
-                raise PydanticCustomError("plugin", "{told}", {"told": str(error)}) from None
-            if found is not None:
-                return found.name
-        names = "".join(f'"{word}", ' for word in self.words)
-        allowed = f"{names}a plug-in of {GROUP}{self.kind} (see 'oilfilm list plugins')"
-        raise PydanticCustomError("choice", "{allowed}", {"allowed": allowed, "words": self.words})
-
-    def __get_pydantic_core_schema__(self, *_: Any) -> CoreSchema:
-        return core_schema.no_info_plain_validator_function(self._check)
-
-    def __get_pydantic_json_schema__(self, *_: Any) -> dict[str, Any]:
-        named = {"type": "string", "description": f"a plug-in of {GROUP}{self.kind}"}
-        return {"anyOf": [{"enum": list(self.words)}, named]} if self.words else named
 
 
 def _list_schema(length: int, *, free: bool = False) -> WithJsonSchema:
@@ -269,16 +239,6 @@ def _azimuths(value: object) -> tuple[float, ...] | None:
     return numbers(azimuths, len(azimuths), 360.0) if azimuths else None
 
 
-def _constants(value: object) -> object:
-    named = isinstance(value, dict) and all(map(is_number, value.values()))
-    return value if named else None
-
-
-Constants = Annotated[
-    Any,
-    checked(_constants, "a table of numbers by name"),
-    WithJsonSchema({"type": "object", "additionalProperties": {"type": "number"}}),
-]
 Name = Annotated[str, StringConstraints(min_length=1, max_length=200)]
 Points = Annotated[
     int,

@@ -13,7 +13,6 @@ from bearing.library.bearings import named_designation
 from bearing.library.catalogue import nearest_series
 from bearing.library.lubricants import lubricant_data
 from bearing.library.oil_sets import limiting_coefficient
-from bearing.library.plugins import FRICTION, TORQUE, Plugin, PluginError, plugin
 from bearing.operation import BallKinematics
 from bearing.supply.supply import CAPTURED, InletFilm, Supply
 from bearing.torque.inputs import FrictionInput
@@ -24,17 +23,16 @@ from ehl.traction.coefficient_kernels import COEFFICIENTS, Constant
 from ehl.units import to_si
 
 from .bearing import BearingTable, SurfaceTable, nominal_contact_angle, roughness, spectrum
-from .fields import LENGTH_MAXIMUM, Constants, OneOf, OrPlugin, Table, above, between, described
+from .fields import LENGTH_MAXIMUM, OneOf, Table, above, between, described
 from .lubricant import LubricantTable, Oil
-from .problems import CaseFault, UnfitKey, shown
+from .problems import CaseFault, shown
 from .rules import Below, CaseValues, Excludes, Needs, OnlyWith, Relation, Where
 from .shipped import table_path
 
 # constants of the coefficients over the ellipse, with the law of each, and their keys
 CONSTANTS = [(name, c) for name, law in COEFFICIENTS.items() for c in law.constants]
 
-
-OWN_LAWS = ("films", "table", *COEFFICIENTS, "coulomb")
+LAWS = ("films", "table", *COEFFICIENTS, "coulomb")
 
 
 def _with_constants(table: type[Table]) -> type[Table]:
@@ -52,7 +50,7 @@ class LawTable(Table):
     """The law of friction of balls on races."""
 
     coefficient: float | None = above(0, 1, "Coulomb's mu; else SKF's mu_sl, 0.05 in a simulation")
-    traction: Annotated[str, OrPlugin(FRICTION, *OWN_LAWS)] | None = described(
+    traction: Annotated[str, OneOf(*LAWS)] | None = described(
         "friction of balls on races in traction equilibrium; left out, that of the case's films"
     )
     traction_table: str | None = described(
@@ -64,7 +62,6 @@ class LawTable(Table):
         "Eyring up to a limiting stress",
         "solved",
     )
-    traction_constants: Constants | None = described("of the law of a plug-in, by their names")
 
 
 class FrictionTable(LawTable):
@@ -72,9 +69,6 @@ class FrictionTable(LawTable):
 
     models: Literal["main", "all"] = described(
         "main: integrated, skf, palmgren and coulomb; all: those of single papers, too", "main"
-    )
-    torque_plugins: tuple[Annotated[str, OrPlugin(TORQUE)], ...] = described(
-        "models of plug-ins to be computed, too", (), strict=False
     )
     lubrication: Annotated[str, OneOf(Lubrication)] = described(
         "how the oil comes to the bearing, for SKF's model and Palmgren's", "low oil bath"
@@ -223,11 +217,7 @@ RELATIONS: tuple[Relation, ...] = (
 
 
 def faults(values: CaseValues) -> Iterator[CaseFault]:
-    """A file of traction tables that is there; constants of a plug-in with one."""
-    law = values.get("friction", "traction")
-    if values.get("friction", "traction_constants") is not None and law in (None, *OWN_LAWS):
-        allowed = "allowed: with the name of a plug-in in friction.traction"
-        yield CaseFault(("friction", "traction_constants"), "given without a plug-in", allowed)
+    """A file of traction tables that is there."""
     name = values.get("friction", "traction_table")
     if name is not None and values.get("friction", "traction") == "table" and not _is_file(name):
         finding = f"{shown(name)} cannot be read: there is no such file from the working directory"
@@ -304,19 +294,7 @@ def friction(
         supply=_supply(table, lubricant),
         flooded=lubricant.supply == "flooded",
         all_models=table.models == "all",
-        more_models=tuple(map(_torque_plugin, dict.fromkeys(table.torque_plugins))),
     )
-
-
-def _torque_plugin(name: str) -> Plugin:
-    """A model of the torque that can be used; `UnfitKey` if it cannot be loaded."""
-    found = plugin(TORQUE, name)
-    assert found is not None  # checked before
-    try:
-        found.load()
-    except PluginError as error:
-        raise UnfitKey(("friction", "torque_plugins"), str(error)) from None
-    return found
 
 
 def _sealed(table: FrictionTable, bearing: BearingTable) -> bool:

@@ -143,8 +143,6 @@ def _fault(error: Mapping[str, Any], schema: dict[str, Any]) -> CaseFault:
         return _unknown(path, schema)
     if error["type"] == "missing":
         return CaseFault(path, MISSING, f"needed: {allowed_values(schema_node(schema, path))}")
-    if error["type"] == "plugin":
-        return CaseFault(path, str(error["msg"]))
     if error["type"] == "choice":
         words = error.get("ctx", {}).get("words", ())
         close = nearest_name(error["input"], words) if isinstance(error["input"], str) else None

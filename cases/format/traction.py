@@ -13,11 +13,9 @@ from bearing.friction.sources import (
     CoulombTraction,
     FilmTraction,
     LawTraction,
-    plugin_traction,
 )
 from bearing.friction.table_files import load_tables
 from bearing.geometry import Bearing, contact_modulus, reduced_radii
-from bearing.library.plugins import FRICTION, PluginError, plugin
 from bearing.torque.inlet import InletFactors
 from bearing.torque.inputs import FrictionInput
 from ehl import Lubricant
@@ -27,7 +25,7 @@ from ehl.traction.table.table import TractionTable
 from ehl.traction.table.temperature import TemperatureTable
 
 from .film_model import CaseFilms, FilmPhysics
-from .friction import OWN_LAWS, FrictionTable, made_by
+from .friction import FrictionTable, made_by
 from .problems import UnfitKey
 from .shipped import table_path
 
@@ -83,21 +81,7 @@ def _law(
             key = ("friction", "traction_table")
             raise UnfitKey(key, str(error), made_by(table.traction_table)) from None
         return LawTraction(laws=dict(tables))
-    source = coefficient_source(table.traction, dict(table))
-    return source or _of_plugin(table)
-
-
-def _of_plugin(table: FrictionTable) -> TractionLaw | None:
-    """The law of a plug-in that [friction] names, with its constants; None where it names none."""
-    name = table.traction
-    found = None if name in (None, *OWN_LAWS) else plugin(FRICTION, str(name))
-    if found is None:
-        return None
-    try:
-        law = found.call(found.load(), **(table.traction_constants or {}))
-        return plugin_traction(found, law)
-    except PluginError as error:
-        raise UnfitKey(("friction", "traction"), str(error)) from None
+    return coefficient_source(table.traction, dict(table))
 
 
 def coefficient_source(
