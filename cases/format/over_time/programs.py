@@ -1,11 +1,9 @@
-"""Tables of [dynamics] over time: what they may move, and the viscosity at a temperature."""
+"""Tables of [dynamics] over time and the rules that they follow."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator
 from typing import Any
 
-import numpy as np
-
-from bearing.library.lubricants import dynamic_viscosity, list_lubricants, lubricant_data
+from bearing.library.lubricants import list_lubricants, lubricant_data
 from bearing.library.names import matching_name
 
 from ..fields import FREE_WORD
@@ -14,9 +12,6 @@ from ..problems import CaseFault, shown
 from ..rules import CaseValues
 
 TEMPERATURES = ("dynamics", "temperature_table_C")
-# error of a viscosity that is linear between rows of a temperature over time [-]
-VISCOSITY_ERROR = 1.0e-3
-LARGEST_SPLIT = 1024  # of the time between two rows
 
 
 def faults(values: CaseValues) -> Iterator[CaseFault]:
@@ -138,37 +133,3 @@ def oil_data(oil: Oil) -> dict[str, Any] | None:
     if key is None or any(viscosity in oil.keys for viscosity in VISCOSITIES):
         return None
     return lubricant_data(key)
-
-
-def viscosity_table(
-    table: Sequence[Sequence[float]], oil: Oil, viscosity: float
-) -> list[tuple[float, float]]:
-    """Rows of time [s] and viscosity over `viscosity` [Pa s], from rows of time and temperature
-    [K]: as many between two of these as keep a straight line within `VISCOSITY_ERROR` of the law.
-    """
-    data = oil_data(oil)
-    assert data is not None  # checked before
-
-    def ratio(temperature: float) -> float:
-        return dynamic_viscosity(data, temperature) / viscosity
-
-    rows = [(table[0][0], ratio(table[0][1]))]
-    for (start, cold), (end, warm) in zip(table, table[1:], strict=False):
-        parts = _parts(ratio, cold, warm)
-        for share in np.linspace(0.0, 1.0, parts + 1)[1:]:
-            rows.append((start + share * (end - start), ratio(cold + share * (warm - cold))))
-    return rows
-
-
-def _parts(ratio: Callable[[float], float], cold: float, warm: float) -> int:
-    """Equal parts of a change of temperature [K] in which the viscosity is nearly straight."""
-    parts = 1
-    while parts < LARGEST_SPLIT:
-        ends = [ratio(t) for t in np.linspace(cold, warm, parts + 1)]
-        half = 0.5 * (warm - cold) / parts
-        middles = [ratio(t) for t in np.linspace(cold + half, warm - half, parts)]
-        straight = 0.5 * (np.array(ends[:-1]) + np.array(ends[1:]))
-        if np.max(np.abs(straight / np.array(middles) - 1.0)) <= VISCOSITY_ERROR:
-            break
-        parts *= 2
-    return parts

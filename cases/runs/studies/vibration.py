@@ -1,19 +1,16 @@
 """Run the vibration of a bearing case: equilibrium, films, form, time."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 from time import perf_counter
 
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.contacts import contact_conditions
-from bearing.geometry import Race
 from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.supply.starved_films import starved_films
-from bearing.supply.supply import AMPLE
 from bearing.vibration.assembly import assembled
 from bearing.vibration.inputs import Direction
-from bearing.vibration.laws import FilmsNotSolvedError, heaviest
+from bearing.vibration.laws import FilmsNotSolvedError, film_shares
 from bearing.vibration.simulation import VibrationRun, pieces, vibration_run
 from ehl.multigrid.bordered import LinearSolverError
 from postprocess.vibration.results import VibrationResults
@@ -58,7 +55,11 @@ def run_vibration(case: Case, name: str, progress: Progress | None = None) -> Vi
         if not state.converged:
             raise NotSolvedError(state.message)
         contacts = _contacts(case, state)
-        model = replace(model, film_shares=_film_shares(case, contacts))
+        if case.friction is not None and case.friction.asperities is not None:
+            supply = case.friction.scarce if case.inlet_layer is not None else None
+            asperities = case.friction.asperities
+            shares = film_shares(contacts, asperities, supply, case.bearing.balls)
+            model = replace(model, film_shares=shares)
         equations = interruptible(partial(assembled, state, contacts, model))
         run = vibration_run(state, model, equations)
     except UnfitKey as error:
@@ -103,22 +104,6 @@ def _contacts(case: Case, state: QuasistaticSolution) -> list[BearingContact]:
         replace(own, conditions=own.conditions and replace(own.conditions, inlet_layer=layer))
         for own, layer in zip(contacts, layers, strict=True)
     ]
-
-
-def _film_shares(case: Case, contacts: Sequence[BearingContact]) -> dict[Race, float]:
-    """Part of the load of the heaviest contact of each race that its film carries [-]."""
-    asperities = None if case.friction is None else case.friction.asperities
-    if asperities is None:
-        return {}
-    assert case.friction is not None  # it has asperities
-    scarce = case.friction.scarce if case.inlet_layer is not None else None
-    shares = {}
-    for race in Race:
-        contact = heaviest(contacts, race)
-        (film,) = starved_films([contact], scarce or AMPLE, case.bearing.balls)
-        if film is not None:
-            shares[race] = 1.0 - asperities.share(contact, film.central)
-    return shares
 
 
 def _notes(case: Case) -> Iterator[str]:
