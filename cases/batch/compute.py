@@ -20,7 +20,7 @@ from postprocess.slip.summary import slip_summary
 from postprocess.traction.summary import traction_summary
 
 from ..format.case import Case, ContactCase
-from ..format.traction import fitting_tables, resisted_traction
+from ..format.traction import require_fitting_tables, resisted_traction
 from ..runs.bearing import run_case
 from ..runs.contact import run_contact
 from ..runs.dynamics import run_dynamics
@@ -112,7 +112,7 @@ def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[
     """
     assert case.rheology is not None and case.friction is not None  # of every bearing case
     oil = (case.lubricant, case.rheology)
-    fitting_tables(tables, "the traction table", case.bearing, *oil, case.films.solids)
+    require_fitting_tables(tables, "the traction table", case.bearing, *oil, case.films.solids)
     source = LawTraction(laws=dict(tables))
     traction = resisted_traction(source, case.friction, case.bearing, case.lubricant, case.inlet)
     results = run_case(replace(case, film_maps="none", traction=traction), 1)

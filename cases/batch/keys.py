@@ -12,7 +12,7 @@ from .program import program_digest
 # tables of a case that leave its contacts as they are
 WITHOUT_CONTACTS = ("surface", "slip", "friction", "cage", "dynamics", "load_cases")
 DESCRIBING = ("title", "source", "assumed")  # keys of a case without effect on results
-BESIDE_TRACTION_TABLES = (*DESCRIBING, *WITHOUT_CONTACTS, "ehl")  # likewise, on traction tables
+NOT_IN_TRACTION_TABLES = (*DESCRIBING, *WITHOUT_CONTACTS, "ehl")  # likewise, on traction tables
 
 NAMED = ("materials", "lubricants")  # tables whose keys stand below a name
 

@@ -63,7 +63,7 @@ class Sweep:
     plot: tuple[str, ...] = ()
     designs: tuple[Design, ...] = ()
     film_models: tuple[str, ...] = ()  # of the points that were checked
-    share: bool = False  # whether contacts may be equal in several points
+    share_contacts: bool = False  # whether contacts may be equal in several points
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -85,7 +85,7 @@ class Task:
     document: dict[str, Any]
     compute: str
     fields: bool
-    share: bool  # whether contacts may be equal in several points
+    share_contacts: bool  # whether contacts may be equal in several points
     folder: str | None
     keys: tuple[str, ...] = ()  # varied, of which the values as run are kept
     tables: str | None = None  # file of traction tables on the machine of the batch
@@ -95,7 +95,7 @@ class Task:
 
 
 @dataclass(frozen=True, slots=True)
-class Receipt:
+class PointResult:
     """Answer of a worker: record of the point, and files by suffix where it did not write them."""
 
     record: Record

@@ -53,7 +53,7 @@ class Stored:
     def pairs(self, only: Sequence[int] | None = None) -> Iterator[list[tuple[Point, Record]]]:
         """Points with their records, `CHUNK` at a time; `only`: those of some places."""
         points = self.batch.sweep.points
-        wanted = iter(points) if only is None else (points[place] for place in only)
+        wanted = iter(points) if only is None else (points[index] for index in only)
         while chunk := list(islice(wanted, CHUNK)):
             records = self.points.records([point.key for point in chunk])
             yield [
@@ -96,12 +96,12 @@ def _converged(record: Record) -> bool:
     if record.status != DONE:
         return False
     count = len(record.numbers) // 9
-    place = count + 8 * _place(record.layout)
-    return record.numbers[place : place + 8] != bytes(8)
+    index = count + 8 * _converged_index(record.layout)
+    return record.numbers[index : index + 8] != bytes(8)
 
 
 @lru_cache(maxsize=1024)
-def _place(layout: str) -> int:
+def _converged_index(layout: str) -> int:
     """Where a point says whether it converged, among its numbers."""
     return [name for part in json.loads(layout) for name in part].index("converged")
 
@@ -116,7 +116,7 @@ def _values(point: Point, record: Record) -> dict[str, Any]:
     return {key: value_in(document, key) for key in point.keys}
 
 
-def gathered(batch: Batch, only: Sequence[int] | None = None) -> BatchResults:
+def load_results(batch: Batch, only: Sequence[int] | None = None) -> BatchResults:
     """Every point of a batch with its summary, in the order of the sweep file.
 
     `only`: places of the points that are wanted, counted from 0.
@@ -154,19 +154,19 @@ def _in_memory(batch: Batch, point: Point, record: Record) -> BatchPoint:
 
 
 @contextmanager
-def collected(batch: Batch) -> Iterator[tuple[BatchResults, Columns]]:
+def collect_results(batch: Batch) -> Iterator[tuple[BatchResults, Columns]]:
     """Results of a batch and the columns of all its points, which last as long as the context.
 
     Of a batch of more than `LARGE` points the results have only the counts, and the points of
     [sensitivity], which are few.
     """
     if len(batch.sweep.points) <= LARGE:
-        yield gathered(batch), columns_of(Stored(batch, BytesIO()))
+        yield load_results(batch), columns_of(Stored(batch, BytesIO()))
         return
     with tempfile.TemporaryFile(dir=batch.directory) as file:
         tally = _Tally(Stored(batch, file))
         columns = columns_of(tally)
-        results = replace(gathered(batch, tally.few), counts=tally.counts(batch))
+        results = replace(load_results(batch, tally.few), counts=tally.counts(batch))
         yield results, replace(columns, source=tally.stored)
 
 

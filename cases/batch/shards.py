@@ -29,7 +29,7 @@ class Shard:
         return f"{self.number}-of-{self.count}"
 
 
-ALONE = Shard(1, 1)
+SINGLE_WRITER = Shard(1, 1)
 
 
 def shard_of(text: str) -> Shard:

@@ -27,7 +27,7 @@ from postprocess.batch.store import (
 
 from ..format.problems import CaseError
 from ..runs.integrity import DIGESTS
-from ..runs.interrupt import say
+from ..runs.interrupt import print_message
 from ..runs.output_directory import check_output
 from .keys import digest
 
@@ -41,7 +41,7 @@ DATA = "results.nc"
 PARQUET = "batch.parquet"
 
 
-def open_folder(directory: Path, *, resume: bool, alone: bool = True) -> None:
+def open_folder(directory: Path, *, resume: bool, single_writer: bool = True) -> None:
     """Make the folder of a batch, or open that of an earlier one.
 
     `CaseError` if it holds something else, or finished points and `resume` is not wanted, or
@@ -61,7 +61,7 @@ def open_folder(directory: Path, *, resume: bool, alone: bool = True) -> None:
             wanted = "is a folder in the place of a file of the batch; allowed: without it"
             raise CaseError(f"{file}: {wanted}, or another -o")
     (directory / POINTS).mkdir(parents=True, exist_ok=True)
-    if alone:
+    if single_writer:
         remove_unfinished(directory)
 
 
@@ -113,7 +113,9 @@ def open_store(path: Path, *, broken: bool = False) -> PointStore:
     for name in (path.name, f"{path.name}-wal"):
         if path.with_name(name).exists():
             os.replace(path.with_name(name), path.with_name(f"{name}.damaged"))
-    say(f"oilfilm: {path}: damaged; {len(whole)} points of it are kept, see {path.name}.damaged")
+    print_message(
+        f"oilfilm: {path}: damaged; {len(whole)} points of it are kept, see {path.name}.damaged"
+    )
     store = PointStore(path)
     for record in whole:
         store.put(record)
@@ -129,7 +131,7 @@ def finished_points(
     Points with a damaged record or file count among neither, and it is said.
     """
     for path, count in stored.damaged.items():
-        say(f"oilfilm: {path}: {count} points are damaged; they are computed anew")
+        print_message(f"oilfilm: {path}: {count} points are damaged; they are computed anew")
     done = set()
     failed = set()
     for key in keys:
@@ -149,6 +151,6 @@ def _with_damaged_files(directory: Path, stored: StoredPoints, keys: set[str]) -
         for suffix, expected in json.loads(record.files if record else "{}").items():
             file = directory / POINTS / f"{key}{suffix}"
             if not file.is_file() or digest(file.read_bytes()) != expected:
-                say(f"oilfilm: {file}: damaged; the point is computed anew")
+                print_message(f"oilfilm: {file}: damaged; the point is computed anew")
                 damaged.add(key)
     return damaged

@@ -13,19 +13,19 @@ from ..format.case import case_of_document
 from .compute import Computed, compute
 from .keys import digest, value_in
 from .limits import limited
-from .points import Receipt, Task
+from .points import PointResult, Task
 from .program import program_digest
 from .quick_json import json_of
 from .shared.contact_cache import ContactCache
 from .store import CONTACTS, write_file, write_files
 
 
-def compute_block(tasks: Sequence[Task], tables: bytes | None = None) -> tuple[Receipt, ...]:
+def compute_block(tasks: Sequence[Task], tables: bytes | None = None) -> tuple[PointResult, ...]:
     """Compute points one after the other, see `compute_point`."""
     return tuple(compute_point(task, tables) for task in tasks)
 
 
-def compute_point(task: Task, tables: bytes | None = None) -> Receipt:
+def compute_point(task: Task, tables: bytes | None = None) -> PointResult:
     """Compute a point; its own files are written if the folder can be reached.
 
     `tables` is the content of the file of traction tables where that cannot be reached. What a
@@ -49,9 +49,9 @@ def compute_point(task: Task, tables: bytes | None = None) -> Receipt:
         text = " ".join(str(error).split()) or type(error).__name__
         return failure(task.key, FAILED, f"{type(error).__name__}: {text}"[:500])
     if folder is None:
-        return Receipt(record, files)
+        return PointResult(record, files)
     write_files(folder, task.key, files)
-    return Receipt(record)
+    return PointResult(record)
 
 
 def _beyond_memory(task: Task) -> str:
@@ -61,15 +61,15 @@ def _beyond_memory(task: Task) -> str:
     return f"MemoryError: the point needs more than its {task.limits.memory:g} GB of memory"
 
 
-def failure(key: str, status: str, message: str) -> Receipt:
+def failure(key: str, status: str, message: str) -> PointResult:
     """Of a point that has no result."""
-    return Receipt(Record(key=key, status=status, message=message))
+    return PointResult(Record(key=key, status=status, message=message))
 
 
 def _computed(task: Task, folder: Path | None, content: bytes | None) -> Computed:
     """Summary and files of a point; tables that did not come as a file become one."""
     shared = None
-    if task.share and folder is not None:
+    if task.share_contacts and folder is not None:
         shared = _contacts(folder / CONTACTS).solve
     tables = None if task.tables is None else Path(task.tables)
     if tables is not None and content is not None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..runs.interrupt import say
+from ..runs.interrupt import print_message
 
 if TYPE_CHECKING:
     from ehl import SolverOptions
@@ -36,11 +36,11 @@ TABLE_FILMS = 120  # of the tables of both races, without refinement
 ATLAS_FILM_SECONDS = 0.25  # of a film of a table by the atlas, its shear [s]
 
 
-def tell_cost(cost: tuple[str, float], *, quiet: bool) -> None:
+def report_cost(cost: tuple[str, float], *, quiet: bool) -> None:
     """Say what is to be computed and about how long it takes [s], if that is long."""
     what, seconds = cost
     if not quiet and seconds > LONG:
-        say(f"oilfilm: {what}: about {_duration(seconds)}")
+        print_message(f"oilfilm: {what}: about {_duration(seconds)}")
 
 
 def film_seconds(options: SolverOptions) -> float:

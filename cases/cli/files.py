@@ -15,9 +15,9 @@ from bearing.library.plugins import PluginError
 from ehl.units import from_si, to_si
 
 from ..format.problems import CaseError
-from ..runs.interrupt import say
+from ..runs.interrupt import print_message
 from .app import app
-from .output import say_notes
+from .output import print_notes
 from .terminal import BAD_INPUT, guarded, print_json, print_lines
 
 if TYPE_CHECKING:
@@ -77,10 +77,10 @@ def validate(
             errors = error.messages
         report[case] = {"valid": not errors, "errors": errors}
         for message in () if as_json else errors:
-            say(message)
+            print_message(message)
         if not (errors or quiet or as_json):
             print_lines(f"{case}: valid")
-            say_notes(notes)
+            print_notes(notes)
     if as_json:
         print_json(report)
     return 0 if all(checked["valid"] for checked in report.values()) else BAD_INPUT

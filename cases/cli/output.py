@@ -7,8 +7,8 @@ from textwrap import TextWrapper
 from typing import TYPE_CHECKING, Any
 
 from ..format.problems import CaseError
-from ..runs.interrupt import finish_first, say
-from .terminal import NOT_CONVERGED, hold, print_json, print_table
+from ..runs.interrupt import finish_first, print_message
+from .terminal import NOT_CONVERGED, enter_context, print_json, print_table
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable
@@ -44,12 +44,12 @@ def results_directory(case: str, output: Path | None, as_json: bool) -> Path | N
         return None
     from ..runs.output_directory import check_replaceable
 
-    directory = held_directory(output or Path(f"{Path(case).stem}_results"))
+    directory = lock_output_directory(output or Path(f"{Path(case).stem}_results"))
     check_replaceable(directory)
     return directory
 
 
-def held_directory(directory: Path, *, shared: bool = False) -> Path:
+def lock_output_directory(directory: Path, *, shared: bool = False) -> Path:
     """A folder that can be written, held against other programs until the command ends; `shared`
     with those that write parts of it of their own.
     """
@@ -57,17 +57,17 @@ def held_directory(directory: Path, *, shared: bool = False) -> Path:
     from ..runs.output_lock import one_writer
 
     check_output(directory)
-    hold(one_writer(directory, shared=shared))
+    enter_context(one_writer(directory, shared=shared))
     return directory
 
 
-def held_file(file: Path) -> Path:
+def lock_output_file(file: Path) -> Path:
     """A file that can be written, held against other programs until the command ends."""
     from ..runs.output_directory import check_file
     from ..runs.output_lock import one_writer
 
     check_file(file)
-    hold(one_writer(file))
+    enter_context(one_writer(file))
     return file
 
 
@@ -95,7 +95,7 @@ def save_with(
 
     with finish_first(f"results in {directory}", hurry):
         for problem in save(write, directory):
-            say(f"oilfilm: {problem}")
+            print_message(f"oilfilm: {problem}")
 
 
 def report(
@@ -107,22 +107,22 @@ def report(
 ) -> int:
     """Print a summary or its table, and what did not converge."""
     if directory is not None and not quiet:
-        say(f"results in {directory}")
+        print_message(f"results in {directory}")
     if as_json:
         print_json(document)
     elif not quiet:
-        say_notes(document["messages"])
+        print_notes(document["messages"])
         print_table(table())
     if document["converged"]:
         return 0
-    say("oilfilm: not converged; the results are flagged:")
+    print_message("oilfilm: not converged; the results are flagged:")
     reasons = [message for message in document["messages"] if _of_failure(message)]
     for message in reasons or document["messages"]:
-        say(f"  {message}")
+        print_message(f"  {message}")
     return NOT_CONVERGED
 
 
-def say_notes(messages: Iterable[str]) -> None:
+def print_notes(messages: Iterable[str]) -> None:
     """Print estimates, assumptions and values outside their data; not why values are null,
     but why a loaded contact has no film.
     """
@@ -130,7 +130,7 @@ def say_notes(messages: Iterable[str]) -> None:
     for message in messages:
         lacks_film = "film null, a light load" in message
         if (lacks_film or "null" not in message) and not _of_failure(message):
-            say(wrapper.fill(message.replace("film null", "no film")))
+            print_message(wrapper.fill(message.replace("film null", "no film")))
 
 
 def _of_failure(message: str) -> bool:

@@ -8,7 +8,7 @@ from bearing.files import is_disk_failure
 
 from ..format.problems import CaseError
 from ..runs.integrity import damaged_files
-from ..runs.interrupt import say
+from ..runs.interrupt import print_message
 
 ANEW = "compute the results again"
 
@@ -33,4 +33,4 @@ def reading(*directories: Path) -> Iterator[None]:
             raise CaseError(str(error)) from error
         raise
     for path in damaged:
-        say(f"oilfilm: {path}: changed since it was written; {ANEW}")
+        print_message(f"oilfilm: {path}: changed since it was written; {ANEW}")

@@ -4,7 +4,7 @@ import os
 import sys
 from contextlib import suppress
 
-from ..runs.interrupt import say
+from ..runs.interrupt import print_message
 
 STREAMS = (0, 1, 2)
 
@@ -42,7 +42,7 @@ def output_is_written() -> bool:
     except BrokenPipeError:
         drop_output()
     except OSError as error:
-        say(f"oilfilm: failed: standard output: {error.strerror or error}")
+        print_message(f"oilfilm: failed: standard output: {error.strerror or error}")
         drop_output()
         return False
     return True

@@ -18,7 +18,7 @@ import typer
 from bearing.library.plugins import PluginError
 
 from ..format.problems import CaseError
-from ..runs.interrupt import interrupt, say
+from ..runs.interrupt import interrupt, print_message
 from ..runs.kernel_cache import ensure_kernel_cache
 from .streams import drop_output
 
@@ -34,7 +34,7 @@ MOST_MESSAGES = 20  # lines of errors shown; a file of garbage has hundreds
 P = ParamSpec("P")
 T = TypeVar("T")
 
-HELD: ContextVar[ExitStack] = ContextVar("HELD")  # what a command holds until its end
+EXIT_STACK: ContextVar[ExitStack] = ContextVar("HELD")  # what a command holds until its end
 
 
 def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
@@ -45,7 +45,7 @@ def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
         def prepared() -> int | None:
             ensure_kernel_cache()  # before anything imports numba
             with ExitStack() as stack:
-                HELD.set(stack)
+                EXIT_STACK.set(stack)
                 return command(*args, **kwargs)
 
         code = exit_code(prepared)
@@ -55,9 +55,9 @@ def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
     return run
 
 
-def hold(manager: AbstractContextManager[T]) -> T:
+def enter_context(manager: AbstractContextManager[T]) -> T:
     """Enter a context that ends with the command."""
-    return HELD.get().enter_context(manager)
+    return EXIT_STACK.get().enter_context(manager)
 
 
 def exit_code(command: Callable[[], int | None]) -> int:
@@ -67,13 +67,13 @@ def exit_code(command: Callable[[], int | None]) -> int:
     try:
         return command() or 0
     except CaseError as error:
-        _say_errors(error.messages)
+        _print_errors(error.messages)
         return BAD_INPUT
     except PluginError as error:
-        say(f"oilfilm: {error}")
+        print_message(f"oilfilm: {error}")
         return BAD_INPUT
     except KeyboardInterrupt:
-        say("oilfilm: interrupted")
+        print_message("oilfilm: interrupted")
         return INTERRUPTED
     except BrokenPipeError:  # the reader of a pipe has seen enough
         drop_output()
@@ -82,21 +82,21 @@ def exit_code(command: Callable[[], int | None]) -> int:
         return stop.exit_code
     except Exception as error:
         if _is_of_an_interrupt(error):
-            say("oilfilm: interrupted")
+            print_message("oilfilm: interrupted")
             return INTERRUPTED
-        say(f"oilfilm: {_machine_failure(error)}; details: {_log(error)}")
+        print_message(f"oilfilm: {_machine_failure(error)}; details: {_log(error)}")
         return FAILED
     finally:
         if main:
             signal.signal(signal.SIGTERM, previous)
 
 
-def _say_errors(messages: Iterable[str]) -> None:
+def _print_errors(messages: Iterable[str]) -> None:
     lines = list(messages)
     for line in lines[:MOST_MESSAGES]:
-        say(line)
+        print_message(line)
     if len(lines) > MOST_MESSAGES:
-        say(f"... and {len(lines) - MOST_MESSAGES} more errors")
+        print_message(f"... and {len(lines) - MOST_MESSAGES} more errors")
 
 
 def _is_of_an_interrupt(error: BaseException | None) -> bool:

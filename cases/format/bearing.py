@@ -16,7 +16,7 @@ from bearing.torque.skf import Series, series_of, skf_series
 from ehl.units import MICROMETRE, from_si, to_si
 
 from .fields import Name, OneOf, Table, above, between, described, length, within
-from .problems import CaseFault, shown
+from .problems import CaseProblem, shown
 from .rules import Below, CaseValues, Needs, Where, bounded
 
 
@@ -125,7 +125,7 @@ RELATIONS = (
 )
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
     """What the relations of [bearing] do not say: parts that fit into each other, the series."""
     yield from _clearance_faults(values)
     yield from _class_faults(values)
@@ -133,7 +133,7 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     yield from _series_faults(values)
 
 
-def _dimension_faults(values: CaseValues) -> Iterator[CaseFault]:
+def _dimension_faults(values: CaseValues) -> Iterator[CaseProblem]:
     """Grooves, balls, bore, outside diameter and shoulders that fit together."""
     diameter = values.get("bearing", "ball_diameter_mm")
     pitch = values.get("bearing", "pitch_diameter_mm")
@@ -165,7 +165,7 @@ def _dimension_faults(values: CaseValues) -> Iterator[CaseFault]:
     yield from bounded(values, "bearing.outside_diameter_mm", lambda x: x > outer, allowed)
 
 
-def _clearance_faults(values: CaseValues) -> Iterator[CaseFault]:
+def _clearance_faults(values: CaseValues) -> Iterator[CaseProblem]:
     """cos(alpha_0) = 1 - P_d/(2 A), A = r_i + r_o - D; both are given only if they agree."""
     distance = _groove_distance(values)
     clearance, angle = (values.get("bearing", name) for name in CLEARANCE)
@@ -177,7 +177,7 @@ def _clearance_faults(values: CaseValues) -> Iterator[CaseFault]:
             "ends excluded"
         )
         finding = f"found {shown(clearance)}"
-        yield CaseFault(("bearing", CLEARANCE[0]), finding, allowed)
+        yield CaseProblem(("bearing", CLEARANCE[0]), finding, allowed)
     elif angle is not None:
         expected = 2.0 * distance * (1.0 - cos(radians(angle)))
         if abs(clearance - expected) > max(CLEARANCE_AGREEMENT_UM, 0.01 * abs(expected)):
@@ -187,7 +187,7 @@ def _clearance_faults(values: CaseValues) -> Iterator[CaseFault]:
                 f"allowed: one of them, or {derived:.4g} deg with this clearance, "
                 f"{expected:.5g} um with this angle"
             )
-            yield CaseFault(("bearing", CLEARANCE[1]), finding, allowed)
+            yield CaseProblem(("bearing", CLEARANCE[1]), finding, allowed)
 
 
 def _groove_distance(values: CaseValues) -> float | None:
@@ -199,7 +199,7 @@ def _groove_distance(values: CaseValues) -> float | None:
     return float(from_si(CLEARANCE[0], inner + outer - ball))
 
 
-def _class_faults(values: CaseValues) -> Iterator[CaseFault]:
+def _class_faults(values: CaseValues) -> Iterator[CaseProblem]:
     """A clearance class is one of deep groove bearings, and a clearance beside it lies in it."""
     name, bore = (values.get("bearing", key) for key in ("clearance_class", "bore_mm"))
     if name is None or bore is None:
@@ -207,21 +207,21 @@ def _class_faults(values: CaseValues) -> Iterator[CaseFault]:
     path = ("bearing", "clearance_class")
     if values.get("bearing", "type") == BearingType.ANGULAR_CONTACT.value:
         finding = f"found {shown(name)} for an angular contact bearing"
-        yield CaseFault(path, finding, "allowed: free_contact_angle_deg")
+        yield CaseProblem(path, finding, "allowed: free_contact_angle_deg")
         return
     try:
         low, high = clearance_class(bore, name)
     except ValueError:
         finding = f"found {shown(name)} with bore_mm = {shown(bore)}"
-        yield CaseFault(path, finding, "allowed: with bores above 2.5 mm, up to 120 mm")
+        yield CaseProblem(path, finding, "allowed: with bores above 2.5 mm, up to 120 mm")
         return
     clearance = values.get("bearing", CLEARANCE[0])
     if clearance is not None and not low <= clearance <= high:
         finding = f"found {shown(name)} together with {CLEARANCE[0]} = {shown(clearance)}"
-        yield CaseFault(path, finding, f"allowed: one of them, or {low:g} to {high:g} um")
+        yield CaseProblem(path, finding, f"allowed: one of them, or {low:g} to {high:g} um")
 
 
-def _series_faults(values: CaseValues) -> Iterator[CaseFault]:
+def _series_faults(values: CaseValues) -> Iterator[CaseProblem]:
     """A series of SKF's friction model, of the type of the bearing where that is known."""
     given = values.get("bearing", "skf_series")
     if given is None:
@@ -234,7 +234,7 @@ def _series_faults(values: CaseValues) -> Iterator[CaseFault]:
         finding += f" for {'an' if kind.startswith('a') else 'a'} {kind} bearing{how}"
     if given not in allowed:
         listed = f"allowed: {', '.join(allowed)}"
-        yield CaseFault(("bearing", "skf_series"), finding, listed)
+        yield CaseProblem(("bearing", "skf_series"), finding, listed)
 
 
 def _known_type(values: CaseValues) -> tuple[str | None, str]:

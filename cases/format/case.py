@@ -37,7 +37,7 @@ from .load_cases import load_case_files
 from .lubricant import Oil, lubricant, lubricant_keys, oil_of
 from .operation import model, operation
 from .over_time.transient import transient, transient_options
-from .problems import CaseError, UnfitKey, key_lines
+from .problems import CaseError, InvalidKeyError, key_lines
 from .rows import rows
 from .shipped import find_case
 from .traction import ball_traction
@@ -129,7 +129,7 @@ def case_of_file(file: BearingFile | ContactFile, name: str, text: str = "") -> 
         warnings.simplefilter("always")
         try:
             case = _bearing_case(file) if isinstance(file, BearingFile) else _contact_case(file)
-        except UnfitKey as error:
+        except InvalidKeyError as error:
             raise CaseError([error.fault.text(name, key_lines(text))], [error.fault]) from error
         except ValueError as error:  # a bound of the physics that no table knows
             raise CaseError(f"{name}: {error}") from error
@@ -151,11 +151,11 @@ def _load_cases(
         alone = file.model_copy(update={"operation": table, "load_cases": None})
         case = case_of_file(alone, name, text)
         assert isinstance(case, Case)  # a bearing
-        own = tuple(own_notes(case.warnings, known))
+        own = tuple(new_notes(case.warnings, known))
         yield LoadCaseInput(time_share=share, case=replace(case, warnings=own))
 
 
-def own_notes(notes: Iterable[str], known: Iterable[str]) -> list[str]:
+def new_notes(notes: Iterable[str], known: Iterable[str]) -> list[str]:
     """Warnings of a state of the duty cycle that are not those of [operation], nor on the shear of
     its films, which are not sheared.
     """
@@ -237,8 +237,8 @@ def _starvation(file: BearingFile) -> contacts.Starvation | None:
         given = file.ehl.starvation
         return None if given is None else contacts.Starvation(given)
     flooded = file.lubricant.supply == "flooded"
-    untold = contacts.Starvation.NONE if flooded else contacts.Starvation.TABULATED
-    return contacts.starvation(file.ehl, file.lubricant, untold)
+    default = contacts.Starvation.NONE if flooded else contacts.Starvation.TABULATED
+    return contacts.starvation(file.ehl, file.lubricant, default)
 
 
 def _friction(file: BearingFile, delivered: Bearing) -> FrictionInput:

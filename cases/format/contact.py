@@ -30,7 +30,7 @@ from .fields import (
     within,
 )
 from .lubricant import LubricantTable
-from .problems import CaseFault, UnfitKey, shown
+from .problems import CaseProblem, InvalidKeyError, shown
 from .rules import CaseValues, Excludes, Needs, OnlyWith, Relation, Where
 
 
@@ -233,7 +233,7 @@ RELATIONS: tuple[Relation, ...] = (
 
 
 def starvation(
-    table: GridTable, lubricant: LubricantTable, untold: Starvation = Starvation.NONE
+    table: GridTable, lubricant: LubricantTable, default: Starvation = Starvation.NONE
 ) -> Starvation | None:
     """What the layer at the inlet does to the films; None without a layer. A Newtonian film takes
     `untold` where the table does not say.
@@ -243,7 +243,7 @@ def starvation(
     if table.starvation is not None:
         return Starvation(table.starvation)
     newtonian = table.film_model == FilmModel.NEWTONIAN.value
-    return untold if newtonian else Starvation.NONE
+    return default if newtonian else Starvation.NONE
 
 
 def inlet_layer(chosen: Starvation | None, lubricant: LubricantTable) -> InletLayer | None:
@@ -266,13 +266,13 @@ def track_passes(
         return None
     if abs(sin(conditions.entrainment_angle)) > ALIGNED:
         finding = f"found {table.track_passes} with entrainment at an angle to the ellipse"
-        raise UnfitKey(("ehl", "track_passes"), finding, "allowed: entrainment along x")
+        raise InvalidKeyError(("ehl", "track_passes"), finding, "allowed: entrainment along x")
     moes = isinstance(conditions, MoesConditions)
     added = table.track_added_dimensionless if moes else table.si()["track_added"]
     return TrackPasses(number=table.track_passes, loss=table.track_loss, added=added)
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
     """A film of a thinning oil or with heat has lengths, one with heat bodies by material; two
     velocities entrain oil.
     """
@@ -281,21 +281,23 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
         try:
             surface_motion(*velocities)
         except ValueError as problem:
-            yield CaseFault(("contact", VELOCITIES[0]), str(problem), "allowed: a mean above zero")
+            yield CaseProblem(
+                ("contact", VELOCITIES[0]), str(problem), "allowed: a mean above zero"
+            )
     if values.given("ehl", "track_passes"):
         # what leaves a contact is known where its film is solved behind its layer
         needed = {"starvation": Starvation.SOLVED.value, "film_model": FilmModel.NEWTONIAN.value}
         for name, wanted in needed.items():
             if (found := values.get("ehl", name)) not in (None, wanted):
                 finding = f"found {shown(found)} with track_passes"
-                yield CaseFault(("ehl", name), finding, f"allowed: {shown(wanted)}")
+                yield CaseProblem(("ehl", name), finding, f"allowed: {shown(wanted)}")
     film_model = values.get("ehl", "film_model")
     if film_model in ("thermal", "shear-thinning") and values.given("contact", "moes_M"):
         finding = f"found {shown(film_model)} with Moes' groups"
-        yield CaseFault(("ehl", "film_model"), finding, 'allowed: dimensions, or "newtonian"')
+        yield CaseProblem(("ehl", "film_model"), finding, 'allowed: dimensions, or "newtonian"')
     if film_model == "thermal" and values.given("contact", MODULUS):
         finding = f"found {MODULUS} with film_model thermal"
-        yield CaseFault(("contact", MODULUS), finding, "allowed: material_1 and material_2")
+        yield CaseProblem(("contact", MODULUS), finding, "allowed: material_1 and material_2")
 
 
 def contact(

@@ -28,7 +28,7 @@ from .fields import (
 )
 from .friction import SIMULATED, FrictionTable
 from .over_time import programs
-from .problems import CaseFault, shown
+from .problems import CaseProblem, shown
 from .rules import Below, CaseValues, Excludes, Needs, OnlyWith, Relation, Where, bounded
 
 
@@ -174,17 +174,17 @@ RELATIONS: tuple[Relation, ...] = (
 )
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
     """A history of bearable length; tables for a lubricated contact; what presses a dry land."""
     share = values.get("cage", "land_oil_share")
     if share is not None and share < 1.0:
         for name in ("land_friction", "mass_g"):
             if not values.get("cage", name):
                 finding = f"missing with land_oil_share = {shown(share)}"
-                yield CaseFault(("cage", name), finding, "needed: what rubs on a dry land")
+                yield CaseProblem(("cage", name), finding, "needed: what rubs on a dry land")
         if values.get("cage", "guided_by") not in RACES:
             finding = f"found {shown(share)} for a cage that balls guide"
-            yield CaseFault(("cage", "land_oil_share"), finding, "allowed with a guiding ring")
+            yield CaseProblem(("cage", "land_oil_share"), finding, "allowed with a guiding ring")
     end = values.get("dynamics", "end_time_s")
     if end is not None:
         least = from_si("output_interval_us", end / LARGEST_HISTORY)
@@ -196,7 +196,7 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     if lubricated and values.get("dynamics", "friction") != "table":
         path = ("dynamics", "contact_law")
         allowed = 'needed: friction = "table", which holds film and damping'
-        yield CaseFault(path, 'found "lubricated"', allowed)
+        yield CaseProblem(path, 'found "lubricated"', allowed)
 
 
 def sample_interval(table: DynamicsTable) -> float:

@@ -1,11 +1,11 @@
 """Types, ranges and checks of single values, of which the tables of a case file consist."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from enum import Enum
 from functools import cache
 from itertools import pairwise
 from math import inf, isfinite
-from typing import Annotated, Any, TypeGuard
+from typing import Annotated, Any, TypeGuard, TypeVar
 
 from pydantic import (
     BaseModel,
@@ -13,11 +13,16 @@ from pydantic import (
     ConfigDict,
     Field,
     StringConstraints,
+    ValidationError,
     WithJsonSchema,
 )
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
 from ehl.units import to_si, without_unit
+
+from .problems import CaseProblem, schema_faults
+
+T = TypeVar("T", bound="Table")
 
 FREE_WORD = "free"
 FILM_MAPS = ["all", "loaded", "none"]
@@ -40,6 +45,50 @@ class Table(BaseModel):
         """
         chosen = keys or tuple(type(self).model_fields)
         return {name: _si(key, getattr(self, key)) for name, key in names_in_si(chosen)}
+
+
+def validated(
+    model: type[T], document: Mapping[str, Any], context: Any = None
+) -> tuple[T | None, list[CaseProblem]]:
+    """Check a document against its tables.
+
+    Parameters
+    ----------
+    model : type of Table
+        The tables of the file.
+    document : mapping
+        Values by key, as parsed.
+    context : Any, optional
+        Context of the validation.
+
+    Returns
+    -------
+    file
+        The checked tables; None where a value is wrong.
+    problems
+        All values that are wrong.
+    """
+    try:
+        return model.model_validate(document, context=context), []
+    except ValidationError as error:
+        return None, schema_faults(error.errors(include_url=False), schema_of(model))
+
+
+@cache
+def schema_of(model: type[Table]) -> dict[str, Any]:
+    """JSON Schema of the tables of a file, computed once.
+
+    Parameters
+    ----------
+    model : type of Table
+        The tables of the file.
+
+    Returns
+    -------
+    dict
+        The schema.
+    """
+    return model.model_json_schema()
 
 
 @cache

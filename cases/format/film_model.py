@@ -12,7 +12,7 @@ from ehl.solid.heat import SolidThermal
 from ehl.traction.response.normal import highest_frequency
 
 from .contact import ContactEhlTable, FilmModel, GridTable, Starvation
-from .problems import UnfitKey, shown
+from .problems import InvalidKeyError, shown
 
 WIDE_RANGE = 1.5  # of a conductivity, from which on a result with heat says so [-]
 
@@ -123,8 +123,8 @@ def require_frequencies(
         return
     key = ("ehl", "response_frequencies_Hz")
     if isinstance(conditions, MoesConditions):
-        raise UnfitKey(key, f"{shown(given)}", "nothing: Moes' groups have no unit of time")
+        raise InvalidKeyError(key, f"{shown(given)}", "nothing: Moes' groups have no unit of time")
     limit = highest_frequency(conditions)
     if max(given) > limit:
         allowed = f"at most {limit:.4g}: faster, the film's wave is shorter than a mesh carries"
-        raise UnfitKey(key, shown(max(given)), allowed)
+        raise InvalidKeyError(key, shown(max(given)), allowed)

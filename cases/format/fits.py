@@ -43,7 +43,7 @@ from .fields import (
 )
 from .friction import FrictionTable, rheology
 from .lubricant import Oil, lubricant
-from .problems import CaseFault, UnfitKey, shown
+from .problems import CaseProblem, InvalidKeyError, shown
 from .rules import CaseValues, Excludes, Needs, Where, bounded
 
 
@@ -120,7 +120,7 @@ RELATIONS = (
 )
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
     """Shaft and housing around the bearing, their tolerances."""
     yield from _seat_faults(values)
     bore = values.get("bearing", "bore_mm")
@@ -165,7 +165,7 @@ NAMED_SEATS = (
 )
 
 
-def _seat_faults(values: CaseValues) -> Iterator[CaseFault]:
+def _seat_faults(values: CaseValues) -> Iterator[CaseProblem]:
     """Tolerances that there are, each in place of its interference."""
     for seat in NAMED_SEATS:
         name = values.get("fit", seat.key)
@@ -175,11 +175,11 @@ def _seat_faults(values: CaseValues) -> Iterator[CaseFault]:
         path = ("fit", seat.key)
         if values.get("fit", seat.interference_key):
             finding = f"found together with {seat.interference_key}"
-            yield CaseFault(path, finding, "allowed: one of them")
+            yield CaseProblem(path, finding, "allowed: one of them")
         try:
             seat.interference(name, TOLERANCE_CLASSES[0], size)
         except ValueError as error:
-            yield CaseFault(path, f"found {shown(name)}: {error}")
+            yield CaseProblem(path, f"found {shown(name)}: {error}")
 
 
 def _interference(table: FitTable, bearing: BearingTable, seat: NamedSeat) -> float:
@@ -242,14 +242,18 @@ def elastic_rings(
         shoulder = shoulder_diameter(given, race)
         if shoulder is None:
             key = f"{race.value}_shoulder_diameter_mm"
-            raise UnfitKey(("bearing", key), f"needed with rings.{race.value}_seat; no estimate")
+            raise InvalidKeyError(
+                ("bearing", key), f"needed with rings.{race.value}_seat; no estimate"
+            )
         body = (diameter, materials[material]) if seat == "elastic" else None
         places = getattr(table, f"{race.value}_supports_deg") or ()
         supports = tuple(radians(azimuth) for azimuth in places)
         try:
             rings[race.value] = elastic_ring(given, race, Seat(seat), shoulder, body, supports)
         except ValueError as error:
-            raise UnfitKey(("rings", f"{race.value}_seat"), f"no such ring: {error}") from error
+            raise InvalidKeyError(
+                ("rings", f"{race.value}_seat"), f"no such ring: {error}"
+            ) from error
     return ElasticRings(**rings)
 
 
@@ -378,7 +382,7 @@ def _surroundings(table: FrictionTable, oil: Lubricant, fit: Fit | None) -> Surr
     flow = to_si(key, getattr(table, key))
     if flow and oil.thermal is None:
         needs = "the heat that oil carries needs lubricant.specific_heat_J_kg_K"
-        raise UnfitKey(("friction", key), needs)
+        raise InvalidKeyError(("friction", key), needs)
     steel = load_material(FitTable.model_fields["shaft_material"].default)
     air = (Lubrication.GREASE.value, Lubrication.OIL_AIR.value)
     # a flow that is to cool wets the walls, whatever lubricates

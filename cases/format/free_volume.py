@@ -20,7 +20,7 @@ from ehl.oil.pressure_laws import pressure_viscosity_modulus, pressure_viscosity
 from ehl.units import GIGAPASCAL, ZERO_CELSIUS, to_si
 
 from .fields import name_in_si
-from .problems import MISSING, CaseFault, Path, UnfitKey, shown
+from .problems import MISSING, CaseProblem, InvalidKeyError, Path, shown
 from .rules import CaseValues
 
 TAIT = ("tait_bulk_modulus_GPa", "tait_bulk_modulus_derivative")
@@ -53,7 +53,7 @@ LAWS = {  # constants that a law takes
     ("viscosity_law", "modulus"): (),  # of oils of the library
     ("viscosity_law", "scaled-volume"): (),
 }
-OF_LIBRARY = {  # constants that an oil of the library has for a law, one of them
+LIBRARY_CONSTANTS = {  # constants that an oil of the library has for a law, one of them
     "tait-doolittle": ("doolittle",),
     "tait": ("doolittle", "tait"),
     "yasutomi": (),
@@ -84,7 +84,7 @@ class _OilFile:
 
 def free_volume_faults(
     keys: dict[str, Any], values: CaseValues, *, of_library: bool
-) -> Iterator[CaseFault]:
+) -> Iterator[CaseProblem]:
     """A law has its constants, and constants in [lubricant] have their law."""
     oil = _OilFile(keys, values)
     given = [key for key in KEYS if key in keys]
@@ -94,7 +94,7 @@ def free_volume_faults(
             yield from _no_constants(oil, law, of_library=of_library)
     for key, reason in _needed(keys, given, chosen).items():
         if key not in keys:
-            yield CaseFault(oil.place(key), MISSING, f"needed with {reason}")
+            yield CaseProblem(oil.place(key), MISSING, f"needed with {reason}")
     yield from _expansivity_faults(oil, given)
     yield from _without_law(oil, given, chosen)
 
@@ -115,10 +115,12 @@ def _needed(
     return needed if follows is None else needed | {TEMPERATURE: follows}
 
 
-def _no_constants(oil: _OilFile, law: tuple[str, str], *, of_library: bool) -> Iterator[CaseFault]:
+def _no_constants(
+    oil: _OilFile, law: tuple[str, str], *, of_library: bool
+) -> Iterator[CaseProblem]:
     name = oil.keys.get("name")
     names = list_lubricants()
-    sets = OF_LIBRARY[law[1]]
+    sets = LIBRARY_CONSTANTS[law[1]]
     suitable = [one for one in names if any(key in lubricant_data(one) for key in sets)]
     # an unknown name is a fault of its own
     if of_library and (name in suitable or name not in names):
@@ -129,30 +131,30 @@ def _no_constants(oil: _OilFile, law: tuple[str, str], *, of_library: bool) -> I
     ways += ["another law"]
     finding = f"found {shown(law[1])}, for which {subject} has no constants"
     allowed = f"allowed: {'; or '.join(ways)}"
-    yield CaseFault(oil.place(law[0]), finding, allowed)
+    yield CaseProblem(oil.place(law[0]), finding, allowed)
 
 
-def _expansivity_faults(oil: _OilFile, given: list[str]) -> Iterator[CaseFault]:
+def _expansivity_faults(oil: _OilFile, given: list[str]) -> Iterator[CaseProblem]:
     """One form of Yasutomi's law."""
     forms = [key for key in EXPANSIVITY if key in given]
     if len(forms) == len(EXPANSIVITY):
         finding = f"found together with {forms[0]}"
-        yield CaseFault(oil.place(forms[1]), finding, "allowed: one of them")
+        yield CaseProblem(oil.place(forms[1]), finding, "allowed: one of them")
     elif not forms and any(key in YASUTOMI for key in given):
         allowed = f"needed: {' or '.join(EXPANSIVITY)}"
-        yield CaseFault(oil.place(EXPANSIVITY[0]), MISSING, allowed)
+        yield CaseProblem(oil.place(EXPANSIVITY[0]), MISSING, allowed)
 
 
 def _without_law(
     oil: _OilFile, given: list[str], chosen: list[tuple[str, str]]
-) -> Iterator[CaseFault]:
+) -> Iterator[CaseProblem]:
     """In [lubricant] only constants that a law takes; an oil of [lubricants] may have more."""
     for key in given:
         family = key.partition("_")[0]
         if oil.place(key)[0] == "lubricant" and not any(family in law for _, law in chosen):
             laws = [f'{name} = "{law}"' for name, law in LAWS if family in law]
             allowed = f"allowed: {' or '.join(laws)}"
-            yield CaseFault(("lubricant", key), "found without its law", allowed)
+            yield CaseProblem(("lubricant", key), "found without its law", allowed)
 
 
 def free_volume(keys: dict[str, Any], temperature: float) -> dict[str, Any]:
@@ -209,7 +211,7 @@ def with_coefficient(given: dict[str, Any], keys: dict[str, Any]) -> dict[str, A
         return given
     if of_constants <= 0.0:
         finding = "its constants give no viscosity that rises with pressure"
-        raise UnfitKey(("lubricant", "viscosity_law"), finding)
+        raise InvalidKeyError(("lubricant", "viscosity_law"), finding)
     if key not in keys:
         return {**given, "pressure_viscosity": of_constants}
     difference = abs(keys[key] / GIGAPASCAL - of_constants)
@@ -218,7 +220,9 @@ def with_coefficient(given: dict[str, Any], keys: dict[str, Any]) -> dict[str, A
             f"found {keys[key]:g}, and the constants of the law give "
             f"{of_constants * GIGAPASCAL:.4g}"
         )
-        raise UnfitKey(("lubricant", key), finding, "allowed: left out, or that of the constants")
+        raise InvalidKeyError(
+            ("lubricant", key), finding, "allowed: left out, or that of the constants"
+        )
     return given
 
 

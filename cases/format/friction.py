@@ -25,7 +25,7 @@ from ehl.units import to_si
 from .bearing import BearingTable, SurfaceTable, nominal_contact_angle, roughness, spectrum
 from .fields import LENGTH_MAXIMUM, OneOf, Table, above, between, described
 from .lubricant import LubricantTable, Oil
-from .problems import CaseFault, shown
+from .problems import CaseProblem, shown
 from .rules import Below, CaseValues, Excludes, Needs, OnlyWith, Relation, Where
 from .shipped import table_path
 
@@ -147,7 +147,7 @@ WITH_STARVED = 'with heating_torque = "starved"'
 # tau_L/p of a paraffinic mineral oil, Mann's twin discs after Arana et al. (2019)
 LIMITING_COEFFICIENT = 0.047
 # keys that are fields of `FrictionInput`, but for their units
-OF_ONE_NAME = (
+SAME_NAME_FIELDS = (
     *("coefficient", "oil", "oil_fraction", "oil_level_mm", "drag_factor", "as_printed"),
     "seal_diameter_mm",
 )
@@ -216,12 +216,12 @@ RELATIONS: tuple[Relation, ...] = (
 )
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
     """A file of traction tables that is there."""
     name = values.get("friction", "traction_table")
     if name is not None and values.get("friction", "traction") == "table" and not _is_file(name):
         finding = f"{shown(name)} cannot be read: there is no such file from the working directory"
-        yield CaseFault(("friction", "traction_table"), finding, made_by(name))
+        yield CaseProblem(("friction", "traction_table"), finding, made_by(name))
 
 
 def made_by(name: str) -> str:
@@ -273,7 +273,7 @@ def friction(
             stacklevel=2,
         )
     return FrictionInput(
-        **table.si(*OF_ONE_NAME),
+        **table.si(*SAME_NAME_FIELDS),
         sealed=_sealed(table, bearing),
         lubrication=Lubrication(table.lubrication),
         series=_series(bearing, angular=angular),

@@ -12,19 +12,19 @@ from ehl.units import from_si
 
 from .bearing import ALTERNATIVES, CLEARANCE, GEOMETRY, BearingTable
 from .fields import OneOf, Table, above, between, described, is_number, name_in_si, rounded
-from .problems import CaseFault, nearest_name, shown
+from .problems import CaseProblem, nearest_name, shown
 from .rules import CaseValues
 
 # of a material that its table in the case may leave to the library's
-OF_THE_LIBRARY = (
+LIBRARY_FIELDS = (
     *("kind", "thermal_expansion", "thermal_conductivity", "specific_heat"),
     *("bending_strength", "weibull_modulus"),
     *("bending_strength_range", "weibull_modulus_range"),
 )
 # tables whose keys with the word "material" name one
-OF_MATERIALS = ("bearing", "fit", "contact")
+MATERIAL_TABLES = ("bearing", "fit", "contact")
 INTERNAL_GEOMETRY = ("ball_diameter_mm", "pitch_diameter_mm", "balls")
-OF_THE_GEOMETRY = (  # hold for the catalogue's internal geometry only
+GEOMETRY_DEPENDENT = (  # hold for the catalogue's internal geometry only
     "basic_dynamic_rating_kN",
     "basic_static_rating_kN",
     "inner_shoulder_diameter_mm",
@@ -65,7 +65,7 @@ def _material(name: str, table: MaterialTable) -> Material:
     values: dict[str, Any] = {"kind": MaterialKind.OTHER}
     if matching_name(name, list_materials()):
         library = load_material(name)
-        values = {field: getattr(library, field) for field in OF_THE_LIBRARY}
+        values = {field: getattr(library, field) for field in LIBRARY_FIELDS}
     given = {field: value for field, value in table.si().items() if value is not None}
     for field in STRENGTH:  # a strength of the case's own beyond the library's range has none
         ends = values.get(f"{field}_range")
@@ -91,7 +91,7 @@ def _names(document: dict[str, Any]) -> Iterator[tuple[str, str, tuple[str, ...]
         return value if isinstance(value, dict) else {}
 
     materials = (*own("materials"), *list_materials())
-    for table in OF_MATERIALS:
+    for table in MATERIAL_TABLES:
         yield from ((table, key, materials) for key in own(table) if "material" in key)
     if "name" in own("lubricant"):  # the library of oils needs NumPy, most cases do not
         given = own("lubricant")["name"]
@@ -130,7 +130,7 @@ def _with_base_oil(document: dict[str, Any]) -> dict[str, Any]:
     return document
 
 
-def name_faults(values: CaseValues) -> Iterator[CaseFault]:
+def name_faults(values: CaseValues) -> Iterator[CaseProblem]:
     """Materials and oils that neither the case nor a library has; that of a cage where used."""
     cage = values.given("temperatures", "cage_C") or values.given("dynamics")
     for table, key, names in _names(values.document):
@@ -138,10 +138,12 @@ def name_faults(values: CaseValues) -> Iterator[CaseFault]:
         if isinstance(name, str) and name not in names and (key != "cage_material" or cage):
             nearest = nearest_name(name, names)
             allowed = "" if nearest else f"allowed: {', '.join(names)}"
-            yield CaseFault((table, key), f"unknown name {shown(name)}", allowed, nearest=nearest)
+            yield CaseProblem(
+                (table, key), f"unknown name {shown(name)}", allowed, nearest=nearest
+            )
 
 
-def with_catalogue(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseFault]]:
+def with_catalogue(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseProblem]]:
     """The document with the values of the catalogue that [bearing] does not override."""
     table = document.get("bearing")
     if not isinstance(table, dict) or not isinstance(table.get("name"), str) or not table["name"]:
@@ -158,7 +160,7 @@ def with_catalogue(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseF
         )
         finding = f"unknown bearing {shown(table['name'])}"
         path = ("bearing", "name")
-        return document, [CaseFault(path, finding, "" if nearest else allowed, nearest=nearest)]
+        return document, [CaseProblem(path, finding, "" if nearest else allowed, nearest=nearest)]
     return {**document, "bearing": {**_of_catalogue(name, table), **table, "name": name}}, []
 
 
@@ -174,7 +176,7 @@ def _of_catalogue(name: str, table: dict[str, Any]) -> dict[str, Any]:
         if any(key in table for key in alternatives):
             unused.update(alternatives)
     if any(key in table and table[key] != entry.get(key) for key in INTERNAL_GEOMETRY):
-        unused.update(OF_THE_GEOMETRY)
+        unused.update(GEOMETRY_DEPENDENT)
     values = {key: value for key, value in entry.items() if key not in unused}
     angle = entry.get(CLEARANCE[1])
     if angle is not None and CLEARANCE[1] not in {*values, *table}:

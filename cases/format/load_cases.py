@@ -11,7 +11,7 @@ from .fields import Table, above, is_number
 from .lubricant import VISCOSITIES, oil_of
 from .operation import RELATIONS as OF_OPERATION
 from .operation import OperationTable
-from .problems import CaseFault, Path, dotted, shown
+from .problems import CaseProblem, Path, dotted, shown
 from .rules import CaseValues, Excludes
 
 NAME = "load_cases"
@@ -57,7 +57,7 @@ def merged(operation: dict[str, Any], own: dict[str, Any]) -> dict[str, Any]:
     return kept | {key: value for key, value in own.items() if key != "share"}
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
     """Shares that sum to 1; a temperature of its own with an oil that follows it."""
     tables = dict(load_case_tables(values))
     shares = [table.get("share") for table in tables.values()]
@@ -66,7 +66,7 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
         total = sum(numbers)
         if not LEAST_SUM <= total <= LARGEST_SUM:
             finding = f"found shares that sum to {total:.6g}"
-            yield CaseFault((NAME,), finding, "allowed: a sum of 1")
+            yield CaseProblem((NAME,), finding, "allowed: a sum of 1")
     if not isinstance(values.get("lubricant"), dict):
         return
     oil = oil_of(values.document["lubricant"], values.document.get("lubricants"))
@@ -75,7 +75,7 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
         if fixed and table.get("temperature_C") is not None:
             finding = f"found {shown(table['temperature_C'])} together with lubricant.{fixed}"
             allowed = "allowed: with an oil of the library, whose viscosity follows it"
-            yield CaseFault((NAME, index, "temperature_C"), finding, allowed)
+            yield CaseProblem((NAME, index, "temperature_C"), finding, allowed)
 
 
 def load_case_tables(values: CaseValues) -> Iterator[tuple[int, dict[str, Any]]]:
@@ -87,7 +87,7 @@ def load_case_tables(values: CaseValues) -> Iterator[tuple[int, dict[str, Any]]]
             yield index, {k: v for k, v in table.items() if (*valid, k) not in values.faulty}
 
 
-def in_its_place(values: CaseValues, own: dict[str, Any]) -> CaseValues:
+def with_load_case(values: CaseValues, own: dict[str, Any]) -> CaseValues:
     """The document with a load case in the place of [operation]."""
     document = {key: value for key, value in values.document.items() if key != NAME}
     operation = values.get("operation")
@@ -96,7 +96,7 @@ def in_its_place(values: CaseValues, own: dict[str, Any]) -> CaseValues:
     return CaseValues({**document, "operation": merged(given, own)}, faulty)
 
 
-def of_load_case(fault: CaseFault, index: int, own: dict[str, Any]) -> CaseFault:
+def load_case_problem(fault: CaseProblem, index: int, own: dict[str, Any]) -> CaseProblem:
     """A fault of the merged document, at the key of the load case, or at its table."""
     here: Path = (NAME, index)
     key = fault.path[-1]

@@ -25,7 +25,7 @@ from .fields import (
     within,
 )
 from .friction import FrictionTable
-from .problems import CaseFault, shown
+from .problems import CaseProblem, shown
 from .rules import CaseValues, Excludes, Needs, Where
 
 SELF_HEATED = "self-heated"
@@ -74,14 +74,14 @@ RELATIONS = (
 )
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
     """A load or a displacement for each direction, a moment or a tilt about each axis, once."""
     components = [values.get("operation", f"{name}_load_N") for name in ("axial", "radial")]
     force = values.get("operation", "force_N") or (*components, None)
     moment = values.get("operation", "moment_N_mm") or ()
     if values.get("operation", "tilt") == "held" and any(moment):
         finding = 'found "held" together with a moment'
-        yield CaseFault(("operation", "tilt"), finding, 'allowed: "free", or no moment')
+        yield CaseProblem(("operation", "tilt"), finding, 'allowed: "free", or no moment')
     for name, loads, axes, motion, kind, unit in (
         ("displacement_um", force, "xyz", "a displacement along", "load", "N along"),
         ("tilt_mrad", moment, "yz", "a tilt about", "moment", "N mm about"),
@@ -92,7 +92,7 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
                 given = f"a {kind} of {shown(load)} {unit} {axis}"
                 finding = f"found {motion} {axis} together with {given}"
                 allowed = f'allowed: one of them; "{FREE_WORD}" in {name} where the {kind} decides'
-                yield CaseFault(("operation", name), finding, allowed)
+                yield CaseProblem(("operation", name), finding, allowed)
 
 
 def operation(table: OperationTable) -> Operation:

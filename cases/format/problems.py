@@ -38,7 +38,7 @@ _OPAQUE = re.compile(
 
 
 @dataclass(frozen=True, slots=True)
-class CaseFault:
+class CaseProblem:
     """One error: the key it belongs to, what was found there and what is allowed."""
 
     path: Path
@@ -63,24 +63,26 @@ class CaseFault:
         return f"{file}:{self.line_in(lines)}: {where}{'; '.join(parts)}"
 
 
-class UnfitKey(ValueError):  # noqa: N818
+class InvalidKeyError(ValueError):
     """A key whose value turns out unfit on conversion; its message has no line yet."""
 
     def __init__(self, path: Path, finding: str, allowed: str = "") -> None:
-        self.fault = CaseFault(path, finding, allowed)
+        self.fault = CaseProblem(path, finding, allowed)
         super().__init__(f"{dotted(path)}: {finding}")
 
 
 class CaseError(ValueError):
     """A case that cannot be run, with a line for each error and what is known of its key."""
 
-    def __init__(self, messages: str | Iterable[str], problems: Iterable[CaseFault] = ()) -> None:
+    def __init__(
+        self, messages: str | Iterable[str], problems: Iterable[CaseProblem] = ()
+    ) -> None:
         self.messages = (messages,) if isinstance(messages, str) else tuple(messages)
         self.problems = tuple(problems)
         super().__init__("\n".join(self.messages))
 
 
-def faults_error(faults: Iterable[CaseFault], name: str, text: str) -> CaseError:
+def faults_error(faults: Iterable[CaseProblem], name: str, text: str) -> CaseError:
     """The faults of a file, in the order of its lines, each once."""
     lines = key_lines(text)
     ordered = sorted(faults, key=lambda fault: fault.line_in(lines))
@@ -131,47 +133,49 @@ def name_unit(key: str) -> str:
     return unit if unit in UNITS else ""
 
 
-def schema_faults(errors: Iterable[Mapping[str, Any]], schema: dict[str, Any]) -> list[CaseFault]:
+def schema_faults(
+    errors: Iterable[Mapping[str, Any]], schema: dict[str, Any]
+) -> list[CaseProblem]:
     """The errors of pydantic as problems; `schema` is the JSON Schema of the file."""
     return [_fault(error, schema) for error in errors]
 
 
-def _fault(error: Mapping[str, Any], schema: dict[str, Any]) -> CaseFault:
+def _fault(error: Mapping[str, Any], schema: dict[str, Any]) -> CaseProblem:
     path: Path = tuple(error["loc"])
     finding = f"found {shown(error['input'])}"
     if error["type"] == "extra_forbidden":
         return _unknown(path, schema)
     if error["type"] == "missing":
-        return CaseFault(path, MISSING, f"needed: {allowed_values(schema_node(schema, path))}")
+        return CaseProblem(path, MISSING, f"needed: {allowed_values(schema_node(schema, path))}")
     if error["type"] == "choice":
         words = error.get("ctx", {}).get("words", ())
         close = nearest_name(error["input"], words) if isinstance(error["input"], str) else None
-        return CaseFault(path, finding, f"allowed: {error['msg']}", nearest=close)
+        return CaseProblem(path, finding, f"allowed: {error['msg']}", nearest=close)
     node = schema_node(schema, path)
     given = error["input"]
     nearest = nearest_name(given, node.get("enum", ())) if isinstance(given, str) else None
-    return CaseFault(path, finding, f"allowed: {allowed_values(node)}", nearest=nearest)
+    return CaseProblem(path, finding, f"allowed: {allowed_values(node)}", nearest=nearest)
 
 
-def _unknown(path: Path, schema: dict[str, Any]) -> CaseFault:
+def _unknown(path: Path, schema: dict[str, Any]) -> CaseProblem:
     """A key the table does not have: its nearest name, the table it belongs to, or all names."""
     key = str(path[-1])
     parent = path[:-1]
     if "contact" in schema["properties"] and path in OF_BEARINGS:
-        return CaseFault(path, "not used by a single contact", "allowed in a bearing case")
+        return CaseProblem(path, "not used by a single contact", "allowed in a bearing case")
     names = list(schema_node(schema, parent).get("properties", ()))
     for table, node in schema["properties"].items():
         if table != (parent or ("",))[0] and key in resolved(schema, node).get("properties", ()):
-            return CaseFault(path, "unknown key", f"{key} belongs in [{table}]")
+            return CaseProblem(path, "unknown key", f"{key} belongs in [{table}]")
     if parent and schema_node(schema, (key,)).get("type") not in (None, "object"):
-        return CaseFault(path, "unknown key", f"{key} belongs at the top of the file")
+        return CaseProblem(path, "unknown key", f"{key} belongs at the top of the file")
     nearest = nearest_name(key, names)
     if nearest and nearest.startswith(key + "_"):
-        return CaseFault(path, "unknown key", "keys end in their unit", nearest=nearest)
+        return CaseProblem(path, "unknown key", "keys end in their unit", nearest=nearest)
     if len(names) > SHOWN_NAMES + 2:
         names[SHOWN_NAMES:] = ["... (see docs/reference/cases.md)"]
     listed = "" if nearest else "allowed: " + ", ".join(names)
-    return CaseFault(path, "unknown key" if parent else "unknown name", listed, nearest=nearest)
+    return CaseProblem(path, "unknown key" if parent else "unknown name", listed, nearest=nearest)
 
 
 def resolved(schema: dict[str, Any], node: dict[str, Any]) -> dict[str, Any]:

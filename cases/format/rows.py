@@ -22,7 +22,7 @@ from .fields import (
     is_number,
     within,
 )
-from .problems import CaseFault, shown
+from .problems import CaseProblem, shown
 from .rules import CaseValues, Excludes
 
 PRELOADS = ("preload_N", "preload_um", "preload_class")  # a row gives one of them
@@ -59,14 +59,14 @@ def _row_tables(values: CaseValues) -> list[dict[str, Any]]:
     return [table for table in tables if isinstance(table, dict)]
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
     """One preload a row; rows at least a ball diameter apart; films where balls are."""
     tables = _row_tables(values)
     for index, table in enumerate(tables):
         first, *others = [key for key in PRELOADS if key in table] or [""]
         for key in others:
             finding = f"found together with {first}"
-            yield CaseFault(("rows", index, key), finding, "allowed: one of them")
+            yield CaseProblem(("rows", index, key), finding, "allowed: one of them")
     diameter = values.get("bearing", "ball_diameter_mm")
     for (_, one), (index, other) in combinations(enumerate(tables), 2):
         there, here = (table.get("axial_position_mm") for table in (one, other))
@@ -75,11 +75,11 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
         if abs(here - there) < diameter:
             path = ("rows", index, "axial_position_mm")
             allowed = f"allowed: at least a ball diameter, {diameter:g} mm, from every other row"
-            yield CaseFault(path, f"found {shown(here)}", allowed)
+            yield CaseProblem(path, f"found {shown(here)}", allowed)
     yield from _film_map_faults(values)
 
 
-def _film_map_faults(values: CaseValues) -> Iterator[CaseFault]:
+def _film_map_faults(values: CaseValues) -> Iterator[CaseProblem]:
     """Azimuths at which there are balls."""
     wanted = values.get("ehl", "film_maps")
     balls = values.get("bearing", "balls")
@@ -96,7 +96,7 @@ def _film_map_faults(values: CaseValues) -> Iterator[CaseFault]:
             nearest = min(azimuths, key=lambda other: _apart(azimuth, other))
             finding = f"found {shown(azimuth)}, where no ball is"
             allowed = f"allowed: azimuths of balls; the nearest is {nearest:.6g}"
-            yield CaseFault(("ehl", "film_maps"), finding, allowed)
+            yield CaseProblem(("ehl", "film_maps"), finding, allowed)
 
 
 def ball_azimuths(balls: int, first: float) -> tuple[float, ...]:

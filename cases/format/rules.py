@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from .problems import MISSING, CaseFault, Path, shown
+from .problems import MISSING, CaseProblem, Path, shown
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,12 +73,12 @@ class Excludes:
     other: str
     allowed: str = "one of them"
 
-    def faults(self, values: CaseValues) -> Iterator[CaseFault]:
+    def faults(self, values: CaseValues) -> Iterator[CaseProblem]:
         """At the first key, where both are given."""
         path = _path(self.key)
         if values.given(*path) and values.given(*_path(self.other)):
             finding = f"found together with {self.other.removeprefix(f'{path[0]}.')}"
-            yield CaseFault(path, finding, f"allowed: {self.allowed}")
+            yield CaseProblem(path, finding, f"allowed: {self.allowed}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,13 +90,13 @@ class Needs:
     allowed: str = ""
     unless: tuple[str, ...] = ()
 
-    def faults(self, values: CaseValues) -> Iterator[CaseFault]:
+    def faults(self, values: CaseValues) -> Iterator[CaseProblem]:
         """At the key, where it is left out; at the one that needs it, where its table is."""
         path = _path(self.key)
         given = any(values.given(*_path(key)) for key in (self.key, *self.unless))
         if self.where.holds(values) and not given:
             allowed = self.allowed or f"needed with {self.where.text(path[0])}"
-            yield CaseFault(path, MISSING, allowed, asked_by=_path(self.where.key))
+            yield CaseProblem(path, MISSING, allowed, asked_by=_path(self.where.key))
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,7 +107,7 @@ class OnlyWith:
     wheres: tuple[Where, ...]
     default: Any = None
 
-    def faults(self, values: CaseValues) -> Iterator[CaseFault]:
+    def faults(self, values: CaseValues) -> Iterator[CaseProblem]:
         """At the key, where it is given without the others."""
         path = _path(self.key)
         value = values.get(*path)
@@ -115,7 +115,7 @@ class OnlyWith:
             return
         finding = f"found without {' or '.join(where.text(path[0]) for where in self.wheres)}"
         allowed = f"allowed: with {' or '.join(where.text() for where in self.wheres)}"
-        yield CaseFault(path, finding, allowed)
+        yield CaseProblem(path, finding, allowed)
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,7 +127,7 @@ class Below:
     low_default: float | None = None
     high_default: float | None = None
 
-    def faults(self, values: CaseValues) -> Iterator[CaseFault]:
+    def faults(self, values: CaseValues) -> Iterator[CaseProblem]:
         """At the key without a default, where the first is not below the second."""
         low = _number(values, self.low, self.low_default)
         high = _number(values, self.high, self.high_default)
@@ -138,13 +138,13 @@ class Below:
         bound = f"above {self.low} = {low:g}" if at_high else f"below {self.high} = {high:g}"
         if values.get(*path) is not None:
             allowed = f"allowed: {bound.replace(f'{path[0]}.', '')}"
-            yield CaseFault(path, f"found {values.get(*path):g}", allowed)
+            yield CaseProblem(path, f"found {values.get(*path):g}", allowed)
 
 
 Relation = Excludes | Needs | OnlyWith | Below
 
 
-def relation_faults(relations: Iterable[Relation], values: CaseValues) -> Iterator[CaseFault]:
+def relation_faults(relations: Iterable[Relation], values: CaseValues) -> Iterator[CaseProblem]:
     """The faults of all relations, the first of each key."""
     seen: set[Path] = set()
     for relation in relations:
@@ -156,11 +156,11 @@ def relation_faults(relations: Iterable[Relation], values: CaseValues) -> Iterat
 
 def bounded(
     values: CaseValues, key: str, fits: Callable[[Any], bool], allowed: str
-) -> Iterator[CaseFault]:
+) -> Iterator[CaseProblem]:
     """A fault where the value of a dotted key is given and does not fit."""
     value = values.get(*_path(key))
     if value is not None and not fits(value):
-        yield CaseFault(_path(key), f"found {shown(value)}", f"allowed: {allowed}")
+        yield CaseProblem(_path(key), f"found {shown(value)}", f"allowed: {allowed}")
 
 
 @cache

@@ -26,7 +26,7 @@ from ehl.traction.table.temperature import TemperatureTable
 
 from .film_model import CaseFilms, FilmPhysics
 from .friction import FrictionTable, made_by
-from .problems import UnfitKey
+from .problems import InvalidKeyError
 from .shipped import table_path
 
 # along x of the films that traction is taken from, at most [-]; friction of the inner race of a
@@ -79,7 +79,7 @@ def _law(
             tables = read_race_tables(path, bearing, oil, films.rheology, films.solids)
         except ValueError as error:
             key = ("friction", "traction_table")
-            raise UnfitKey(key, str(error), made_by(table.traction_table)) from None
+            raise InvalidKeyError(key, str(error), made_by(table.traction_table)) from None
         return LawTraction(laws=dict(tables))
     return coefficient_source(table.traction, dict(table))
 
@@ -116,7 +116,7 @@ def read_race_tables(
     `ValueError` if the file, named in the message, is damaged, or is of another bearing or oil.
     """
     tables = tables_of_file(path)(oil, rheology)
-    return fitting_tables(tables, str(path), bearing, oil, rheology, solids)
+    return require_fitting_tables(tables, str(path), bearing, oil, rheology, solids)
 
 
 def tables_of_file(path: Path) -> Callable[[Lubricant, Rheology], Tables]:
@@ -149,7 +149,7 @@ def _at(
     return table
 
 
-def fitting_tables(
+def require_fitting_tables(
     tables: Tables,
     name: str,
     bearing: Bearing,

@@ -44,7 +44,7 @@ from .heating import (
 from .interrupt import interruptible
 from .load_cases import solve_load_cases
 from .strength import case_strength, contact_tensions
-from .studies.atlas import unasked_films
+from .studies.atlas import fill_from_atlas
 from .studies.supply import beside_supply
 from .traction_films import contact_tractions, traction_messages, with_workers
 
@@ -236,7 +236,7 @@ def _films(
         for contact, asked, base in zip(contacts, plan.bases, bases, strict=True)
     )
     if state.converged and case.films.model is FilmModel.NEWTONIAN and case.inlet_layer is None:
-        formulas = unasked_films(contacts, wanted, formulas)
+        formulas = fill_from_atlas(contacts, wanted, formulas)
     return _Films(solutions, formulas, interrupted, messages)
 
 

@@ -22,7 +22,7 @@ PATIENCE = 1.4  # from a signal to the end of a program that does not answer it 
 LOOK = 0.05  # from one look to the next [s]
 
 
-def say(text: str) -> None:
+def print_message(text: str) -> None:
     """A message to the user; lost without harm where nobody takes it."""
     with suppress(OSError, ValueError):
         print(text, file=sys.stderr, flush=True)  # noqa: T201
@@ -45,7 +45,7 @@ class _Postponed:
         self.signals += 1
         if self.signals > 1:
             raise KeyboardInterrupt
-        say(f"oilfilm: finishing first: {self.what}")
+        print_message(f"oilfilm: finishing first: {self.what}")
         if self.hurry is not None:
             self.hurry()
 
@@ -92,7 +92,7 @@ def interruptible(work: Callable[[], T], meanwhile: Callable[[], None] | None = 
     return future.result()
 
 
-def end_unless_obeyed(code: int) -> Callable[[], bool]:
+def end_after_signal(code: int) -> Callable[[], bool]:
     """End the program, with a code, where it does not end within `PATIENCE` of a signal: it is in
     compiled code, or waits for a process. Work that is to finish first has its time.
 
@@ -103,7 +103,7 @@ def end_unless_obeyed(code: int) -> Callable[[], bool]:
     signal.set_wakeup_fd(writer.fileno(), warn_on_full_buffer=False)
     came = threading.Event()
     lost = threading.Event()
-    _be_quiet_after(came, lost)
+    _silence_after(came, lost)
 
     def watch() -> None:
         with writer:  # open as long as this thread
@@ -117,14 +117,14 @@ def end_unless_obeyed(code: int) -> Callable[[], bool]:
                 if lost.is_set():
                     lost.clear()
                     _thread.interrupt_main()
-            say("oilfilm: interrupted")
+            print_message("oilfilm: interrupted")
             end_now(code)
 
     threading.Thread(target=watch, daemon=True).start()
     return lambda: came.wait(LOOK)  # the thread that sees it may not have run yet
 
 
-def _be_quiet_after(came: threading.Event, lost: threading.Event) -> None:
+def _silence_after(came: threading.Event, lost: threading.Event) -> None:
     """After a signal (`came`) say nothing of finalizers and threads that fail: their objects may
     be half built, their work given up.
 

@@ -11,7 +11,7 @@ from bearing.rating.life import bearing_life
 from bearing.torque.breakdown import torque_breakdown
 from bearing.torque.films_torque import films_torque
 
-from ..format.case import Case, LoadCaseInput, own_notes
+from ..format.case import Case, LoadCaseInput, new_notes
 from .equilibrium import case_equilibrium, without_traction_equilibrium
 from .films import Progress
 from .heating import at_its_temperature
@@ -40,7 +40,7 @@ def solve_load_cases(case: Case, notify: Progress) -> DutyCycle | None:
 def _load_case(state: LoadCaseInput, known: tuple[str, ...]) -> LoadCase:
     """One state, with the messages that are not `known`, those of [operation]."""
     case = at_its_temperature(state.case)
-    messages = own_notes(case.warnings, known)
+    messages = new_notes(case.warnings, known)
     if case.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
         case = replace(case, model=without_traction_equilibrium(case.model))
         messages.append(HALF_AND_HALF)

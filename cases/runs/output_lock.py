@@ -46,7 +46,7 @@ def one_writer(target: Path, *, shared: bool = False) -> Iterator[None]:
     atexit.register(release)  # also where the program ends in the middle of the work
     try:
         if not shared:
-            sweep_left_over(target)
+            remove_leftovers(target)
         yield
     finally:
         atexit.unregister(release)
@@ -67,7 +67,7 @@ def home(target: Path) -> Path:
     return target if inside else target.parent
 
 
-def sweep_left_over(target: Path) -> None:
+def remove_leftovers(target: Path) -> None:
     """Remove temporary folders and files of writers that were killed."""
     target = target.absolute()
     for folder in home(target).glob(f".{target.name}-*{TEMPORARY}"):

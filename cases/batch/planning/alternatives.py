@@ -29,7 +29,7 @@ class PointDocuments:
         self.base = base
         self._gone: dict[tuple[str, ...], tuple[tuple[str, str, str], ...]] = {}
 
-    def of(self, variation: Variation) -> dict[str, Any]:
+    def document(self, variation: Variation) -> dict[str, Any]:
         """The document of one variation; tables that it leaves as they are are those of the
         case.
         """
@@ -59,7 +59,7 @@ class PointDocuments:
 
 def with_values(base: dict[str, Any], variation: Variation) -> dict[str, Any]:
     """The case's document with the values of a variation, without their alternatives."""
-    return PointDocuments(base).of(variation)
+    return PointDocuments(base).document(variation)
 
 
 def replaced_keys(base: dict[str, Any], variations: Sequence[Variation]) -> tuple[str, ...]:

@@ -7,7 +7,7 @@ from math import prod
 from typing import Any, overload
 
 from ...format.fields import is_number
-from ...format.problems import CaseFault, Path, shown
+from ...format.problems import CaseProblem, Path, shown
 from ..sweep_file import SensitivityTable, SweepFile
 
 MOST_POINTS = 10_000_000
@@ -42,26 +42,26 @@ def block_settings(table: dict[str, Any], where: Path) -> list[Setting]:
     return settings
 
 
-class Lazy(Sequence[Variation]):
+class LazyVariations(Sequence[Variation]):
     """Variations that are made when they are asked for."""
 
     @overload
-    def __getitem__(self, place: int) -> Variation: ...
+    def __getitem__(self, index: int) -> Variation: ...
 
     @overload
-    def __getitem__(self, place: slice) -> list[Variation]: ...
+    def __getitem__(self, index: slice) -> list[Variation]: ...
 
-    def __getitem__(self, place: int | slice) -> Variation | list[Variation]:
-        if isinstance(place, slice):
-            return [self.made(k) for k in range(*place.indices(len(self)))]
-        return self.made(range(len(self))[place])
+    def __getitem__(self, index: int | slice) -> Variation | list[Variation]:
+        if isinstance(index, slice):
+            return [self.variation_at(k) for k in range(*index.indices(len(self)))]
+        return self.variation_at(range(len(self))[index])
 
-    def made(self, place: int) -> Variation:
+    def variation_at(self, index: int) -> Variation:
         """The variation at a place, counted from 0."""
         raise NotImplementedError
 
 
-class Factorial(Lazy):
+class Factorial(LazyVariations):
     """Combinations of lists of settings, the last one fastest."""
 
     def __init__(self, choices: Sequence[Sequence[Setting]]) -> None:
@@ -71,11 +71,11 @@ class Factorial(Lazy):
     def __len__(self) -> int:
         return self.size
 
-    def made(self, place: int) -> Variation:
+    def variation_at(self, index: int) -> Variation:
         """The digits of the place are the places in the lists."""
         chosen = []
         for choice in reversed(self.choices):
-            place, k = divmod(place, len(choice))
+            index, k = divmod(index, len(choice))
             chosen.append(choice[k])
         return Variation("sweep", tuple(reversed(chosen)))
 
@@ -84,15 +84,15 @@ class Factorial(Lazy):
 
     def edges(self) -> set[int]:
         """Places where a key has the last value of its list, the others their first ones."""
-        places = {0}
+        indices = {0}
         step = self.size
         for choice in self.choices:
             step //= len(choice)
-            places.add((len(choice) - 1) * step)
-        return places
+            indices.add((len(choice) - 1) * step)
+        return indices
 
 
-class Sampled(Lazy):
+class Sampled(LazyVariations):
     """Rows of a table of values, a column for each key."""
 
     def __init__(
@@ -105,17 +105,17 @@ class Sampled(Lazy):
     def __len__(self) -> int:
         return len(self.rows)
 
-    def made(self, place: int) -> Variation:
+    def variation_at(self, index: int) -> Variation:
         """The values of a row."""
-        row = zip(self.keys, self.rows[place], strict=True)
+        row = zip(self.keys, self.rows[index], strict=True)
         return Variation(self.block, tuple(Setting(*key, value) for key, value in row))
 
 
-def factorial(file: SweepFile) -> tuple[Factorial, list[CaseFault]]:
+def factorial(file: SweepFile) -> tuple[Factorial, list[CaseProblem]]:
     """Combinations of the lists in [sweep], last key fastest, and faults."""
     settings = block_settings(file.sweep, ("sweep",))
     problems = [
-        CaseFault(s.where, f"found {shown(s.value)}", "allowed: a list of values")
+        CaseProblem(s.where, f"found {shown(s.value)}", "allowed: a list of values")
         for s in settings
         if not isinstance(s.value, list) or not s.value
     ]
@@ -135,7 +135,7 @@ def listed(file: SweepFile) -> list[Variation]:
 
 def differences(
     table: SensitivityTable, keys: tuple[str, ...], values: dict[str, Any]
-) -> tuple[list[Variation], list[str], list[CaseFault]]:
+) -> tuple[list[Variation], list[str], list[CaseProblem]]:
     """The case itself, and each of the keys by itself down and up from its value in the case as
     run; what was left out, and what is wrong.
     """
@@ -153,7 +153,7 @@ def differences(
             notes.append(f"sensitivity: {key} left out, {reason}")
         else:
             allowed = "allowed: keys of the case with a number that is not 0"
-            problems.append(CaseFault(where, f"{key} = {shown(value)}", allowed))
+            problems.append(CaseProblem(where, f"{key} = {shown(value)}", allowed))
     if len(variations) == 1 and not problems:
-        problems.append(CaseFault(where, "no key to vary", "needed: a list of keys"))
+        problems.append(CaseProblem(where, "no key to vary", "needed: a list of keys"))
     return variations, notes, problems

@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from ...format.problems import CaseFault, Path, shown
+from ...format.problems import CaseProblem, Path, shown
 from ..keys import case_path
 from .blocks import Variation
 
@@ -19,7 +19,7 @@ HIDING = {
 }
 
 
-def overridden_names(base: dict[str, Any], variations: list[Variation]) -> Iterator[CaseFault]:
+def overridden_names(base: dict[str, Any], variations: list[Variation]) -> Iterator[CaseProblem]:
     """A catalogue bearing or an oil varied by name, whose values the case itself overrides."""
     for variation in variations[:1] + variations[-1:]:
         for setting in variation.settings:
@@ -31,12 +31,12 @@ def overridden_names(base: dict[str, Any], variations: list[Variation]) -> Itera
             if given:
                 finding = f"the case itself gives {given[0]}, which overrides the library's"
                 allowed = f"allowed with a case that names a {table} only"
-                yield CaseFault(setting.where, finding, allowed)
+                yield CaseProblem(setting.where, finding, allowed)
 
 
 def located_faults(
-    problems: Iterable[CaseFault], variation: Variation, fixed: Variation, number: int
-) -> Iterator[CaseFault]:
+    problems: Iterable[CaseProblem], variation: Variation, fixed: Variation, number: int
+) -> Iterator[CaseProblem]:
     """Faults of a point at the key of the sweep file that it varies or fixes."""
     settings = (*variation.settings, *fixed.settings)
     for problem in problems:
@@ -49,7 +49,7 @@ def located_faults(
         else:
             where = setting.where
             place = "" if tuple(problem.path) == case_path(setting.key) else place
-        yield CaseFault(where, f"{place}{problem.finding}", problem.allowed, problem.nearest)
+        yield CaseProblem(where, f"{place}{problem.finding}", problem.allowed, problem.nearest)
 
 
 def _meets(path: Path, problem: Path) -> bool:

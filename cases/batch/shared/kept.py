@@ -13,7 +13,7 @@ from ..store import write_file
 
 DIGEST = 16  # bytes at the beginning of a file
 # what arrays are put together from, beside the classes of `ehl`
-OF_ARRAYS = frozenset(("_reconstruct", "_frombuffer", "scalar", "ndarray", "dtype"))
+ARRAY_CLASSES = frozenset(("_reconstruct", "_frombuffer", "scalar", "ndarray", "dtype"))
 
 
 class _Reader(pickle.Unpickler):
@@ -23,19 +23,19 @@ class _Reader(pickle.Unpickler):
         found = super().find_class(module, name)
         package = module.partition(".")[0]
         own = package == "ehl" and isinstance(found, type)
-        if own or (package == "numpy" and name in OF_ARRAYS):
+        if own or (package == "numpy" and name in ARRAY_CLASSES):
             return found
         raise pickle.UnpicklingError(f"{module}.{name}")
 
 
-def keep(path: Path, thing: object) -> int:
+def store_object(path: Path, thing: object) -> int:
     """Write a thing to a file, whole or not at all; bytes that it takes [-]."""
     data = pickle.dumps(thing)
     write_file(path, _digest(path, data) + data)
     return DIGEST + len(data)
 
 
-def kept(path: Path) -> Any:
+def load_object(path: Path) -> Any:
     """What a file holds; None where there is none or it is damaged."""
     try:
         data = path.read_bytes()

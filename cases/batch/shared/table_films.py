@@ -8,12 +8,14 @@ from ehl.traction.table.film import FilmSample, film_sample
 from ehl.traction.table.table import TableContact, TableRange
 
 from ..keys import content_key
-from .kept import keep, kept
+from .kept import load_object, store_object
 
 Place = tuple[float, float]
 
 
-def kept_films(folder: Path) -> Callable[[TableContact, TableRange, Place, int, bool], FilmSample]:
+def stored_film_sampler(
+    folder: Path,
+) -> Callable[[TableContact, TableRange, Place, int, bool], FilmSample]:
     """`film_sample` that looks into `folder` first and leaves there what it solves [N], [m/s].
 
     A damaged file is solved anew; OSError where the disk takes no more, and hence no table either.
@@ -23,16 +25,16 @@ def kept_films(folder: Path) -> Callable[[TableContact, TableRange, Place, int, 
         contact: TableContact, limits: TableRange, place: Place, points: int, response: bool = True
     ) -> FilmSample:
         path = folder / f"{content_key(contact, limits, place, points, response)}.film"
-        found = kept(path)
+        found = load_object(path)
         if not isinstance(found, FilmSample):
             found = film_sample(contact, limits, place, points, response)
             folder.mkdir(parents=True, exist_ok=True)
-            keep(path, found)
+            store_object(path, found)
         return found
 
     return sample
 
 
-def forget_films(folder: Path) -> None:
+def remove_films(folder: Path) -> None:
     """Remove the films of a table that is complete."""
     shutil.rmtree(folder, ignore_errors=True)

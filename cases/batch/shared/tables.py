@@ -27,12 +27,12 @@ from ehl.traction.table.build import TableOptions, build_table
 from ehl.traction.table.table import TableRange
 
 from ...format.case import Case, ContactCase, case_of_document
-from ...format.traction import fitting_tables, tables_of_file
+from ...format.traction import require_fitting_tables, tables_of_file
 from ...runs.equilibrium import case_equilibrium, without_traction_equilibrium
 from ...runs.films import Progress
-from ...runs.interrupt import say
+from ...runs.interrupt import print_message
 from ...runs.traction_table import asked_films, films_of_atlas
-from ..keys import BESIDE_TRACTION_TABLES, content_key, digest, document_text
+from ..keys import NOT_IN_TRACTION_TABLES, content_key, digest, document_text
 from ..points import Point, Sweep
 from ..program import program_digest
 from ..store import TABLES, write_file
@@ -92,7 +92,7 @@ def with_table_names(
     texts: dict[str, set[str]] = {}
     for common, document in zip(sharing, documents, strict=True):
         if common is not None:
-            text = document_text(document, BESIDE_TRACTION_TABLES)
+            text = document_text(document, NOT_IN_TRACTION_TABLES)
             texts.setdefault(common, set()).add(text)
     names = {
         common: given or digest(common, *sorted(own), str(nodes), program_digest())
@@ -126,7 +126,7 @@ def foreign_points(
         assert case.rheology is not None  # of every bearing case
         oil = (case.lubricant, case.rheology)
         try:
-            fitting_tables(tables(*oil), path.name, case.bearing, *oil, case.films.solids)
+            require_fitting_tables(tables(*oil), path.name, case.bearing, *oil, case.films.solids)
         except ValueError as problem:
             numbers = [number for number, name in sharing.items() if name == common]
             wrong.setdefault(str(problem).replace(str(path), path.name), []).extend(numbers)
@@ -177,7 +177,7 @@ def _whole(path: Path) -> bool:
     try:
         tables_once(str(path))
     except ValueError:
-        say(f"oilfilm: {path}: damaged; the traction tables are made anew")
+        print_message(f"oilfilm: {path}: damaged; the traction tables are made anew")
         return False
     return True
 

@@ -8,13 +8,13 @@ from bearing.library.names import matching_name
 
 from ..fields import FREE_WORD
 from ..lubricant import VISCOSITIES, Oil, oil_of
-from ..problems import CaseFault, shown
+from ..problems import CaseProblem, shown
 from ..rules import CaseValues
 
 TEMPERATURES = ("dynamics", "temperature_table_C")
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
     """Displacements where the ring is held, loads where it is free, a temperature that counts."""
     displacements = _held(values, "displacement_um", 3)
     tilts = _held(values, "tilt_mrad", 2)
@@ -39,7 +39,7 @@ def _held(values: CaseValues, name: str, length: int) -> tuple[bool, ...] | None
 
 def _place_faults(
     values: CaseValues, name: str, axes: str, held: tuple[bool, ...] | None
-) -> Iterator[CaseFault]:
+) -> Iterator[CaseProblem]:
     """A table holds what [operation] holds, in every row."""
     key = name.replace("_table", "")
     motion = name.split("_")[0]
@@ -53,7 +53,7 @@ def _place_faults(
             allowed = f'allowed: "{FREE_WORD}" there, or a number in operation.{key}'
         else:
             continue
-        yield CaseFault(("dynamics", name), finding, allowed)
+        yield CaseProblem(("dynamics", name), finding, allowed)
         return
 
 
@@ -68,26 +68,26 @@ def _entries(
 
 def _load_faults(
     values: CaseValues, displacements: tuple[bool, ...] | None, tilts: tuple[bool, ...] | None
-) -> Iterator[CaseFault]:
+) -> Iterator[CaseProblem]:
     """No load where the ring is held against it."""
     for axis, load, fixed in _entries(values, "load_table_N", "xyz", displacements):
         if load and fixed:
             finding = f"found a load of {shown(load)} N along {axis}, where the ring is held"
             allowed = f'allowed: 0, or "{FREE_WORD}" in operation.displacement_um'
-            yield CaseFault(("dynamics", "load_table_N"), finding, allowed)
+            yield CaseProblem(("dynamics", "load_table_N"), finding, allowed)
             break
     moments = _entries(values, "moment_table_N_mm", "yz", tilts)
     if any(moment and fixed for _, moment, fixed in moments):
         finding = "found a moment where the tilt is held"
         allowed = 'free it by operation.moment_N_mm or operation.tilt = "free"'
-        yield CaseFault(("dynamics", "moment_table_N_mm"), finding, allowed)
+        yield CaseProblem(("dynamics", "moment_table_N_mm"), finding, allowed)
     if values.get("dynamics", "rotating_load_N") and any((displacements or ())[1:]):
         finding = "found where the ring is held across the axis"
         allowed = f'free it by "{FREE_WORD}" for y and z in operation.displacement_um'
-        yield CaseFault(("dynamics", "rotating_load_N"), finding, allowed)
+        yield CaseProblem(("dynamics", "rotating_load_N"), finding, allowed)
 
 
-def _temperature_faults(values: CaseValues) -> Iterator[CaseFault]:
+def _temperature_faults(values: CaseValues) -> Iterator[CaseProblem]:
     """Something in the simulation that depends on it, and an oil whose data reach that far."""
     reasons = {
         'friction = "table", whose films are of one temperature': (
@@ -106,7 +106,7 @@ def _temperature_faults(values: CaseValues) -> Iterator[CaseFault]:
     for reason, holds in reasons.items():
         if holds:
             allowed = "allowed: without it, at operation.temperature_C"
-            yield CaseFault(TEMPERATURES, f"found with {reason}", allowed)
+            yield CaseProblem(TEMPERATURES, f"found with {reason}", allowed)
             return
     document = values.document
     oil = oil_of(document.get("lubricant") or {}, document.get("lubricants"))
@@ -114,7 +114,7 @@ def _temperature_faults(values: CaseValues) -> Iterator[CaseFault]:
     if data is None:
         if not oil.of_library or any(key in oil.keys for key in VISCOSITIES):
             finding = "found with a viscosity that is given at one temperature"
-            yield CaseFault(
+            yield CaseProblem(
                 TEMPERATURES, finding, "allowed with an oil of the library by its name"
             )
         return
@@ -122,7 +122,7 @@ def _temperature_faults(values: CaseValues) -> Iterator[CaseFault]:
     for row in values.get(*TEMPERATURES):
         if not low <= row[1] <= high:
             finding = f"found {shown(row[1])} C, outside the data of {shown(oil.keys['name'])}"
-            yield CaseFault(TEMPERATURES, finding, f"allowed: {low:g} to {high:g}")
+            yield CaseProblem(TEMPERATURES, finding, f"allowed: {low:g} to {high:g}")
             return
 
 

@@ -14,7 +14,7 @@ from ehl.units import MICROMETRE
 
 from ..contact import ContactEhlTable
 from ..fields import OneOf, SpeedTable, Table, above, between, described, is_number, within
-from ..problems import MISSING, CaseFault, UnfitKey, shown
+from ..problems import MISSING, CaseProblem, InvalidKeyError, shown
 from ..rules import CaseValues, Needs, OnlyWith, Relation, Where
 
 NAME = "features"
@@ -101,7 +101,7 @@ RELATIONS: tuple[Relation, ...] = (
 DIMENSIONLESS = "nothing with Moes' groups, which have no unit of time"
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
     """Keys of a feature that its kind lacks or does not know; a contact without lengths, with
     spin, a layer or another film than the Newtonian one.
     """
@@ -110,7 +110,7 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     if not isinstance(values.get("transient"), dict):
         return
     if values.given("contact", "moes_M"):
-        yield CaseFault(("transient",), "found with moes_M", f"allowed: {DIMENSIONLESS}")
+        yield CaseProblem(("transient",), "found with moes_M", f"allowed: {DIMENSIONLESS}")
     without = {
         ("contact", "spin_rad_s"): "spin",
         ("contact", "mean_spin_rad_s"): "spin",
@@ -120,11 +120,11 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     for path, what in without.items():
         if values.get(*path):
             finding = f"found {shown(values.get(*path))} together with [transient]"
-            yield CaseFault(path, finding, f"allowed: contacts over time without {what}")
+            yield CaseProblem(path, finding, f"allowed: contacts over time without {what}")
     film = values.get("ehl", "film_model")
     if film not in (None, "newtonian"):
         finding = f"found {shown(film)} together with [transient]"
-        yield CaseFault(("ehl", "film_model"), finding, 'allowed: "newtonian"')
+        yield CaseProblem(("ehl", "film_model"), finding, 'allowed: "newtonian"')
 
 
 def _features(values: CaseValues) -> Iterator[tuple[int, dict[str, Any]]]:
@@ -134,22 +134,22 @@ def _features(values: CaseValues) -> Iterator[tuple[int, dict[str, Any]]]:
             yield index, table
 
 
-def _feature_faults(index: int, table: Mapping[str, Any]) -> Iterator[CaseFault]:
+def _feature_faults(index: int, table: Mapping[str, Any]) -> Iterator[CaseProblem]:
     kind = table.get("kind")
     if not isinstance(kind, str) or kind not in KINDS:
         return
     needed, beside = KINDS[kind]
     for key in needed:
         if key not in table:
-            yield CaseFault((NAME, index, key), MISSING, f"needed with kind = {shown(kind)}")
+            yield CaseProblem((NAME, index, key), MISSING, f"needed with kind = {shown(kind)}")
     known = (*COMMON, *needed, *beside)
     for key in table:
         if key in FeatureTable.model_fields and key not in known:
             finding = f"found with kind = {shown(kind)}"
             allowed = f"allowed: {', '.join((*needed, *beside, 'start_um'))}"
-            yield CaseFault((NAME, index, key), finding, allowed)
+            yield CaseProblem((NAME, index, key), finding, allowed)
         elif key in ("depth_um", "height_um") and is_number(table[key]) and table[key] == 0.0:
-            yield CaseFault((NAME, index, key), "found 0", "allowed: a height that is not zero")
+            yield CaseProblem((NAME, index, key), "found 0", "allowed: a height that is not zero")
 
 
 def transient(
@@ -231,9 +231,9 @@ def _profile(index: int, table: FeatureTable, common: dict[str, Any]) -> Profile
         rows = np.atleast_2d(np.loadtxt(text.splitlines(), comments=["#", "%"]))
     except OSError as error:
         finding = f"{table.file} cannot be read: {error.strerror or error}"
-        raise UnfitKey(key, finding, allowed) from None
+        raise InvalidKeyError(key, finding, allowed) from None
     except ValueError as error:
-        raise UnfitKey(key, f"{table.file}: {error}", allowed) from None
+        raise InvalidKeyError(key, f"{table.file}: {error}", allowed) from None
     rows = rows * MICROMETRE
     try:
         if rows.shape[1] == 2:
@@ -241,8 +241,8 @@ def _profile(index: int, table: FeatureTable, common: dict[str, Any]) -> Profile
         if rows.shape[1] == 3:
             return _surface(rows, common)
     except ValueError as error:
-        raise UnfitKey(key, f"{table.file}: {error}", allowed) from None
-    raise UnfitKey(key, f"{table.file} has {rows.shape[1]} columns", allowed)
+        raise InvalidKeyError(key, f"{table.file}: {error}", allowed) from None
+    raise InvalidKeyError(key, f"{table.file} has {rows.shape[1]} columns", allowed)
 
 
 def _surface(rows: Any, common: dict[str, Any]) -> Profile:

@@ -21,7 +21,7 @@ from bearing.vibration.inputs import (
 from ehl.units import MICROMETRE, RPM
 
 from ..fields import OneOf, Table, above, between, checked, described, numbers, within
-from ..problems import CaseFault, UnfitKey, shown
+from ..problems import CaseProblem, InvalidKeyError, shown
 from ..rules import CaseValues, Needs, OnlyWith, Relation, Where
 
 DEFECTS_MAXIMUM = 20
@@ -175,16 +175,16 @@ RELATIONS: tuple[Relation, ...] = (
 )
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
     """Rings without a hold; a run-up from more than the speed; what belongs to other laws."""
     held = values.get("support", "inner_ring") == "held"
     if held and not values.given("support", "seat_stiffness_N_um"):
         path = ("support", "inner_ring")
         allowed = "needed: seat_stiffness_N_um, which may be 0, for an outer ring that moves"
-        yield CaseFault(path, 'found "held" beside an outer ring that stands still', allowed)
+        yield CaseProblem(path, 'found "held" beside an outer ring that stands still', allowed)
     if values.get("support", "seat_stiffness_N_um") == 0.0 and not held:
         path = ("support", "seat_stiffness_N_um")
-        yield CaseFault(
+        yield CaseProblem(
             path,
             "found 0, which leaves both rings without a hold",
             'allowed: with inner_ring = "held", or a stiffness',
@@ -194,28 +194,28 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     if start is not None:
         path = ("vibration", "start_speed_rpm")
         if values.get("operation", "outer_speed_rpm"):
-            yield CaseFault(path, "found with outer_speed_rpm", "allowed: an outer ring at rest")
+            yield CaseProblem(path, "found with outer_speed_rpm", "allowed: an outer ring at rest")
         elif speed is not None and not 0.0 <= start < speed:
-            yield CaseFault(
+            yield CaseProblem(
                 path, f"found {shown(start)}", f"allowed: below inner_speed_rpm, {shown(speed)}"
             )
     law = values.get("vibration", "contact_law") or "film"
     if law == "film" and values.get("vibration", "loss_time_us"):
         path = ("vibration", "loss_time_us")
-        yield CaseFault(
+        yield CaseProblem(
             path, 'found with contact_law = "film"', "allowed: with dry or linear contacts"
         )
     yield from _ball_faults(values)
 
 
-def _ball_faults(values: CaseValues) -> Iterator[CaseFault]:
+def _ball_faults(values: CaseValues) -> Iterator[CaseProblem]:
     """Balls that the bearing does not have."""
     balls = values.get("bearing", "balls")
     given = values.get("form", "ball_diameter_um")
     if balls is None or given is None:
         return
     if len(given) != balls:
-        yield CaseFault(
+        yield CaseProblem(
             ("form", "ball_diameter_um"),
             f"found {len(given)} values",
             f"allowed: {balls}, one a ball",
@@ -320,7 +320,7 @@ def _profile(key: str, file: str | None) -> Array:
     rows = _rows(("form", key), str(file), 2, allowed)
     angle, height = rows.T
     if len(rows) < 4 or angle[0] < 0.0 or angle[-1] > 360.0 or (np.diff(angle) <= 0.0).any():
-        raise UnfitKey(("form", key), f"{file}: angles do not rise from 0 to 360", allowed)
+        raise InvalidKeyError(("form", key), f"{file}: angles do not rise from 0 to 360", allowed)
     even = np.linspace(0.0, 360.0, max(4096, 4 * len(rows)), endpoint=False)
     values = np.interp(even, angle, height, period=360.0)
     return np.asarray((values - values.mean()) * MICROMETRE)
@@ -336,7 +336,7 @@ def frequency_response(table: SupportTable | None) -> Array | None:
     allowed = "allowed: rows of a rising frequency [Hz], an amplitude ratio and a phase [deg]"
     rows = _rows(path, table.frequency_response, 3, allowed)
     if len(rows) < 2 or (np.diff(rows[:, 0]) <= 0.0).any() or (rows[:, 1] < 0.0).any():
-        raise UnfitKey(path, f"{table.frequency_response}: no rising frequencies", allowed)
+        raise InvalidKeyError(path, f"{table.frequency_response}: no rising frequencies", allowed)
     return np.column_stack([rows[:, 0], rows[:, 1], radians(1.0) * rows[:, 2]])
 
 
@@ -346,11 +346,11 @@ def _rows(path: tuple[str | int, ...], file: str, columns: int, allowed: str) ->
         text = Path(file).read_text(encoding="utf-8").replace(",", " ").replace(";", " ")
         rows = np.atleast_2d(np.loadtxt(text.splitlines(), comments=["#", "%"]))
     except OSError as error:
-        raise UnfitKey(
+        raise InvalidKeyError(
             path, f"{file} cannot be read: {error.strerror or error}", allowed
         ) from None
     except ValueError as error:
-        raise UnfitKey(path, f"{file}: {error}", allowed) from None
+        raise InvalidKeyError(path, f"{file}: {error}", allowed) from None
     if rows.shape[1] != columns or not np.isfinite(rows).all():
-        raise UnfitKey(path, f"{file} has {rows.shape[1]} columns", allowed)
+        raise InvalidKeyError(path, f"{file} has {rows.shape[1]} columns", allowed)
     return np.asarray(rows)

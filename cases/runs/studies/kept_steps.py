@@ -18,7 +18,7 @@ STATE_FILE = "state.npz"
 EVERY = 5.0  # between two states on disk [s]
 
 
-class KeptSteps:
+class Checkpoints:
     """The folder of the steps of one run; frames as they come, the state now and then.
 
     OSError where the disk takes no more.

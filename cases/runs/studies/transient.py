@@ -14,7 +14,7 @@ from ...format.problems import CaseError
 from ...version import version
 from ..films import Progress
 from ..interrupt import finish_first, interruptible
-from .kept_steps import KeptSteps
+from .kept_steps import Checkpoints
 
 NOT_USED = "ehl.tolerance, ehl.certify: not used over time, where transient.tolerance counts"
 
@@ -60,7 +60,9 @@ def run_transient(
         run = interruptible(partial(transient_run, *case.transient))
     except ValueError as problem:
         raise CaseError(f"{name}: transient: {problem}") from problem
-    kept = None if folder is None else KeptSteps(folder, json.dumps(case.document, sort_keys=True))
+    kept = (
+        None if folder is None else Checkpoints(folder, json.dumps(case.document, sort_keys=True))
+    )
     resumed = 0 if kept is None else kept.resume(run)
     _stream(case, run, kept, (resumed, began), notify)
     return _results(case, run, (resumed, began))
@@ -69,7 +71,7 @@ def run_transient(
 def _stream(
     case: ContactCase,
     run: TransientRun,
-    kept: KeptSteps | None,
+    kept: Checkpoints | None,
     start: tuple[int, float],
     notify: Progress,
 ) -> None:

@@ -17,7 +17,7 @@ from postprocess.vibration.results import VibrationResults
 
 from ...format.case import Case
 from ...format.over_time.vibration import VibrationTable, frequency_response, vibration
-from ...format.problems import CaseError, UnfitKey
+from ...format.problems import CaseError, InvalidKeyError
 from ...version import version
 from ..equilibrium import case_equilibrium
 from ..films import Progress, inlet_layers
@@ -62,7 +62,7 @@ def run_vibration(case: Case, name: str, progress: Progress | None = None) -> Vi
             model = replace(model, film_shares=shares)
         equations = interruptible(partial(assembled, state, contacts, model))
         run = vibration_run(state, model, equations)
-    except UnfitKey as error:
+    except InvalidKeyError as error:
         raise CaseError(f"{name}: {error.fault.text(name, {})}") from error
     except ValueError as error:
         raise CaseError(f"{name}: {error}") from error

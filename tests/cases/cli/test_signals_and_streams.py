@@ -225,15 +225,15 @@ def test_the_cost_of_long_work_is_told_before_it_begins(capsys):
     from cases import load_case
 
     case = load_case("6208_full_ceramic")
-    cost.tell_cost(cost.run_cost(case, 2), quiet=True)
-    cost.tell_cost(cost.run_cost(load_case("209_radial_8900N"), 2), quiet=False)  # without films
+    cost.report_cost(cost.run_cost(case, 2), quiet=True)
+    cost.report_cost(cost.run_cost(load_case("209_radial_8900N"), 2), quiet=False)  # without films
     assert capsys.readouterr().err == ""
-    cost.tell_cost(cost.run_cost(case, 1), quiet=False)
+    cost.report_cost(cost.run_cost(case, 1), quiet=False)
     text = "oilfilm: at most 18 films on at most 257 nodes, 1 at a time: about 11 s\n"
     assert capsys.readouterr().err == text
-    cost.tell_cost(cost.table_cost(513, 3, 2), quiet=False)
+    cost.report_cost(cost.table_cost(513, 3, 2), quiet=False)
     assert capsys.readouterr().err.endswith("360 films on 513 nodes or more, 2 at a time: about 7 min\n")
-    cost.tell_cost(cost.slip_cost(load_case("hirano_7000C"), 1), quiet=False)
+    cost.report_cost(cost.slip_cost(load_case("hirano_7000C"), 1), quiet=False)
     simulated = cost.dynamics_cost(load_case("7008_combined"))
     assert simulated == ("0.1 s of 18 balls simulated", pytest.approx(0.1 * 18 * 1.6))
     planar = load_case("6304_planar")
