@@ -37,10 +37,23 @@ Computed = tuple[dict[str, Any], dict[str, bytes]]  # summary, files by suffix
 def compute(
     case: Case | ContactCase, task: Task, tables: Path | None, solve: Solve | None
 ) -> Computed:
-    """Summary of a checked case, and files by suffix.
+    """Compute one point: its summary, and its files by suffix.
 
-    `tables` is the file of traction tables where the point needs them; `solve`, if given, takes
-    the place of `ehl.solve_contact`.
+    Parameters
+    ----------
+    case : Case | ContactCase
+        The checked case of the point.
+    task : Task
+        Quantity to compute and options.
+    tables : Path | None
+        File of traction tables where the point needs them; None otherwise.
+    solve : Solve | None
+        Solver of one film in place of the film model's own.
+
+    Returns
+    -------
+    Computed
+        Summary as plain JSON, and contents of files by suffix.
     """
     if isinstance(case, ContactCase):
         return _with_fields(run_contact(case), task)
@@ -105,10 +118,28 @@ def _torque(case: Case, path: Path | None) -> Computed:
 
 
 def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[str, ...]]:
-    """Results without films, the friction of balls on races from traction tables of both races,
-    and notes on these; as `run_case` of the case with `[friction] traction = "table"`.
+    """Run a bearing without films, the friction of balls on races from traction tables.
 
-    `ValueError` if the tables were made for other bodies or another oil.
+    The result is that of `run_case` with `[friction] traction = "table"`.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    tables : Tables
+        Traction tables of both races.
+
+    Returns
+    -------
+    results
+        Results without films.
+    notes
+        Notes on the accuracy and the range of the tables.
+
+    Raises
+    ------
+    ValueError
+        If the tables belong to other bodies or another oil.
     """
     assert case.rheology is not None and case.friction is not None  # of every bearing case
     oil = (case.lubricant, case.rheology)

@@ -51,7 +51,18 @@ class Stored:
         return len(self.batch.sweep.points)
 
     def pairs(self, only: Sequence[int] | None = None) -> Iterator[list[tuple[Point, Record]]]:
-        """Points with their records, `CHUNK` at a time; `only`: those of some places."""
+        """Points with their records, `CHUNK` at a time.
+
+        Parameters
+        ----------
+        only : Sequence[int] | None, optional
+            Indices of the points to read, from 0; None: all.
+
+        Yields
+        ------
+        Iterator[list[tuple[Point, Record]]]
+            Lists of pairs.
+        """
         points = self.batch.sweep.points
         wanted = iter(points) if only is None else (points[index] for index in only)
         while chunk := list(islice(wanted, CHUNK)):
@@ -117,9 +128,19 @@ def _values(point: Point, record: Record) -> dict[str, Any]:
 
 
 def load_results(batch: Batch, only: Sequence[int] | None = None) -> BatchResults:
-    """Every point of a batch with its summary, in the order of the sweep file.
+    """Read the points of a batch with their summaries, in the order of the sweep file.
 
-    `only`: places of the points that are wanted, counted from 0.
+    Parameters
+    ----------
+    batch : Batch
+        The finished batch.
+    only : Sequence[int] | None, optional
+        Indices of the points to read, from 0; None: all.
+
+    Returns
+    -------
+    BatchResults
+        Results with these points.
     """
     points = [
         _in_memory(batch, point, record)
@@ -155,10 +176,20 @@ def _in_memory(batch: Batch, point: Point, record: Record) -> BatchPoint:
 
 @contextmanager
 def collect_results(batch: Batch) -> Iterator[tuple[BatchResults, Columns]]:
-    """Results of a batch and the columns of all its points, which last as long as the context.
+    """Open the results of a batch and the columns of all its points, valid inside the context.
 
     Of a batch of more than `LARGE` points the results have only the counts, and the points of
     [sensitivity], which are few.
+
+    Parameters
+    ----------
+    batch : Batch
+        The finished batch.
+
+    Yields
+    ------
+    Iterator[tuple[BatchResults, Columns]]
+        Results, and columns of all points.
     """
     if len(batch.sweep.points) <= LARGE:
         yield load_results(batch), columns_of(Stored(batch, BytesIO()))
@@ -208,7 +239,20 @@ class _Tally:
 
 
 def shard_counts(batch: Batch, shard: Shard) -> dict[str, int]:
-    """How the points of a shard ended, by the words of a batch's summary."""
+    """Count the points of a shard by their status.
+
+    Parameters
+    ----------
+    batch : Batch
+        The batch.
+    shard : Shard
+        The shard.
+
+    Returns
+    -------
+    dict[str, int]
+        Number of points by the words of a batch's summary [-].
+    """
     stored = StoredPoints(store_files(batch.directory))
     counts = dict.fromkeys(("points", "done", "converged", "failed", "lost", "missing"), 0)
     keys = {point.key: None for point in batch.sweep.points if shard.has(point.key)}
@@ -221,7 +265,20 @@ def shard_counts(batch: Batch, shard: Shard) -> dict[str, int]:
 
 
 def batched(keys: Iterable[str], size: int) -> Iterator[list[str]]:
-    """Some of the keys at a time."""
+    """Split keys into lists of limited size.
+
+    Parameters
+    ----------
+    keys : Iterable[str]
+        The keys.
+    size : int
+        Keys of a list at most [-].
+
+    Yields
+    ------
+    Iterator[list[str]]
+        One list after the other.
+    """
     left = iter(keys)
     while chunk := list(islice(left, size)):
         yield chunk
@@ -240,8 +297,18 @@ def write_batch(
 ) -> None:
     """Write the table, the data set and, last, the summary of a batch.
 
-    `columns`: of all points, made of `results` if left out; `others`: writers of further files by
-    their names; `table`: also the CSV file.
+    Parameters
+    ----------
+    results : BatchResults
+        Results of the batch.
+    directory : Path
+        Folder of the batch.
+    columns : Columns | None, optional
+        Columns of all points; made of `results` if left out.
+    others : Mapping[str, Writer], default MappingProxyType({})
+        Writers of further files by their names.
+    table : bool, default True
+        True: also the CSV file.
     """
     columns = columns or columns_of(InMemory(results))
     writers = ({TABLE: write_batch_csv} if table else {}) | dict(others)

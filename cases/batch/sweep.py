@@ -63,7 +63,20 @@ class _Source:
 def read_sweep(name_or_path: str | FilePath) -> Sweep:
     """Read a sweep file, or a shipped one by its name, and check each of its points as a case.
 
-    `CaseError` with one line for every error.
+    Parameters
+    ----------
+    name_or_path : str | FilePath
+        The file or its name.
+
+    Returns
+    -------
+    Sweep
+        The sweep, ready to run.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong, with one line for every error.
     """
     path = find_sweep(name_or_path)
     return sweep_from_text(read_text(path), str(path), path.parent)
@@ -80,7 +93,27 @@ def _sweep_tables(text: str, name: str) -> dict[str, Any]:
 
 
 def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Sweep:
-    """The sweep that the text of a file describes; its case is sought in `folder` first."""
+    """The sweep that the text of a file describes.
+
+    Parameters
+    ----------
+    text : str
+        Content of the file.
+    name : str
+        Name of the file in messages.
+    folder : FilePath | None, optional
+        Folder in which the case is looked for first.
+
+    Returns
+    -------
+    Sweep
+        The sweep, ready to run.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong, with one line for every error.
+    """
     source = _Source(text, name, folder or FilePath())
     file = _file(source)
     case_file = _case_file(file.case, source)

@@ -21,15 +21,46 @@ from .store import CONTACTS, write_file, write_files
 
 
 def compute_block(tasks: Sequence[Task], tables: bytes | None = None) -> tuple[PointResult, ...]:
-    """Compute points one after the other, see `compute_point`."""
+    """Compute points one after the other, see `compute_point`.
+
+    Parameters
+    ----------
+    tasks : Sequence[Task]
+        The points.
+    tables : bytes | None, optional
+        Content of the file of traction tables where the worker cannot read it.
+
+    Returns
+    -------
+    tuple[PointResult, ...]
+        A result for each point.
+    """
     return tuple(compute_point(task, tables) for task in tasks)
 
 
 def compute_point(task: Task, tables: bytes | None = None) -> PointResult:
     """Compute a point; its own files are written if the folder can be reached.
 
-    `tables` is the content of the file of traction tables where that cannot be reached. What a
-    point fails with is recorded; an error of the folder itself (disk full) is raised.
+    The error of a point is recorded; an error of the folder itself (disk full) is raised.
+
+    Parameters
+    ----------
+    task : Task
+        The point.
+    tables : bytes | None, optional
+        Content of the file of traction tables where the worker cannot read it.
+
+    Returns
+    -------
+    PointResult
+        Record of the point, with its files where it did not write them.
+
+    Raises
+    ------
+    RuntimeError
+        If the worker has another version of the program.
+    OSError
+        If a file cannot be written.
     """
     folder = None if task.folder is None else Path(task.folder)
     if task.program != program_digest():
@@ -62,7 +93,22 @@ def _beyond_memory(task: Task) -> str:
 
 
 def failure(key: str, status: str, message: str) -> PointResult:
-    """Of a point that has no result."""
+    """Record of a point without results.
+
+    Parameters
+    ----------
+    key : str
+        Name of the point.
+    status : str
+        Failed or lost.
+    message : str
+        The reason.
+
+    Returns
+    -------
+    PointResult
+        Result that holds the record.
+    """
     return PointResult(Record(key=key, status=status, message=message))
 
 

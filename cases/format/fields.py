@@ -1,6 +1,7 @@
 """Types, ranges and checks of single values, of which the tables of a case file consist."""
 
 from collections.abc import Callable, Mapping
+from dataclasses import fields as dataclass_fields
 from enum import Enum
 from functools import cache
 from itertools import pairwise
@@ -23,6 +24,7 @@ from ehl.units import to_si, without_unit
 from .problems import CaseProblem, schema_faults
 
 T = TypeVar("T", bound="Table")
+D = TypeVar("D")
 
 FREE_WORD = "free"
 FILM_MAPS = ["all", "loaded", "none"]
@@ -45,6 +47,32 @@ class Table(BaseModel):
         """
         chosen = keys or tuple(type(self).model_fields)
         return {name: _si(key, getattr(self, key)) for name, key in names_in_si(chosen)}
+
+    def build(self, kind: type[D], **given: Any) -> D:
+        """Build an object of a dataclass whose fields have the names of keys without their units.
+
+        Words become members of its enums; keys that are left out leave its defaults.
+
+        Parameters
+        ----------
+        kind : type
+            The dataclass, SI.
+        **given : Any
+            Fields that follow from something else than the key of their name.
+
+        Returns
+        -------
+        object
+            An instance of `kind`, SI.
+        """
+        own = self.si()
+        values: dict[str, Any] = {}
+        for field in dataclass_fields(kind):  # type: ignore[arg-type]
+            value = own.get(field.name)
+            if value is not None:
+                member = isinstance(field.type, type) and issubclass(field.type, Enum)
+                values[field.name] = field.type(value) if member else value  # type: ignore[operator]
+        return kind(**values | given)
 
 
 def validated(

@@ -79,13 +79,7 @@ def case_films(
     """Grid [-] and physics of the films, SI; `ValueError` if they have heat and a body, ball or
     race, no thermal properties. `starvation`: what a layer does to them, None without.
     """
-    options = SolverOptions(
-        points=table.points,
-        domain=table.domain,
-        tolerance=table.tolerance,
-        certify=table.certify,
-        tabulated=starvation is Starvation.TABULATED,
-    )
+    options = table.build(SolverOptions, tabulated=starvation is Starvation.TABULATED)
     model = FilmModel(table.film_model)
     solids = None
     if model is FilmModel.THERMAL:

@@ -125,10 +125,8 @@ def model(table: ModelTable, friction: FrictionTable) -> QuasistaticModel:
     """Assumptions of the bearing model [-]; traction equilibrium where a traction is given."""
     named = friction.traction is not None and "ball_kinematics" not in table.model_fields_set
     kinematics = BallKinematics(table.ball_kinematics)
-    return QuasistaticModel(
-        ball_kinematics=BallKinematics.TRACTION_EQUILIBRIUM if named else kinematics,
-        curvature=Curvature(table.curvature),
-    )
+    kinematics = BallKinematics.TRACTION_EQUILIBRIUM if named else kinematics
+    return table.build(QuasistaticModel, ball_kinematics=kinematics)
 
 
 class SlipTable(Table):

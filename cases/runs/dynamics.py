@@ -12,7 +12,7 @@ from time import perf_counter
 from typing import Any
 
 from bearing.dynamics.bodies import cage_body, ring_body
-from bearing.dynamics.choices import Guidance, LoadType, NormalLaw, RaceStiffness, Start
+from bearing.dynamics.choices import Guidance, LoadType, NormalLaw, RaceStiffness
 from bearing.dynamics.friction import RaceFriction
 from bearing.dynamics.inputs import CageBody, DynamicsModel, DynamicsOptions, NormalContact
 from bearing.dynamics.laws import race_stiffnesses
@@ -290,13 +290,10 @@ def _viscosities(
 def _options(case: Case, table: DynamicsTable) -> DynamicsOptions:
     si = table.si()
     drag = (si["ball_drag"], si["mixture_density"], table.drag_coefficient)
-    return DynamicsOptions(
-        end_time=si["end_time"],
+    return table.build(
+        DynamicsOptions,
         sample_interval=sample_interval(table),
-        start=Start(table.start),
         equations=None if table.equations == "by load" else LoadType(table.equations),
-        tolerance=table.tolerance,
-        gravity=si["gravity"],
         drag=ball_drag(case.bearing, case.operation, *drag),
     )
 

@@ -31,7 +31,20 @@ class Variation:
 
 
 def block_settings(table: dict[str, Any], where: Path) -> list[Setting]:
-    """The keys of a block; `"operation.load" = 1` and `operation.load = 1` are the same."""
+    """The keys of a block; `"operation.load" = 1` and `operation.load = 1` are the same.
+
+    Parameters
+    ----------
+    table : dict[str, Any]
+        The block as parsed.
+    where : Path
+        Path of the block in the file.
+
+    Returns
+    -------
+    list[Setting]
+        A setting for each key.
+    """
     settings: list[Setting] = []
     for name, value in table.items():
         if isinstance(value, dict):
@@ -57,7 +70,18 @@ class LazyVariations(Sequence[Variation]):
         return self.variation_at(range(len(self))[index])
 
     def variation_at(self, index: int) -> Variation:
-        """The variation at a place, counted from 0."""
+        """Make the variation at an index.
+
+        Parameters
+        ----------
+        index : int
+            Index of the variation, from 0 [-].
+
+        Returns
+        -------
+        Variation
+            The variation.
+        """
         raise NotImplementedError
 
 
@@ -72,7 +96,18 @@ class Factorial(LazyVariations):
         return self.size
 
     def variation_at(self, index: int) -> Variation:
-        """The digits of the place are the places in the lists."""
+        """Make the combination at an index, whose digits are the indices in the lists.
+
+        Parameters
+        ----------
+        index : int
+            Index of the combination, from 0 [-].
+
+        Returns
+        -------
+        Variation
+            The variation.
+        """
         chosen = []
         for choice in reversed(self.choices):
             index, k = divmod(index, len(choice))
@@ -106,13 +141,37 @@ class Sampled(LazyVariations):
         return len(self.rows)
 
     def variation_at(self, index: int) -> Variation:
-        """The values of a row."""
+        """Make the variation of a row of the table.
+
+        Parameters
+        ----------
+        index : int
+            Index of the row, from 0 [-].
+
+        Returns
+        -------
+        Variation
+            The variation.
+        """
         row = zip(self.keys, self.rows[index], strict=True)
         return Variation(self.block, tuple(Setting(*key, value) for key, value in row))
 
 
 def factorial(file: SweepFile) -> tuple[Factorial, list[CaseProblem]]:
-    """Combinations of the lists in [sweep], last key fastest, and faults."""
+    """Combinations of the lists in [sweep], last key fastest.
+
+    Parameters
+    ----------
+    file : SweepFile
+        The checked sweep file.
+
+    Returns
+    -------
+    combinations
+        The combinations; none where a list is wrong.
+    problems
+        Wrong lists.
+    """
     settings = block_settings(file.sweep, ("sweep",))
     problems = [
         CaseProblem(s.where, f"found {shown(s.value)}", "allowed: a list of values")
@@ -125,7 +184,18 @@ def factorial(file: SweepFile) -> tuple[Factorial, list[CaseProblem]]:
 
 
 def listed(file: SweepFile) -> list[Variation]:
-    """The points of [[combinations]]."""
+    """The points of [[combinations]].
+
+    Parameters
+    ----------
+    file : SweepFile
+        The checked sweep file.
+
+    Returns
+    -------
+    list[Variation]
+        A variation for each table.
+    """
     tables = enumerate(file.combinations)
     return [
         Variation("combinations", tuple(block_settings(table, ("combinations", k))))
@@ -136,8 +206,25 @@ def listed(file: SweepFile) -> list[Variation]:
 def differences(
     table: SensitivityTable, keys: tuple[str, ...], values: dict[str, Any]
 ) -> tuple[list[Variation], list[str], list[CaseProblem]]:
-    """The case itself, and each of the keys by itself down and up from its value in the case as
-    run; what was left out, and what is wrong.
+    """The case itself, and each key by itself down and up from its value in the case.
+
+    Parameters
+    ----------
+    table : SensitivityTable
+        Step and keys of [sensitivity].
+    keys : tuple[str, ...]
+        Dotted names of the keys.
+    values : dict[str, Any]
+        Value of each key as run.
+
+    Returns
+    -------
+    variations
+        The points.
+    notes
+        Keys that are left out.
+    problems
+        Keys that cannot be varied.
     """
     variations = [Variation("sensitivity", ())]
     notes = []

@@ -34,13 +34,35 @@ class Distribution:
     bounded: bool
 
     def values(self, probabilities: Array) -> list[Any]:
-        """Values at shares between 0 and 1 [-]; in the unit of the key."""
+        """Quantiles of the distribution.
+
+        Parameters
+        ----------
+        probabilities : Array
+            Cumulative probabilities between 0 and 1, shape (n,) [-].
+
+        Returns
+        -------
+        list[Any]
+            Values in the unit of the key.
+        """
         found: list[Any] = np.asarray(self.inverse(probabilities)).tolist()
         return found
 
 
 def with_law(setting: Setting) -> Setting:
-    """A key with its law as value, where the name of the law was taken for the end of the key."""
+    """A key with its law as value, where the name of the law was read as the end of the key.
+
+    Parameters
+    ----------
+    setting : Setting
+        Key and value as read.
+
+    Returns
+    -------
+    Setting
+        The setting with the key of the case.
+    """
     key, _, law = setting.key.rpartition(".")
     if law not in FORMS:
         return setting
@@ -48,8 +70,19 @@ def with_law(setting: Setting) -> Setting:
 
 
 def distribution(setting: Setting, *, laws: bool = True) -> Distribution | CaseProblem:
-    """The distribution that a block gives a key, or what is wrong with it; `laws`: others than
-    ranges are allowed.
+    """The distribution that a block gives a key.
+
+    Parameters
+    ----------
+    setting : Setting
+        Key and value of the block.
+    laws : bool, default True
+        False: ranges only.
+
+    Returns
+    -------
+    Distribution | CaseProblem
+        The distribution, or the problem of the value.
     """
     given = setting.value
     name: Any = "uniform"
@@ -106,8 +139,19 @@ def _whole(first: int, last: int, probabilities: Array) -> Any:
 
 
 def correlated(probabilities: Array, matrix: Array) -> Array:
-    """Shares, shape (n, keys), with a Gaussian copula: of normal scores with a correlation
-    matrix.
+    """Probabilities with a Gaussian copula.
+
+    Parameters
+    ----------
+    probabilities : Array
+        Independent probabilities, shape (n, keys) [-].
+    matrix : Array
+        Correlation matrix of the normal scores, shape (keys, keys) [-].
+
+    Returns
+    -------
+    Array
+        Correlated probabilities, shape (n, keys) [-].
     """
     from scipy import stats
 

@@ -20,7 +20,20 @@ HIDING = {
 
 
 def overridden_names(base: dict[str, Any], variations: list[Variation]) -> Iterator[CaseProblem]:
-    """A catalogue bearing or an oil varied by name, whose values the case itself overrides."""
+    """Problems of a bearing or an oil varied by name whose values the case itself overrides.
+
+    Parameters
+    ----------
+    base : dict[str, Any]
+        Document of the case.
+    variations : list[Variation]
+        Variations of the sweep.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        A problem for each such key.
+    """
     for variation in variations[:1] + variations[-1:]:
         for setting in variation.settings:
             table, *_, key = case_path(setting.key)
@@ -37,7 +50,24 @@ def overridden_names(base: dict[str, Any], variations: list[Variation]) -> Itera
 def located_faults(
     problems: Iterable[CaseProblem], variation: Variation, fixed: Variation, number: int
 ) -> Iterator[CaseProblem]:
-    """Faults of a point at the key of the sweep file that it varies or fixes."""
+    """Problems of a point at the key of the sweep file that it varies or fixes.
+
+    Parameters
+    ----------
+    problems : Iterable[CaseProblem]
+        Problems of the case of the point.
+    variation : Variation
+        Values of the point.
+    fixed : Variation
+        Values of all points.
+    number : int
+        Number of the point, from 1 [-].
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The same problems with paths of the sweep file.
+    """
     settings = (*variation.settings, *fixed.settings)
     for problem in problems:
         setting = next((s for s in settings if _meets(case_path(s.key), problem.path)), None)

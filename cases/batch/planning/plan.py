@@ -64,7 +64,18 @@ class Plan(Sequence[Point]):
                 index += 1
 
     def variation(self, index: int) -> Variation:
-        """What a point changes of the case."""
+        """The values by which a point differs from the case.
+
+        Parameters
+        ----------
+        index : int
+            Index of the point, from 0 [-].
+
+        Returns
+        -------
+        Variation
+            The variation.
+        """
         number = bisect_right(self.ends, index)
         start = self.ends[number - 1] if number else 0
         return self.blocks[number][index - start]
@@ -100,7 +111,18 @@ class PointName:
         self.total = sum(self.totals.values())
 
     def name_of(self, document: Document) -> str:
-        """The name of a point."""
+        """The name of a point: a hash of all that its results depend on.
+
+        Parameters
+        ----------
+        document : Document
+            Document of the point.
+
+        Returns
+        -------
+        str
+            20 hexadecimal digits.
+        """
         total = self.total
         for name, value in document.items():
             before = self.base.get(name)
@@ -167,7 +189,18 @@ def _plain(value: Any) -> Any:
 
 
 def input_files(document: Document) -> Iterator[str]:
-    """Digests of the files that a case reads; of one that is not there, its name."""
+    """Digests of the files that a case reads.
+
+    Parameters
+    ----------
+    document : Document
+        Document of a case.
+
+    Yields
+    ------
+    Iterator[str]
+        A digest for each file; its name where the file does not exist.
+    """
     for table, key in INPUT_FILES:
         given = document.get(table)
         path = given.get(key) if isinstance(given, dict) else None

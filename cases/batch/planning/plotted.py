@@ -11,8 +11,19 @@ MOST_PANELS = 3  # of a figure
 
 
 def plot_problems(names: tuple[str, ...], kind: str) -> Iterator[CaseProblem]:
-    """What is wrong with the names of numbers to draw; `kind` is what is computed, "contact" for a
-    single contact.
+    """Problems of the names of numbers to draw.
+
+    Parameters
+    ----------
+    names : tuple[str, ...]
+        Names of columns of batch.csv.
+    kind : str
+        Quantity that is computed; "contact" for a single contact.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
     """
     known = result_names(kind)
     for k, name in enumerate(names):

@@ -22,8 +22,19 @@ Options = HypercubeOptions | SampleOptions | MorrisOptions | SobolOptions
 
 
 def sampled_blocks(file: SweepFile) -> tuple[list[tuple[Sampled, Design]], list[CaseProblem]]:
-    """Blocks of points that are drawn at random, in the order of the format's description, and
-    faults.
+    """Blocks of points that are drawn at random, in the order of the format's description.
+
+    Parameters
+    ----------
+    file : SweepFile
+        The checked sweep file.
+
+    Returns
+    -------
+    blocks
+        Points of each block and its design.
+    problems
+        Wrong values.
     """
     tables: list[tuple[str, dict[str, Any], type[Options], Path]] = []
     several: dict[str, type[Options]] = {
@@ -70,7 +81,28 @@ def _options(
 def sampled_block(
     name: str, table: dict[str, Any], options: Options, where: Path
 ) -> tuple[Sampled, Design, list[CaseProblem]]:
-    """The points of a block, what they are a design of, and faults."""
+    """The points of one block and the design that they form.
+
+    Parameters
+    ----------
+    name : str
+        Name of the block.
+    table : dict[str, Any]
+        Keys and options as parsed.
+    options : Options
+        The checked options.
+    where : Path
+        Path of the block in the file.
+
+    Returns
+    -------
+    points
+        The points; none where a value is wrong.
+    design
+        Keys, samples and ranges.
+    problems
+        Wrong values.
+    """
     own = set(type(options).model_fields)
     given = block_settings({k: v for k, v in table.items() if k not in own}, where)
     settings = [with_law(setting) for setting in given]
@@ -124,8 +156,26 @@ def _unit_design(options: Options, keys: int) -> Array:
 
 
 def unit_sample(method: str, keys: int, samples: int, seed: int) -> Array:
-    """A sample of the unit cube, shape (samples, keys): a Latin hypercube (McKay, Beckman and
-    Conover 1979), a scrambled Sobol sequence (Owen 1998), or random.
+    """A sample of the unit cube.
+
+    A Latin hypercube (McKay, Beckman and Conover 1979), a scrambled Sobol sequence (Owen 1998), or
+    random points.
+
+    Parameters
+    ----------
+    method : str
+        "latin hypercube", "sobol" or "random".
+    keys : int
+        Dimensions of the cube [-].
+    samples : int
+        Number of points [-].
+    seed : int
+        Seed of the random numbers.
+
+    Returns
+    -------
+    Array
+        Points, shape (samples, keys) [-].
     """
     from scipy.stats import qmc
 
@@ -138,8 +188,23 @@ def unit_sample(method: str, keys: int, samples: int, seed: int) -> Array:
 
 
 def saltelli_design(keys: int, samples: int, seed: int) -> Array:
-    """Points for Sobol indices: A, B, and for each key A with its column from B (Saltelli et al.
-    2010), shape (samples (keys + 2), keys); `samples` is a power of 2.
+    """Points for Sobol indices: A, B, and for each key A with its column from B.
+
+    Saltelli et al. (2010).
+
+    Parameters
+    ----------
+    keys : int
+        Number of keys [-].
+    samples : int
+        Rows of A and of B, a power of 2 [-].
+    seed : int
+        Seed of the random numbers.
+
+    Returns
+    -------
+    Array
+        Points of the unit cube, shape (samples (keys + 2), keys) [-].
     """
     both = unit_sample("sobol", 2 * keys, samples, seed)
     first, second = both[:, :keys], both[:, keys:]
@@ -152,8 +217,23 @@ def saltelli_design(keys: int, samples: int, seed: int) -> Array:
 
 
 def morris_design(keys: int, trajectories: int, levels: int, seed: int) -> Array:
-    """Trajectories in which one key after the other moves by p/(2(p - 1)), Morris (1991), shape
-    (trajectories (keys + 1), keys); `levels` p is even.
+    """Trajectories in which one key after the other moves by p/(2(p - 1)), Morris (1991).
+
+    Parameters
+    ----------
+    keys : int
+        Number of keys [-].
+    trajectories : int
+        Number of trajectories [-].
+    levels : int
+        Levels p of each key, an even number [-].
+    seed : int
+        Seed of the random numbers.
+
+    Returns
+    -------
+    Array
+        Points of the unit cube, shape (trajectories (keys + 1), keys) [-].
     """
     rng = np.random.default_rng(seed)
     step = levels / (2.0 * (levels - 1.0))

@@ -29,7 +29,22 @@ class ContactCache:
     def solve(
         self, conditions: ContactConditions, options: SolverOptions, films: FilmPhysics
     ) -> ContactSolution:
-        """The film of a contact by a film model [m], [Pa]."""
+        """The film of a contact by a film model, from disk where it was solved before.
+
+        Parameters
+        ----------
+        conditions : ContactConditions
+            The contact.
+        options : SolverOptions
+            Grid of the solver.
+        films : FilmPhysics
+            Film model.
+
+        Returns
+        -------
+        ContactSolution
+            The film [m] and the pressure [Pa].
+        """
         try:
             path = self.folder / f"{content_key(conditions, options, films)}{SUFFIX}"
         except TypeError:

@@ -29,14 +29,38 @@ class _Reader(pickle.Unpickler):
 
 
 def store_object(path: Path, thing: object) -> int:
-    """Write a thing to a file, whole or not at all; bytes that it takes [-]."""
+    """Write an object to a file, whole or not at all.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    thing : object
+        An object of arrays and of classes of `ehl`.
+
+    Returns
+    -------
+    int
+        Size of the file [bytes].
+    """
     data = pickle.dumps(thing)
     write_file(path, _digest(path, data) + data)
     return DIGEST + len(data)
 
 
 def load_object(path: Path) -> Any:
-    """What a file holds; None where there is none or it is damaged."""
+    """Read an object from a file.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+
+    Returns
+    -------
+    Any
+        The object; None where there is no file, or it is damaged.
+    """
     try:
         data = path.read_bytes()
         if _digest(path, data[DIGEST:]) != data[:DIGEST]:

@@ -16,9 +16,19 @@ Place = tuple[float, float]
 def stored_film_sampler(
     folder: Path,
 ) -> Callable[[TableContact, TableRange, Place, int, bool], FilmSample]:
-    """`film_sample` that looks into `folder` first and leaves there what it solves [N], [m/s].
+    """A film sampler that reads solved films from a folder and stores new ones there.
 
-    A damaged file is solved anew; OSError where the disk takes no more, and hence no table either.
+    A damaged file is solved anew; OSError where the disk is full, and hence no table either.
+
+    Parameters
+    ----------
+    folder : Path
+        Folder of the films.
+
+    Returns
+    -------
+    Callable[[TableContact, TableRange, Place, int, bool], FilmSample]
+        Function with the parameters of `film_sample`.
     """
 
     def sample(
@@ -36,5 +46,11 @@ def stored_film_sampler(
 
 
 def remove_films(folder: Path) -> None:
-    """Remove the films of a table that is complete."""
+    """Remove the films of a table that is complete.
+
+    Parameters
+    ----------
+    folder : Path
+        Folder of the films.
+    """
     shutil.rmtree(folder, ignore_errors=True)

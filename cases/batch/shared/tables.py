@@ -39,7 +39,20 @@ from ..store import TABLES, write_file
 
 
 def needs_tables(case: Case | ContactCase, compute: str) -> bool:
-    """Whether a point uses shared tables; torque does unless the case names a law."""
+    """Tell whether a point uses shared tables; torque does unless the case names a law.
+
+    Parameters
+    ----------
+    case : Case | ContactCase
+        The case of the point.
+    compute : str
+        Quantity that is computed.
+
+    Returns
+    -------
+    bool
+        True if it does.
+    """
     if not isinstance(case, Case):
         return False
     if compute == "torque":
@@ -49,7 +62,18 @@ def needs_tables(case: Case | ContactCase, compute: str) -> bool:
 
 
 def with_equilibrium(document: dict[str, Any]) -> dict[str, Any]:
-    """The document of a torque point: traction equilibrium, unless the case says otherwise."""
+    """The document of a torque point: traction equilibrium, unless the case says otherwise.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Document of the point.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document with its ball kinematics.
+    """
     model = document.get("model", {})
     if "bearing" not in document or not isinstance(model, dict) or "ball_kinematics" in model:
         return document
@@ -58,7 +82,18 @@ def with_equilibrium(document: dict[str, Any]) -> dict[str, Any]:
 
 
 def bodies_and_oil(case: Case) -> str:
-    """Hash of what points that share tables must have in common."""
+    """Hash of the inputs that points with common tables must agree in.
+
+    Parameters
+    ----------
+    case : Case
+        The case of a point.
+
+    Returns
+    -------
+    str
+        Hash of bearing, oil, shear law and temperature.
+    """
     temperature = case.operation.temperature
     try:
         films = case.file.friction.table_films
@@ -111,11 +146,21 @@ def with_table_names(
 def foreign_points(
     path: Path, sharing: Mapping[int, str], examples: Mapping[str, Case]
 ) -> dict[str, list[int]]:
-    """Points that the tables of a file were not made for, by what is wrong; none of damaged ones,
-    which are reported later.
+    """Points whose bearing or oil is not that of the tables of a file.
 
-    `sharing`: what the tables of points must have in common, by their numbers; `examples` has a
-    case for each of it.
+    Parameters
+    ----------
+    path : Path
+        The file; a damaged one is reported later.
+    sharing : Mapping[int, str]
+        Hash of the inputs of the tables, by number of the point.
+    examples : Mapping[str, Case]
+        A case for each of these hashes.
+
+    Returns
+    -------
+    dict[str, list[int]]
+        Numbers of the points by the reason.
     """
     try:
         tables = tables_of_file(path)
@@ -134,7 +179,20 @@ def foreign_points(
 
 
 def table_path(directory: Path, name: str) -> Path:
-    """Where the tables of a batch are."""
+    """File of the traction tables of a batch.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the batch.
+    name : str
+        Name of the tables.
+
+    Returns
+    -------
+    Path
+        The path.
+    """
     return directory / TABLES / f"{name}.zip"
 
 
@@ -192,9 +250,28 @@ def _put(sweep: Sweep, name: str, path: Path, progress: Progress) -> None:
 
 
 def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
-    """Tables over the loads [N] and speeds [m/s] of all points that share them.
+    """Build tables over the loads and speeds of all points that share them.
 
     Rolling radii are those of the heaviest contact of each race among all points.
+
+    Parameters
+    ----------
+    sweep : Sweep
+        The points.
+    name : str
+        Name of the tables.
+    progress : Progress
+        Called with films done, films planned so far, and a text.
+
+    Returns
+    -------
+    Tables
+        Tables of both races, over [N] and [m/s].
+
+    Raises
+    ------
+    ValueError
+        If no point has an equilibrium.
     """
     cases = [_bearing_case(point) for point in sweep.points if point.tables == name]
     states = []
@@ -246,5 +323,16 @@ def _without_films(case: Case) -> Case:
 
 @lru_cache(maxsize=2)
 def tables_once(path: str) -> Callable[[Lubricant, Rheology], Tables]:
-    """Tables of both races for an oil and its shear law, the file read once by each worker."""
+    """Tables of both races of a file, which each worker reads once.
+
+    Parameters
+    ----------
+    path : str
+        The file.
+
+    Returns
+    -------
+    Callable[[Lubricant, Rheology], Tables]
+        Function of an oil and its shear law that gives the tables.
+    """
     return tables_of_file(Path(path))

@@ -2,19 +2,20 @@
 
 from collections.abc import Iterator, Mapping
 from math import inf
-from pathlib import Path
+from pathlib import Path as FilePath
 from typing import Annotated, Any, Literal
 
 import numpy as np
 
 from ehl import ContactConditions, MoesConditions
+from ehl.arrays import Array
 from ehl.transient.features import Dent, Feature, Profile, Ridge, Waviness
 from ehl.transient.inputs import Course, Impact, Scheme, TransientConditions, TransientOptions
 from ehl.units import MICROMETRE
 
 from ..contact import ContactEhlTable
 from ..fields import OneOf, SpeedTable, Table, above, between, described, is_number, within
-from ..problems import MISSING, CaseProblem, InvalidKeyError, shown
+from ..problems import MISSING, CaseProblem, InvalidKeyError, Path, shown
 from ..rules import CaseValues, Needs, OnlyWith, Relation, Where
 
 NAME = "features"
@@ -163,9 +164,7 @@ def transient(
     if table is None or isinstance(contact, MoesConditions):
         return None
     si = table.si()
-    impact = None
-    if table.mass_kg is not None:
-        impact = Impact(mass=si["mass"], approach_speed=si["approach_speed"], gap=si["gap"])
+    impact = None if table.mass_kg is None else table.build(Impact)
     return TransientConditions(
         contact=contact,
         end_time=si["end_time"],
@@ -179,14 +178,7 @@ def transient(
 def transient_options(table: TransientTable, grid: ContactEhlTable) -> TransientOptions:
     """Grid, scheme and steps of a run, SI."""
     points = POINTS if grid.points is None else grid.points
-    return TransientOptions(
-        points=points,
-        domain=grid.domain,
-        scheme=Scheme(table.scheme),
-        largest_step=table.si()["largest_step"],
-        frames=table.frames,
-        tolerance=table.tolerance,
-    )
+    return table.build(TransientOptions, points=points, domain=grid.domain)
 
 
 def _course(rows: tuple[tuple[float, float], ...] | None) -> Course | None:
@@ -197,56 +189,66 @@ def _course(rows: tuple[tuple[float, float], ...] | None) -> Course | None:
 
 def _feature(index: int, table: FeatureTable) -> Feature:
     """A feature, SI."""
-    si = table.si()
-    common = {"body": table.body, "start": si["start"]}
     if table.kind == "waviness":
-        return Waviness(
-            amplitude=si["amplitude"],
-            wavelength=si["wavelength"],
-            wavelength_across=si["wavelength_across"],
-            phase=si["phase"] or 0.0,
-            **common,
-        )
+        return table.build(Waviness)
     if table.kind == "dent":
-        return Dent(
-            depth=si["depth"],
-            radius=si["radius"],
-            radius_across=si["radius_across"],
-            place_across=si["place_across"] or 0.0,
-            **common,
-        )
+        return table.build(Dent)
     if table.kind == "ridge":
-        angle = si["angle"] or 0.0
-        return Ridge(ridge_height=si["height"], width=si["width"], angle=angle, **common)
-    return _profile(index, table, common)
+        return table.build(Ridge, ridge_height=table.si()["height"])
+    return _profile(index, table)
 
 
-def _profile(index: int, table: FeatureTable, common: dict[str, Any]) -> Profile:
-    """A measured profile of a file [m]; `UnfitKey` where it cannot be read."""
+def _profile(index: int, table: FeatureTable) -> Profile:
+    """A measured profile of a file [m]; `InvalidKeyError` where it cannot be read."""
     key = (NAME, index, "file")
     assert table.file is not None
     allowed = "allowed: rows of x and height, or x, y and height on a grid, in um"
-    try:
-        text = Path(table.file).read_text(encoding="utf-8").replace(",", " ").replace(";", " ")
-        rows = np.atleast_2d(np.loadtxt(text.splitlines(), comments=["#", "%"]))
-    except OSError as error:
-        finding = f"{table.file} cannot be read: {error.strerror or error}"
-        raise InvalidKeyError(key, finding, allowed) from None
-    except ValueError as error:
-        raise InvalidKeyError(key, f"{table.file}: {error}", allowed) from None
-    rows = rows * MICROMETRE
+    rows = read_columns(key, table.file, allowed) * MICROMETRE
     try:
         if rows.shape[1] == 2:
-            return Profile(x=rows[:, 0], heights=rows[:, 1], **common)
+            return table.build(Profile, x=rows[:, 0], heights=rows[:, 1])
         if rows.shape[1] == 3:
-            return _surface(rows, common)
+            x, y, heights = _grid(rows)
+            return table.build(Profile, x=x, y=y, heights=heights)
     except ValueError as error:
         raise InvalidKeyError(key, f"{table.file}: {error}", allowed) from None
     raise InvalidKeyError(key, f"{table.file} has {rows.shape[1]} columns", allowed)
 
 
-def _surface(rows: Any, common: dict[str, Any]) -> Profile:
-    """Heights over a grid of x and y [m]."""
+def read_columns(key: Path, file: str, allowed: str) -> Array:
+    """Read the columns of numbers of a text file; commas and semicolons separate like spaces.
+
+    Parameters
+    ----------
+    key : tuple of (str or int)
+        Path of the key that names the file.
+    file : str
+        The file, a path from the working directory.
+    allowed : str
+        Text for messages: the content that is allowed.
+
+    Returns
+    -------
+    ndarray, shape (n, columns)
+        The numbers, in the units of the file.
+
+    Raises
+    ------
+    InvalidKeyError
+        If the file cannot be read, or holds something else.
+    """
+    try:
+        text = FilePath(file).read_text(encoding="utf-8").replace(",", " ").replace(";", " ")
+        return np.atleast_2d(np.loadtxt(text.splitlines(), comments=["#", "%"]))
+    except OSError as error:
+        finding = f"{file} cannot be read: {error.strerror or error}"
+        raise InvalidKeyError(key, finding, allowed) from None
+    except ValueError as error:
+        raise InvalidKeyError(key, f"{file}: {error}", allowed) from None
+
+
+def _grid(rows: Array) -> tuple[Array, Array, Array]:
+    """Axes x and y and the heights over their grid [m]."""
     x, at_x = np.unique(rows[:, 0], return_inverse=True)
     y, at_y = np.unique(rows[:, 1], return_inverse=True)
     if len(rows) != x.size * y.size:
@@ -255,4 +257,4 @@ def _surface(rows: Any, common: dict[str, Any]) -> Profile:
     heights[at_x, at_y] = rows[:, 2]
     if not np.isfinite(heights).all():
         raise ValueError("a place of the grid has no height, another one two")
-    return Profile(x=x, y=y, heights=heights, **common)
+    return x, y, heights

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from math import radians
-from pathlib import Path
 from typing import Annotated, Literal
 
 import numpy as np
@@ -23,6 +22,7 @@ from ehl.units import MICROMETRE, RPM
 from ..fields import OneOf, Table, above, between, checked, described, numbers, within
 from ..problems import CaseProblem, InvalidKeyError, shown
 from ..rules import CaseValues, Needs, OnlyWith, Relation, Where
+from .transient import read_columns
 
 DEFECTS_MAXIMUM = 20
 WAVES_MAXIMUM = 2000
@@ -242,9 +242,9 @@ def vibration(
 def surface_form(table: FormTable) -> SurfaceForm:
     """Form of the surfaces, SI; `UnfitKey` where a profile cannot be read."""
     waves = {
-        Place.INNER: tuple(map(_wave, table.inner_waviness)),
-        Place.OUTER: tuple(map(_wave, table.outer_waviness)),
-        Place.BALL: tuple(map(_wave, table.ball_waviness)),
+        Place.INNER: tuple(wave.build(Wave) for wave in table.inner_waviness),
+        Place.OUTER: tuple(wave.build(Wave) for wave in table.outer_waviness),
+        Place.BALL: tuple(wave.build(Wave) for wave in table.ball_waviness),
     }
     files = {
         Place.INNER: ("inner_profile", table.inner_profile),
@@ -256,25 +256,7 @@ def surface_form(table: FormTable) -> SurfaceForm:
         waves=waves,
         profiles=profiles,
         ball_diameters=tuple(table.si()["ball_diameter"] or ()),
-        defects=tuple(_defect(one) for one in table.defects),
-    )
-
-
-def _wave(table: WaveTable) -> Wave:
-    si = table.si()
-    ball = table.ball if isinstance(table, BallWaveTable) else 0
-    return Wave(order=table.order, amplitude=si["amplitude"], phase=si["phase"], ball=ball)
-
-
-def _defect(table: DefectTable) -> Defect:
-    si = table.si()
-    return Defect(
-        place=Place(table.place),
-        kind=DefectKind(table.kind),
-        width=si["width"],
-        depth=si["depth"],
-        azimuth=si["azimuth"],
-        ball=table.ball,
+        defects=tuple(defect.build(Defect) for defect in table.defects),
     )
 
 
@@ -287,28 +269,18 @@ def _support(table: SupportTable) -> Support:
             frequency=si["sensor_frequency"],
             damping_ratio=si["sensor_damping_ratio"],
         )
-    return Support(
-        shaft_mass=si["shaft_mass"],
-        inner_ring_held=table.inner_ring == "held",
-        seat_stiffness=si["seat_stiffness"],
-        seat_axial_stiffness=si["seat_axial_stiffness"],
-        seat_damping=si["seat_damping"] or 0.0,
-        outer_mass=si["outer_ring_mass"],
-        housing_mass=si["housing_mass"],
-        sensor=sensor,
-    )
+    held = table.inner_ring == "held"
+    outer_mass = si["outer_ring_mass"]
+    return table.build(Support, inner_ring_held=held, outer_mass=outer_mass, sensor=sensor)
 
 
 def _options(table: VibrationTable, speed: float, end_time: float | None) -> VibrationOptions:
-    si = table.si()
     start = table.start_speed_rpm
-    return VibrationOptions(
+    return table.build(
+        VibrationOptions,
         duration=table.duration_s or end_time or END_TIME,
-        settling=si["settling_time"],
-        sample_rate=si["sample_rate"],
+        settling=table.settling_time_s,
         law=ContactLaw(table.contact_law),
-        wave_filter=WaveFilter(table.wave_filter),
-        loss_time=si["loss_time"],
         cage_slip=table.cage_slip_ratio,
         start_speed_ratio=1.0 if start is None else start * RPM / speed,
     )
@@ -317,7 +289,7 @@ def _options(table: VibrationTable, speed: float, end_time: float | None) -> Vib
 def _profile(key: str, file: str | None) -> Array:
     """Heights over a turn, even, of a file [m]."""
     allowed = "allowed: rows of a rising angle [deg] from 0 and a height [um], at least 4"
-    rows = _rows(("form", key), str(file), 2, allowed)
+    rows = _columns(("form", key), str(file), 2, allowed)
     angle, height = rows.T
     if len(rows) < 4 or angle[0] < 0.0 or angle[-1] > 360.0 or (np.diff(angle) <= 0.0).any():
         raise InvalidKeyError(("form", key), f"{file}: angles do not rise from 0 to 360", allowed)
@@ -334,23 +306,15 @@ def frequency_response(table: SupportTable | None) -> Array | None:
         return None
     path = ("support", "frequency_response")
     allowed = "allowed: rows of a rising frequency [Hz], an amplitude ratio and a phase [deg]"
-    rows = _rows(path, table.frequency_response, 3, allowed)
+    rows = _columns(path, table.frequency_response, 3, allowed)
     if len(rows) < 2 or (np.diff(rows[:, 0]) <= 0.0).any() or (rows[:, 1] < 0.0).any():
         raise InvalidKeyError(path, f"{table.frequency_response}: no rising frequencies", allowed)
     return np.column_stack([rows[:, 0], rows[:, 1], radians(1.0) * rows[:, 2]])
 
 
-def _rows(path: tuple[str | int, ...], file: str, columns: int, allowed: str) -> Array:
-    """Numbers of a text file, shape (n, columns)."""
-    try:
-        text = Path(file).read_text(encoding="utf-8").replace(",", " ").replace(";", " ")
-        rows = np.atleast_2d(np.loadtxt(text.splitlines(), comments=["#", "%"]))
-    except OSError as error:
-        raise InvalidKeyError(
-            path, f"{file} cannot be read: {error.strerror or error}", allowed
-        ) from None
-    except ValueError as error:
-        raise InvalidKeyError(path, f"{file}: {error}", allowed) from None
-    if rows.shape[1] != columns or not np.isfinite(rows).all():
+def _columns(path: tuple[str | int, ...], file: str, count: int, allowed: str) -> Array:
+    """Finite numbers of a text file, shape (n, count)."""
+    rows = read_columns(path, file, allowed)
+    if rows.shape[1] != count or not np.isfinite(rows).all():
         raise InvalidKeyError(path, f"{file} has {rows.shape[1]} columns", allowed)
-    return np.asarray(rows)
+    return rows
