@@ -239,7 +239,13 @@ def _folder(directory: Path, *, keep: bool, shared: bool) -> Iterator[Path]:
 
 @contextmanager
 def report_stored_points(directory: Path | None) -> Iterator[None]:
-    """Say what is left of a batch that was stopped, or that the machine failed."""
+    """Report the points that are stored when a batch is interrupted, or the machine fails.
+
+    Parameters
+    ----------
+    directory : Path | None
+        Folder of the batch; None: nothing is stored.
+    """
     from ..batch.store import has_points
 
     try:

@@ -246,7 +246,18 @@ def schema() -> None:
 
 
 def listing(kind: str) -> dict[str, str]:
-    """Names and remarks of one kind: cases, bearings, materials, lubricants, ..."""
+    """Names and remarks of one kind.
+
+    Parameters
+    ----------
+    kind : str
+        Cases, bearings, materials, lubricants or another value of `Listing`.
+
+    Returns
+    -------
+    dict[str, str]
+        Remark by name.
+    """
     from ..format.shipped import shipped_cases, shipped_sweeps, title
 
     if kind == "cases":

@@ -90,7 +90,18 @@ def _found(
 
 
 def optimisation_table(found: OptimisationResult) -> Group:
-    """The front, or the best design, and its proof, for a terminal of 80 columns."""
+    """The front, or the best design, and its confirmation, for a terminal of 80 columns.
+
+    Parameters
+    ----------
+    found : OptimisationResult
+        Result of the optimisation.
+
+    Returns
+    -------
+    Group
+        The table.
+    """
     from rich.console import Group
     from rich.text import Text
 

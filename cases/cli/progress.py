@@ -17,7 +17,18 @@ LONGEST_SILENCE = 60.0  # [s]
 
 @contextmanager
 def progress_bar(*, quiet: bool) -> Iterator[Callable[[int, int, str], None]]:
-    """A callback that shows progress on standard error, unless `quiet`."""
+    """A callback that shows progress on standard error.
+
+    Parameters
+    ----------
+    quiet : bool
+        True: nothing is shown.
+
+    Yields
+    ------
+    Iterator[Callable[[int, int, str], None]]
+        Function of steps done, steps in all, and a text.
+    """
     if quiet:
         yield lambda done, total, state: None
         return

@@ -15,7 +15,18 @@ ANEW = "compute the results again"
 
 @contextmanager
 def reading(*directories: Path) -> Iterator[None]:
-    """Say which files are damaged; what is wrong with a folder of results is bad input."""
+    """Read folders of results inside; damaged files are reported.
+
+    Parameters
+    ----------
+    *directories : Path
+        The folders.
+
+    Raises
+    ------
+    CaseError
+        If a folder does not exist, or its content is damaged or wrong.
+    """
     for directory in directories:
         if not directory.is_dir():
             raise CaseError(f"{directory}: no such directory; allowed: a directory of results")

@@ -38,7 +38,18 @@ EXIT_STACK: ContextVar[ExitStack] = ContextVar("HELD")  # what a command holds u
 
 
 def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
-    """Turn what a command raises or returns into an exit code and a message, no traceback."""
+    """Turn the result or the error of a command into an exit code and a message without traceback.
+
+    Parameters
+    ----------
+    command : Callable[P, int | None]
+        The command.
+
+    Returns
+    -------
+    Callable[P, None]
+        The command for Typer.
+    """
 
     @functools.wraps(command)
     def run(*args: P.args, **kwargs: P.kwargs) -> None:
@@ -56,12 +67,34 @@ def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
 
 
 def enter_context(manager: AbstractContextManager[T]) -> T:
-    """Enter a context that ends with the command."""
+    """Enter a context that ends with the command.
+
+    Parameters
+    ----------
+    manager : AbstractContextManager[T]
+        The context.
+
+    Returns
+    -------
+    T
+        Its value.
+    """
     return EXIT_STACK.get().enter_context(manager)
 
 
 def exit_code(command: Callable[[], int | None]) -> int:
-    """Run a command: 0 done, 1 not converged, 2 bad input, 3 interrupted, 4 failure [-]."""
+    """Run a command: 0 done, 1 not converged, 2 bad input, 3 interrupted, 4 failure [-].
+
+    Parameters
+    ----------
+    command : Callable[[], int | None]
+        The command.
+
+    Returns
+    -------
+    int
+        Exit code.
+    """
     main = threading.current_thread() is threading.main_thread()
     previous = signal.signal(signal.SIGTERM, interrupt) if main else None
     try:
@@ -129,17 +162,35 @@ def _log(error: Exception) -> str:
 
 
 def print_lines(text: str) -> None:
-    """Plain text to standard output."""
+    """Print plain text to standard output.
+
+    Parameters
+    ----------
+    text : str
+        The text.
+    """
     print(text, flush=True)  # noqa: T201
 
 
 def print_json(document: object) -> None:
-    """A document to standard output."""
+    """Print a document as JSON to standard output.
+
+    Parameters
+    ----------
+    document : object
+        Values of plain types.
+    """
     print_lines(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False))
 
 
 def print_table(table: RenderableType) -> None:
-    """A table to standard output."""
+    """Print a table to standard output.
+
+    Parameters
+    ----------
+    table : RenderableType
+        The table.
+    """
     from rich.console import Console
 
     Console().print(table)

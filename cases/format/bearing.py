@@ -126,7 +126,18 @@ RELATIONS = (
 
 
 def faults(values: CaseValues) -> Iterator[CaseProblem]:
-    """What the relations of [bearing] do not say: parts that fit into each other, the series."""
+    """Conflicts of [bearing] beyond its relations: parts that do not fit together, a wrong series.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     yield from _clearance_faults(values)
     yield from _class_faults(values)
     yield from _dimension_faults(values)
@@ -259,7 +270,18 @@ def _free_angle(values: CaseValues) -> float | None:
 
 
 def material_names(table: BearingTable) -> tuple[str, str, str]:
-    """Names of the materials of balls, inner ring and outer ring [-]."""
+    """Names of the materials of balls, inner ring and outer ring.
+
+    Parameters
+    ----------
+    table : BearingTable
+        The checked table.
+
+    Returns
+    -------
+    tuple[str, str, str]
+        The three names.
+    """
     inner = table.inner_ring_material or table.ring_material
     outer = table.outer_ring_material or table.ring_material
     assert table.ball_material and inner and outer  # checked before
@@ -267,7 +289,22 @@ def material_names(table: BearingTable) -> tuple[str, str, str]:
 
 
 def bearing(table: BearingTable, materials: dict[str, Material], title: str) -> Bearing:
-    """Geometry [m, rad] and materials of the bearing; `title` stands in for its name."""
+    """Geometry and materials of the bearing.
+
+    Parameters
+    ----------
+    table : BearingTable
+        The checked table.
+    materials : dict[str, Material]
+        Materials by name.
+    title : str
+        Name of the bearing where the table has none.
+
+    Returns
+    -------
+    Bearing
+        The bearing, SI.
+    """
     ball, inner, outer = material_names(table)
     delivered = Bearing(
         name=table.name or title or "bearing",
@@ -314,14 +351,38 @@ def _clearance(table: BearingTable) -> float:
 
 
 def nominal_contact_angle(table: BearingTable) -> float:
-    """Nominal contact angle: as given, else the free one, else zero [rad]."""
+    """Nominal contact angle: as given, else the free one, else zero.
+
+    Parameters
+    ----------
+    table : BearingTable
+        The checked table.
+
+    Returns
+    -------
+    float
+        The angle [rad].
+    """
     si = table.si()
     nominal = si["nominal_contact_angle"]
     return float(si["free_contact_angle"] or 0.0 if nominal is None else nominal)
 
 
 def rating(table: BearingTable, contamination_factor: float | None) -> RatingInput:
-    """Inputs of the rating life: C_r, C_0 [N], nominal contact angle [rad], e_C [-]."""
+    """Inputs of the rating life.
+
+    Parameters
+    ----------
+    table : BearingTable
+        The checked table.
+    contamination_factor : float | None
+        e_C of ISO 281 [-].
+
+    Returns
+    -------
+    RatingInput
+        Ratings [N] and nominal contact angle [rad].
+    """
     si = table.si()
     return RatingInput(
         dynamic_rating=si["basic_dynamic_rating"],
@@ -332,7 +393,18 @@ def rating(table: BearingTable, contamination_factor: float | None) -> RatingInp
 
 
 def spectrum(table: SurfaceTable | None) -> Spectrum | None:
-    """Lengths of the waves of the roughness [m]; None where they are not given."""
+    """Wavelengths of the roughness.
+
+    Parameters
+    ----------
+    table : SurfaceTable | None
+        The checked table [surface], where there is one.
+
+    Returns
+    -------
+    Spectrum | None
+        The wavelengths [m]; None where they are not given.
+    """
     if table is None or table.shortest_wavelength_um is None:
         return None
     si = table.si("shortest_wavelength_um", "longest_wavelength_um")
@@ -344,7 +416,18 @@ def spectrum(table: SurfaceTable | None) -> Spectrum | None:
 
 
 def roughness(table: SurfaceTable | None) -> tuple[float, float] | None:
-    """Root mean square of race and balls together, inner and outer [m]."""
+    """Root mean square of race and balls together.
+
+    Parameters
+    ----------
+    table : SurfaceTable | None
+        The checked table [surface], where there is one.
+
+    Returns
+    -------
+    tuple[float, float] | None
+        Inner and outer race [m]; None without [surface].
+    """
     if table is None:
         return None
     rings = (table.inner_ring_roughness_um, table.outer_ring_roughness_um)

@@ -103,20 +103,74 @@ class ContactCase(AnyCase):
 
 
 def load_case(name_or_path: str | Path, *, own_table: bool = True) -> Case | ContactCase:
-    """Read a case, SI: a case file, or the name (stem) of a shipped case; `CaseError` with one
-    line for every error of the file; own_table as `validate_text`.
+    """Read a case, SI: a case file, or a shipped case by its name.
+
+    Parameters
+    ----------
+    name_or_path : str | Path
+        The file, or the stem of a shipped case.
+    own_table : bool, default True
+        As in `validate_text`.
+
+    Returns
+    -------
+    Case | ContactCase
+        The case.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong, with one line for every error.
     """
     path = find_case(name_or_path)
     return case_from_text(read_text(path), str(path), own_table=own_table)
 
 
 def case_from_text(text: str, name: str, *, own_table: bool = True) -> Case | ContactCase:
-    """The case that the text of a case file describes; `name` stands for the file in messages."""
+    """The case that the text of a case file describes.
+
+    Parameters
+    ----------
+    text : str
+        Content of the file.
+    name : str
+        Name of the file in messages.
+    own_table : bool, default True
+        As in `validate_text`.
+
+    Returns
+    -------
+    Case | ContactCase
+        The case, SI.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong, with one line for every error.
+    """
     return case_of_file(validate_text(text, name, own_table=own_table), name, text)
 
 
 def case_of_document(document: dict[str, Any], name: str = "case") -> Case | ContactCase:
-    """The case of a parsed document that has no lines; `CaseError` with its faults."""
+    """The case of a parsed document, which has no lines.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Tables of a case.
+    name : str, default 'case'
+        Name of the document in messages.
+
+    Returns
+    -------
+    Case | ContactCase
+        The case, SI.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong, with its problems.
+    """
     file, faults = check_document(document)
     if file is None or faults:
         raise CaseError((fault.text(name, {}) for fault in faults), faults)
@@ -124,7 +178,27 @@ def case_of_document(document: dict[str, Any], name: str = "case") -> Case | Con
 
 
 def case_of_file(file: BearingFile | ContactFile, name: str, text: str = "") -> Case | ContactCase:
-    """The case of a checked file; `name` and the lines of `text` stand in messages."""
+    """The case of a checked file.
+
+    Parameters
+    ----------
+    file : BearingFile | ContactFile
+        The checked tables.
+    name : str
+        Name of the file in messages.
+    text : str, default ''
+        Content of the file, for lines in messages.
+
+    Returns
+    -------
+    Case | ContactCase
+        The case, SI.
+
+    Raises
+    ------
+    CaseError
+        If a value turns out wrong on conversion.
+    """
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
@@ -156,15 +230,39 @@ def _load_cases(
 
 
 def new_notes(notes: Iterable[str], known: Iterable[str]) -> list[str]:
-    """Warnings of a state of the duty cycle that are not those of [operation], nor on the shear of
-    its films, which are not sheared.
+    """Warnings of a state of the duty cycle beyond those of [operation].
+
+    Warnings on the shear of its films are left out, since these are not sheared.
+
+    Parameters
+    ----------
+    notes : Iterable[str]
+        Warnings of the state.
+    known : Iterable[str]
+        Warnings of [operation].
+
+    Returns
+    -------
+    list[str]
+        The other warnings.
     """
     seen = set(known)
     return [note for note in notes if note not in seen and not note.startswith(SHEAR_ASSUMED)]
 
 
 def oil_of_file(file: BearingFile | ContactFile) -> Oil:
-    """Keys of the oil of a checked file."""
+    """Keys of the oil of a checked file.
+
+    Parameters
+    ----------
+    file : BearingFile | ContactFile
+        The checked tables.
+
+    Returns
+    -------
+    Oil
+        The keys, in the units of the file.
+    """
     document = file.model_dump(exclude_none=True, include={"lubricant", "lubricants"})
     return oil_of(document["lubricant"], document["lubricants"])
 

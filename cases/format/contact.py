@@ -235,8 +235,21 @@ RELATIONS: tuple[Relation, ...] = (
 def starvation(
     table: GridTable, lubricant: LubricantTable, default: Starvation = Starvation.NONE
 ) -> Starvation | None:
-    """What the layer at the inlet does to the films; None without a layer. A Newtonian film takes
-    `untold` where the table does not say.
+    """Effect of the layer at the inlet on the films.
+
+    Parameters
+    ----------
+    table : GridTable
+        The checked table [ehl].
+    lubricant : LubricantTable
+        The checked table [lubricant].
+    default : Starvation, default Starvation.NONE
+        Effect on a Newtonian film where the table does not say.
+
+    Returns
+    -------
+    Starvation | None
+        The effect; None without a layer.
     """
     if lubricant.inlet_film_um is None and lubricant.inlet_film_dimensionless is None:
         return None
@@ -247,7 +260,20 @@ def starvation(
 
 
 def inlet_layer(chosen: Starvation | None, lubricant: LubricantTable) -> InletLayer | None:
-    """Layer that films are solved behind [m], in Moes' groups [a^2/Rx]; None: flooded."""
+    """Layer that films are solved behind.
+
+    Parameters
+    ----------
+    chosen : Starvation | None
+        Effect of the layer.
+    lubricant : LubricantTable
+        The checked table [lubricant].
+
+    Returns
+    -------
+    InletLayer | None
+        The layer [m], in Moes' groups [a^2/Rx]; None: flooded.
+    """
     if chosen in (None, Starvation.NONE):
         return None
     thickness = lubricant.inlet_film_dimensionless
@@ -259,8 +285,25 @@ def inlet_layer(chosen: Starvation | None, lubricant: LubricantTable) -> InletLa
 def track_passes(
     table: ContactEhlTable, conditions: ContactConditions | MoesConditions
 ) -> TrackPasses | None:
-    """Contacts behind one another on one track; None where there is one. `UnfitKey` where the oil
-    is not entrained along a principal direction: the profile would not meet the next contact.
+    """Contacts behind one another on one track.
+
+    Parameters
+    ----------
+    table : ContactEhlTable
+        The checked table [ehl].
+    conditions : ContactConditions | MoesConditions
+        The contact.
+
+    Returns
+    -------
+    TrackPasses | None
+        The passes; None where there is one contact.
+
+    Raises
+    ------
+    InvalidKeyError
+        If the entrainment is not along a principal direction: the profile would not meet the next
+        contact.
     """
     if table.track_passes is None:
         return None
@@ -273,8 +316,17 @@ def track_passes(
 
 
 def faults(values: CaseValues) -> Iterator[CaseProblem]:
-    """A film of a thinning oil or with heat has lengths, one with heat bodies by material; two
-    velocities entrain oil.
+    """Conflicts of [contact] and [ehl]: film models without lengths or bodies, no entrainment.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
     """
     velocities = [values.get("contact", name) for name in VELOCITIES]
     if all(velocity is not None for velocity in velocities):
@@ -303,7 +355,22 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
 def contact(
     table: ContactTable, materials: Mapping[str, Material], oil: Lubricant
 ) -> ContactConditions | MoesConditions:
-    """The contact: load [N], radii [m], E' [Pa], speeds [m/s, rad/s]; or Moes' groups [-]."""
+    """The contact: dimensions, or Moes' groups.
+
+    Parameters
+    ----------
+    table : ContactTable
+        The checked table.
+    materials : Mapping[str, Material]
+        Materials by name.
+    oil : Lubricant
+        The lubricant.
+
+    Returns
+    -------
+    ContactConditions | MoesConditions
+        Load [N], radii [m], E' [Pa], speeds [m/s, rad/s]; or Moes' groups [-].
+    """
     si = table.si()
     if table.moes_M is not None and table.moes_L is not None:
         return MoesConditions(
@@ -345,7 +412,18 @@ def _coating(table: ContactTable, materials: Mapping[str, Material]) -> Coating 
 
 
 def contact_defaults(table: ContactTable) -> dict[str, float]:
-    """Defaults of [contact], by dimensions or by Moes' groups."""
+    """Defaults of [contact], by dimensions or by Moes' groups.
+
+    Parameters
+    ----------
+    table : ContactTable
+        The checked table.
+
+    Returns
+    -------
+    dict[str, float]
+        Values by key.
+    """
     if table.moes_M is not None:
         return {"radius_ratio": 1.0}
     return {"slide_roll_ratio": 0.0, "spin_rad_s": 0.0}

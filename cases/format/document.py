@@ -67,7 +67,13 @@ class CaseFile(Table):
     _notes: tuple[str, ...] = PrivateAttr(())  # on keys of an older version
 
     def model_post_init(self, context: Any) -> None:
-        """Keep the notes that the file was read with."""
+        """Store the notes that the file was read with.
+
+        Parameters
+        ----------
+        context : Any
+            The notes.
+        """
         self._notes = tuple(context or ())
 
     @property
@@ -160,7 +166,23 @@ def _load_case_conflicts(values: CaseValues, known: list[CaseProblem]) -> Iterat
 
 
 def read_text(path: FilePath) -> str:
-    """Text of a case file; `CaseError` if it cannot be read."""
+    """Read the text of a case file.
+
+    Parameters
+    ----------
+    path : FilePath
+        The file.
+
+    Returns
+    -------
+    str
+        Its content.
+
+    Raises
+    ------
+    CaseError
+        If it cannot be read.
+    """
     try:
         data = path.read_bytes() if path.stat().st_size <= LARGEST_FILE else None
     except OSError as error:
@@ -174,9 +196,26 @@ def read_text(path: FilePath) -> str:
 
 
 def validate_text(text: str, name: str, *, own_table: bool = True) -> BearingFile | ContactFile:
-    """The checked file, in its units, catalogue values filled in; `name` stands in messages.
+    """Check the text of a case file.
 
-    own_table: False for `oilfilm table`, which makes the file of `friction.traction_table`.
+    Parameters
+    ----------
+    text : str
+        Content of the file.
+    name : str
+        Name of the file in messages.
+    own_table : bool, default True
+        False for `oilfilm table`, which makes the file of `friction.traction_table`.
+
+    Returns
+    -------
+    BearingFile | ContactFile
+        The checked tables in their units, catalogue values filled in.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong, with one line for every error.
     """
     document = parse(text, name)
     if not own_table:
@@ -188,7 +227,25 @@ def validate_text(text: str, name: str, *, own_table: bool = True) -> BearingFil
 
 
 def parse(text: str, name: str) -> dict[str, Any]:
-    """The tables of a TOML file that is not empty; `CaseError` with its line if it is none."""
+    """Parse a TOML file that is not empty.
+
+    Parameters
+    ----------
+    text : str
+        Content of the file.
+    name : str
+        Name of the file in messages.
+
+    Returns
+    -------
+    dict[str, Any]
+        Its tables.
+
+    Raises
+    ------
+    CaseError
+        If it is no TOML, with the line.
+    """
     try:
         document = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -214,7 +271,20 @@ def _syntax_line(message: str, text: str) -> int:
 def check_document(
     document: dict[str, Any],
 ) -> tuple[BearingFile | ContactFile | None, list[CaseProblem]]:
-    """The checked file, or None, and every fault of a document in the units of a file."""
+    """Check a document in the units of a file.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Tables of a case.
+
+    Returns
+    -------
+    file
+        The checked tables; None where a value is wrong.
+    problems
+        Every problem.
+    """
     if any(key in document for key in SWEEP_TABLES):
         allowed = "run it with 'oilfilm batch'"
         return None, [CaseProblem((), "a sweep", allowed, line=1)]

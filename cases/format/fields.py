@@ -42,8 +42,19 @@ class Table(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False)
 
     def si(self, *keys: str) -> dict[str, Any]:
-        """Values in SI of some or all keys by their names without units; keys that differ in the
-        unit only keep it.
+        """Values in SI by the names of the keys without units.
+
+        Keys that differ in the unit only keep it.
+
+        Parameters
+        ----------
+        *keys : str
+            Keys to convert; all if left out.
+
+        Returns
+        -------
+        dict[str, Any]
+            Values by name.
         """
         chosen = keys or tuple(type(self).model_fields)
         return {name: _si(key, getattr(self, key)) for name, key in names_in_si(chosen)}
@@ -121,7 +132,18 @@ def schema_of(model: type[Table]) -> dict[str, Any]:
 
 @cache
 def names_in_si(keys: tuple[str, ...]) -> tuple[tuple[str, str], ...]:
-    """Names without units of keys, and the keys; those that differ in the unit only keep it."""
+    """Names without units of keys; keys that differ in the unit only keep it.
+
+    Parameters
+    ----------
+    keys : tuple[str, ...]
+        The keys.
+
+    Returns
+    -------
+    tuple[tuple[str, str], ...]
+        Pairs of name and key.
+    """
     names = [name_in_si(key) for key in keys]
     pairs = zip(names, keys, strict=True)
     return tuple((name if names.count(name) == 1 else key, key) for name, key in pairs)
@@ -129,7 +151,18 @@ def names_in_si(keys: tuple[str, ...]) -> tuple[tuple[str, str], ...]:
 
 @cache
 def name_in_si(key: str) -> str:
-    """A key without its unit."""
+    """A key without its unit.
+
+    Parameters
+    ----------
+    key : str
+        The key.
+
+    Returns
+    -------
+    str
+        Its name.
+    """
     return without_unit(key).replace(" ", "_")
 
 
@@ -144,7 +177,18 @@ def _si(key: str, value: Any) -> Any:
 
 
 def is_number(value: object) -> TypeGuard[float]:
-    """Whether `value` is a finite number [-]; a bool is none, nor an integer beyond the floats."""
+    """Tell whether a value is a finite number; a bool is none, nor an integer beyond the floats.
+
+    Parameters
+    ----------
+    value : object
+        The value.
+
+    Returns
+    -------
+    TypeGuard[float]
+        True if it is.
+    """
     try:
         return not isinstance(value, bool) and isinstance(value, int | float) and isfinite(value)
     except OverflowError:
@@ -152,37 +196,134 @@ def is_number(value: object) -> TypeGuard[float]:
 
 
 def rounded(value: float) -> float:
-    """`value` without the noise of a conversion of units [-]."""
+    """Round off the noise of a conversion of units.
+
+    Parameters
+    ----------
+    value : float
+        The value [-].
+
+    Returns
+    -------
+    float
+        The value to `DIGITS` digits.
+    """
     return float(f"{value:.{DIGITS}g}")
 
 
 def above(low: float, high: float, description: str, default: Any = None) -> Any:
-    """A number above `low`, up to `high`."""
+    """A number above a limit.
+
+    Parameters
+    ----------
+    low : float
+        Limit, excluded.
+    high : float
+        Limit, included.
+    description : str
+        Text for the reference and the schema.
+    default : Any, optional
+        Value where the key is left out.
+
+    Returns
+    -------
+    Any
+        The field.
+    """
     return Field(default, gt=low, le=high, description=description)
 
 
 def between(low: float, high: float, description: str, default: Any = None) -> Any:
-    """A number from `low` to `high`."""
+    """A number between two limits.
+
+    Parameters
+    ----------
+    low, high : float
+        Limits, included.
+    description : str
+        Text for the reference and the schema.
+    default : Any, optional
+        Value where the key is left out.
+
+    Returns
+    -------
+    Any
+        The field.
+    """
     return Field(default, ge=low, le=high, description=description)
 
 
 def length(description: str) -> Any:
-    """An optional length of a part [mm]."""
+    """An optional length of a part [mm].
+
+    Parameters
+    ----------
+    description : str
+        Text for the reference and the schema.
+
+    Returns
+    -------
+    Any
+        The field.
+    """
     return between(LENGTH_MINIMUM, LENGTH_MAXIMUM, description)
 
 
 def within(limit: float, description: str, default: Any = None) -> Any:
-    """A number from -limit to limit."""
+    """A number from -limit to limit.
+
+    Parameters
+    ----------
+    limit : float
+        Limit of its magnitude, included.
+    description : str
+        Text for the reference and the schema.
+    default : Any, optional
+        Value where the key is left out.
+
+    Returns
+    -------
+    Any
+        The field.
+    """
     return between(-limit, limit, description, default)
 
 
 def described(description: str, default: Any = None, **limits: Any) -> Any:
-    """A value whose type, and `limits`, say what is allowed."""
+    """A value whose type, and limits, define the allowed values.
+
+    Parameters
+    ----------
+    description : str
+        Text for the reference and the schema.
+    default : Any, optional
+        Value where the key is left out.
+    **limits : Any
+        Further arguments of `pydantic.Field`.
+
+    Returns
+    -------
+    Any
+        The field.
+    """
     return Field(default, description=description, **limits)
 
 
 def checked(parse: Callable[[object], object], allowed: str) -> BeforeValidator:
-    """A check by a function that gives the value, or None where it is not `allowed`."""
+    """A validator from a function.
+
+    Parameters
+    ----------
+    parse : Callable[[object], object]
+        Gives the value, or None where it is not allowed.
+    allowed : str
+        Text for messages.
+
+    Returns
+    -------
+    BeforeValidator
+        The validator.
+    """
 
     def check(value: object) -> object:
         parsed = parse(value)
@@ -219,7 +360,22 @@ def _entries(value: object) -> list[Any]:
 
 
 def numbers(value: object, length: int, limit: float) -> tuple[float, ...] | None:
-    """A list of so many numbers within +-`limit`; None if `value` is none."""
+    """A list of a given number of numbers.
+
+    Parameters
+    ----------
+    value : object
+        The value as parsed.
+    length : int
+        Number of entries [-].
+    limit : float
+        Largest magnitude.
+
+    Returns
+    -------
+    tuple[float, ...] | None
+        The numbers; None if the value is something else.
+    """
     entries = _entries(value)
     fits = len(entries) == length and all(is_number(x) and abs(x) <= limit for x in entries)
     return tuple(map(float, entries)) if fits else None
@@ -228,8 +384,23 @@ def numbers(value: object, length: int, limit: float) -> tuple[float, ...] | Non
 def parse_vector(
     entries: list[Any], length: int, limit: float, *, free: bool
 ) -> tuple[float | str, ...] | None:
-    """So many numbers within +-`limit`, with the word "free" for any of them; None if there are
-    others.
+    """A list of numbers, or the word "free" in place of any of them.
+
+    Parameters
+    ----------
+    entries : list[Any]
+        The entries as parsed.
+    length : int
+        Number of entries [-].
+    limit : float
+        Largest magnitude.
+    free : bool
+        True: the word is allowed.
+
+    Returns
+    -------
+    tuple[float | str, ...] | None
+        The entries; None if there are others.
     """
     words = [free and entry == FREE_WORD for entry in entries]
     fixed = [0.0 if word else x for word, x in zip(words, entries, strict=True)]

@@ -28,7 +28,20 @@ class FilmPhysics:
     notes: tuple[str, ...] = ()  # on the properties that heat takes
 
     def solve(self, conditions: ContactConditions, options: SolverOptions) -> ContactSolution:
-        """Film of one contact; lengths in [m], pressures in [Pa]."""
+        """Film of one contact.
+
+        Parameters
+        ----------
+        conditions : ContactConditions
+            The contact.
+        options : SolverOptions
+            Grid of the solver.
+
+        Returns
+        -------
+        ContactSolution
+            The film [m] and the pressure [Pa].
+        """
         if self.model is FilmModel.NEWTONIAN or self.rheology is None:
             return solve_contact(conditions, options)
         base = self.rheology.unlimited  # at the limit the flow has no finite tangent
@@ -76,8 +89,28 @@ def case_films(
     bodies: Sequence[Material],
     starvation: Starvation | None = None,
 ) -> CaseFilms:
-    """Grid [-] and physics of the films, SI; `ValueError` if they have heat and a body, ball or
-    race, no thermal properties. `starvation`: what a layer does to them, None without.
+    """Grid and physics of the films.
+
+    Parameters
+    ----------
+    table : GridTable
+        The checked table [ehl].
+    shear : Rheology | None
+        Shear law of the oil.
+    bodies : Sequence[Material]
+        Materials of ball and race.
+    starvation : Starvation | None, optional
+        Effect of a layer at the inlet; None without one.
+
+    Returns
+    -------
+    CaseFilms
+        The films, SI.
+
+    Raises
+    ------
+    ValueError
+        If films have heat and a body no thermal properties.
     """
     options = table.build(SolverOptions, tabulated=starvation is Starvation.TABULATED)
     model = FilmModel(table.film_model)
@@ -109,8 +142,19 @@ def _conductivity_note(body: Material) -> str:
 def require_frequencies(
     table: ContactEhlTable, conditions: ContactConditions | MoesConditions
 ) -> None:
-    """`UnfitKey` where a frequency of the response is beyond what a mesh carries, or the contact
-    has no lengths.
+    """Check the frequencies of the response.
+
+    Parameters
+    ----------
+    table : ContactEhlTable
+        The checked table [ehl].
+    conditions : ContactConditions | MoesConditions
+        The contact.
+
+    Raises
+    ------
+    InvalidKeyError
+        If a frequency is beyond what a mesh resolves, or the contact has no lengths.
     """
     given = table.response_frequencies_Hz
     if not given:

@@ -23,7 +23,24 @@ def vibration(
 
 
 def run_and_report(case: CaseName, output: Output, *, as_json: bool, quiet: bool) -> int:
-    """Compute the vibration of a case, write and print it; returns the exit code."""
+    """Compute the vibration of a case, write it and print it.
+
+    Parameters
+    ----------
+    case : CaseName
+        File or name of the case.
+    output : Output
+        Directory as given.
+    as_json : bool
+        True: the summary instead of the table.
+    quiet : bool
+        True: neither table nor notes.
+
+    Returns
+    -------
+    int
+        Exit code.
+    """
     one_thread()
     loaded = load_bearing(case, "vibration needs a bearing")
     directory = results_directory(case, output, as_json)
