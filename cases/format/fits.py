@@ -121,7 +121,18 @@ RELATIONS = (
 
 
 def faults(values: CaseValues) -> Iterator[CaseProblem]:
-    """Shaft and housing around the bearing, their tolerances."""
+    """Conflicts of [fit] with the bearing: shaft, housing and their tolerances.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     yield from _seat_faults(values)
     bore = values.get("bearing", "bore_mm")
     if bore is not None:
@@ -202,7 +213,22 @@ def _interference(table: FitTable, bearing: BearingTable, seat: NamedSeat) -> fl
 def fit(
     table: FitTable | None, materials: Mapping[str, Material], bearing: BearingTable
 ) -> Fit | None:
-    """Fits of the rings [m]; None where the case gives none."""
+    """Fits of the rings.
+
+    Parameters
+    ----------
+    table : FitTable | None
+        The checked table, where there is one.
+    materials : Mapping[str, Material]
+        Materials by name.
+    bearing : BearingTable
+        The checked table [bearing].
+
+    Returns
+    -------
+    Fit | None
+        Interferences and diameters [m]; None without [fit].
+    """
     if table is None:
         return None
     inner, outer = (_interference(table, bearing, seat) for seat in NAMED_SEATS)
@@ -221,8 +247,28 @@ def elastic_rings(
     given: Bearing,
     materials: Mapping[str, Material],
 ) -> ElasticRings | None:
-    """The rings that [rings] makes elastic [m]; None without. `UnfitKey` where a section is not
-    known or impossible.
+    """The rings that [rings] makes elastic.
+
+    Parameters
+    ----------
+    table : RingsTable | None
+        The checked table [rings], where there is one.
+    seats : FitTable | None
+        The checked table [fit], where there is one.
+    given : Bearing
+        The bearing as delivered.
+    materials : Mapping[str, Material]
+        Materials by name.
+
+    Returns
+    -------
+    ElasticRings | None
+        The rings [m]; None without [rings].
+
+    Raises
+    ------
+    InvalidKeyError
+        If a section is not known or impossible.
     """
     if table is None or table.inner_seat is table.outer_seat is None:
         return None
@@ -260,8 +306,21 @@ def elastic_rings(
 def part_temperatures(
     table: TemperaturesTable | None, parts: Mapping[str, float]
 ) -> TemperaturesTable:
-    """Temperatures of the parts as a network of heat found them [degrees Celsius]; the outer ring
-    has the mean of its halves, the reference stays.
+    """Temperatures of the parts from a network of heat.
+
+    The outer ring has the mean of its halves; the reference stays.
+
+    Parameters
+    ----------
+    table : TemperaturesTable | None
+        The checked table [temperatures], where there is one.
+    parts : Mapping[str, float]
+        Temperature by node [degrees Celsius].
+
+    Returns
+    -------
+    TemperaturesTable
+        The table with these temperatures.
     """
     outer = 0.5 * (parts["outer_ring_loaded"] + parts["outer_ring_unloaded"])
     values = {
@@ -296,8 +355,27 @@ def in_operation(
     table: TemperaturesTable | None,
     cage: tuple[Material | None, tuple[Race, float] | None],
 ) -> tuple[Bearing, ClearanceBudget | None]:
-    """The bearing with its clearance in operation [m], and the budget, if that differs; `cage`:
-    its material, race and diameter of its land [m].
+    """The bearing with its clearance in operation.
+
+    Parameters
+    ----------
+    given : Bearing
+        The bearing as delivered.
+    operation : Operation
+        Speeds and loads.
+    seats : Fit | None
+        Fits of the rings, where there are any.
+    table : TemperaturesTable | None
+        The checked table [temperatures], where there is one.
+    cage : tuple[Material | None, tuple[Race, float] | None]
+        Material of the cage, and race and diameter of its land [m].
+
+    Returns
+    -------
+    bearing
+        The bearing.
+    budget
+        Parts of the clearance [m]; None where it does not change.
     """
     if seats is None and table is None:
         return given, None
@@ -320,7 +398,20 @@ class Seats:
 
 
 def seats_of(fit: Fit | None, table: TemperaturesTable | None) -> Seats:
-    """Seats [m] and temperatures [K] of a case."""
+    """Seats and temperatures of a case.
+
+    Parameters
+    ----------
+    fit : Fit | None
+        Fits of the rings, where there are any.
+    table : TemperaturesTable | None
+        The checked table [temperatures], where there is one.
+
+    Returns
+    -------
+    Seats
+        Seats [m] and temperatures [K].
+    """
     if table is None:
         return Seats(fit=fit, rise=None, reference=REFERENCE)
     return Seats(fit=fit, rise=_rises(table), reference=table.si()["reference"])
@@ -353,8 +444,33 @@ def heating(
     delivered: Bearing,
     fit: Fit | None,
 ) -> HeatingInput | None:
-    """Surroundings [W/K], oil over temperature [K], fits; None where no heat transfer is given.
-    `UnfitKey` if oil removes heat and its specific heat is not known.
+    """Inputs of the heat balance.
+
+    Parameters
+    ----------
+    table : FrictionTable
+        The checked table [friction].
+    temperatures : TemperaturesTable | None
+        The checked table [temperatures], where there is one.
+    oil : Oil
+        Keys of the oil.
+    at_operation : Lubricant
+        The oil at the temperature of operation.
+    delivered : Bearing
+        The bearing as delivered.
+    fit : Fit | None
+        Fits of the rings, where there are any.
+
+    Returns
+    -------
+    HeatingInput | None
+        Surroundings [W/K], oil over temperature [K] and fits; None where no heat transfer is
+        given.
+
+    Raises
+    ------
+    InvalidKeyError
+        If oil removes heat and its specific heat is not known.
     """
     if table.heat_transfer_W_K is None:
         return None

@@ -85,7 +85,22 @@ class _OilFile:
 def free_volume_faults(
     keys: dict[str, Any], values: CaseValues, *, of_library: bool
 ) -> Iterator[CaseProblem]:
-    """A law has its constants, and constants in [lubricant] have their law."""
+    """Conflicts of laws and their constants.
+
+    Parameters
+    ----------
+    keys : dict[str, Any]
+        Keys of the oil.
+    values : CaseValues
+        The valid values of the file.
+    of_library : bool
+        True: the name of the oil is one of the library.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     oil = _OilFile(keys, values)
     given = [key for key in KEYS if key in keys]
     chosen = [law for law in LAWS if keys.get(law[0]) == law[1]]
@@ -158,7 +173,20 @@ def _without_law(
 
 
 def free_volume(keys: dict[str, Any], temperature: float) -> dict[str, Any]:
-    """Constants of an oil as fields of `Lubricant`, SI, at a temperature [K]."""
+    """Constants of an oil as fields of `Lubricant`.
+
+    Parameters
+    ----------
+    keys : dict[str, Any]
+        Keys of the oil.
+    temperature : float
+        Temperature of the oil [K].
+
+    Returns
+    -------
+    dict[str, Any]
+        Fields by name, SI.
+    """
     constants: dict[str, Any] = {}
     tait, doolittle, yasutomi = (_of_family(family, keys) for family in FAMILIES)
     if tait:
@@ -202,8 +230,24 @@ def _coefficient(given: dict[str, Any]) -> float | None:
 
 
 def with_coefficient(given: dict[str, Any], keys: dict[str, Any]) -> dict[str, Any]:
-    """Fields of `Lubricant` with the coefficient of the law's constants; `UnfitKey` if the case
-    gives another one, or the law does not hold at the temperature.
+    """Fields of `Lubricant` with the pressure-viscosity coefficient of the constants of its law.
+
+    Parameters
+    ----------
+    given : dict[str, Any]
+        Fields by name, SI.
+    keys : dict[str, Any]
+        Keys of the oil.
+
+    Returns
+    -------
+    dict[str, Any]
+        The fields with the coefficient [1/Pa].
+
+    Raises
+    ------
+    InvalidKeyError
+        If the case gives another coefficient, or the law does not hold at the temperature.
     """
     of_constants = _coefficient(given)
     key = "pressure_viscosity_1_GPa"
@@ -227,7 +271,15 @@ def with_coefficient(given: dict[str, Any], keys: dict[str, Any]) -> dict[str, A
 
 
 def warn_of_temperature(oil: Lubricant, measured_at: float | None) -> None:
-    """Warn where constants are used at a temperature [K] that they do not hold at."""
+    """Warn of constants used at a temperature that they do not hold at.
+
+    Parameters
+    ----------
+    oil : Lubricant
+        The lubricant.
+    measured_at : float | None
+        Temperature of the constants [K].
+    """
     doolittle = oil.doolittle if oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE else None
     used = oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE or oil.density_law is DensityLaw.TAIT
     if measured_at is None or not used or oil.temperature is None or oil.tait is None:

@@ -217,7 +217,18 @@ RELATIONS: tuple[Relation, ...] = (
 
 
 def faults(values: CaseValues) -> Iterator[CaseProblem]:
-    """A file of traction tables that is there."""
+    """Conflicts of [friction]: a file of traction tables that does not exist.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     name = values.get("friction", "traction_table")
     if name is not None and values.get("friction", "traction") == "table" and not _is_file(name):
         finding = f"{shown(name)} cannot be read: there is no such file from the working directory"
@@ -225,14 +236,36 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
 
 
 def made_by(name: str) -> str:
-    """The command that makes the file of this name, of tables of the case that asks for it."""
+    """The command that makes a file of traction tables for the case that asks for it.
+
+    Parameters
+    ----------
+    name : str
+        Name of the file.
+
+    Returns
+    -------
+    str
+        Text for messages.
+    """
     return f"allowed: a file that `oilfilm table CASE -o {name}` wrote, CASE this case"
 
 
 def without_own_table(document: dict[str, Any]) -> dict[str, Any]:
-    """A document in which friction is of no file of tables, for the command that makes this file;
-    balls in traction equilibrium, which would need it, move half and half: loads and speeds, of
-    which tables have a range, hardly depend on that.
+    """A document without its file of traction tables, for the command that makes this file.
+
+    Balls in traction equilibrium, which would need it, move half and half: loads and speeds, the
+    range of a table, hardly depend on that.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Tables of a case.
+
+    Returns
+    -------
+    dict[str, Any]
+        The changed document.
     """
     friction = document.get("friction")
     if not isinstance(friction, dict) or friction.get("traction") != "table":
@@ -264,7 +297,28 @@ def friction(
     *,
     angular: bool,
 ) -> FrictionInput:
-    """What the friction models take: ratings [N], lengths [m]; `angular`: of angular contact."""
+    """Inputs of the friction models.
+
+    Parameters
+    ----------
+    table : FrictionTable
+        The checked table [friction].
+    bearing : BearingTable
+        The checked table [bearing].
+    lubricant : LubricantTable
+        The checked table [lubricant].
+    cage : Cage | None
+        Friction of the cage, where there is any.
+    surface : SurfaceTable | None
+        The checked table [surface], where there is one.
+    angular : bool
+        True: an angular contact bearing.
+
+    Returns
+    -------
+    FrictionInput
+        Ratings [N], lengths [m] and coefficients [-].
+    """
     si = bearing.si()
     if table.lubrication in WITH_LEVEL and table.oil_level_mm == 0.0:
         text = f"not given with lubrication = {shown(table.lubrication)}"
@@ -343,7 +397,20 @@ def _limiting_coefficient(oil: Oil, lubricant: Lubricant) -> tuple[float, str]:
 
 
 def rheology(oil: Oil, lubricant: Lubricant) -> Rheology:
-    """How the oil shears: stresses [Pa]; what the case leaves out is assumed, with a warning."""
+    """Shear law of the oil; constants that the case leaves out are assumed, with a warning.
+
+    Parameters
+    ----------
+    oil : Oil
+        Keys of the oil.
+    lubricant : Lubricant
+        The oil at the temperature of operation.
+
+    Returns
+    -------
+    Rheology
+        The law, with stresses [Pa].
+    """
     keys = oil.keys
     law = ShearLaw(keys.get("rheology", "ree-eyring"))
     coefficient = keys.get("limiting_stress_coefficient")

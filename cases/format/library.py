@@ -54,7 +54,20 @@ class MaterialTable(Table):
 
 
 def materials(own: Mapping[str, MaterialTable], names: Iterable[str]) -> dict[str, Material]:
-    """The named materials, SI, the case's own before those of the library."""
+    """Materials by name, those of the case before those of the library.
+
+    Parameters
+    ----------
+    own : Mapping[str, MaterialTable]
+        Tables of the case by name.
+    names : Iterable[str]
+        Names of the materials.
+
+    Returns
+    -------
+    dict[str, Material]
+        The materials, SI.
+    """
     return {
         name: _material(name, own[name]) if name in own else load_material(name) for name in names
     }
@@ -76,7 +89,18 @@ def _material(name: str, table: MaterialTable) -> Material:
 
 
 def material_table(material: Material) -> dict[str, Any]:
-    """A material as a [materials.NAME] table: youngs_modulus_GPa [GPa], density_kg_m3 [kg/m^3]."""
+    """A material as a table [materials.NAME].
+
+    Parameters
+    ----------
+    material : Material
+        The material, SI.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key, in the units of the keys.
+    """
     values = {key: getattr(material, name_in_si(key)) for key in MaterialTable.model_fields}
     numbers = {key: from_si(key, value) for key, value in values.items() if is_number(value)}
     given = {key: rounded(value) for key, value in numbers.items()}
@@ -102,7 +126,18 @@ def _names(document: dict[str, Any]) -> Iterator[tuple[str, str, tuple[str, ...]
 
 
 def with_library_names(document: dict[str, Any]) -> dict[str, Any]:
-    """The document with names in the spelling of the libraries, whatever their case or hyphens."""
+    """The document with names in the spelling of the libraries, whatever their case or hyphens.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Tables of a case.
+
+    Returns
+    -------
+    dict[str, Any]
+        The changed document.
+    """
     spelled = dict(document)
     for table, key, names in _names(document):
         given = document[table][key]
@@ -131,7 +166,18 @@ def _with_base_oil(document: dict[str, Any]) -> dict[str, Any]:
 
 
 def name_faults(values: CaseValues) -> Iterator[CaseProblem]:
-    """Materials and oils that neither the case nor a library has; that of a cage where used."""
+    """Problems of names of materials and oils that neither the case nor a library has.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     cage = values.given("temperatures", "cage_C") or values.given("dynamics")
     for table, key, names in _names(values.document):
         name = values.get(table, key)
@@ -144,7 +190,20 @@ def name_faults(values: CaseValues) -> Iterator[CaseProblem]:
 
 
 def with_catalogue(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseProblem]]:
-    """The document with the values of the catalogue that [bearing] does not override."""
+    """The document with the values of the catalogue that [bearing] does not override.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Tables of a case.
+
+    Returns
+    -------
+    document
+        The changed document.
+    problems
+        An unknown name of a bearing.
+    """
     table = document.get("bearing")
     if not isinstance(table, dict) or not isinstance(table.get("name"), str) or not table["name"]:
         return document, []

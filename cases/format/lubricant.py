@@ -162,7 +162,20 @@ class Oil:
 
 
 def oil_of(lubricant: dict[str, Any], lubricants: object) -> Oil:
-    """The keys of [lubricant], with those of [lubricants.NAME] filled in."""
+    """Keys of [lubricant], with those of [lubricants.NAME] filled in.
+
+    Parameters
+    ----------
+    lubricant : dict[str, Any]
+        Keys of [lubricant].
+    lubricants : object
+        Oils of the case by name.
+
+    Returns
+    -------
+    Oil
+        The keys, and whether the name is one of the library.
+    """
     own = lubricants.get(str(lubricant.get("name"))) if isinstance(lubricants, dict) else None
     if not isinstance(own, dict):
         return Oil(dict(lubricant), "name" in lubricant)
@@ -172,7 +185,18 @@ def oil_of(lubricant: dict[str, Any], lubricants: object) -> Oil:
 
 
 def faults(values: CaseValues) -> Iterator[CaseProblem]:
-    """The oil by name or by its properties, complete, and its laws."""
+    """Conflicts of the oil: incomplete properties, constants without their law.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     yield from _layer_faults(values)
     for name in values.get("lubricants") or ():
         first, second = (("lubricants", name, key) for key in VISCOSITIES)
@@ -310,7 +334,20 @@ def _heat_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseProble
 
 
 def lubricant(oil: Oil, temperature: float) -> Lubricant:
-    """The oil at a temperature [K], SI."""
+    """The oil at a temperature.
+
+    Parameters
+    ----------
+    oil : Oil
+        Keys of the oil.
+    temperature : float
+        Temperature of the oil [K].
+
+    Returns
+    -------
+    Lubricant
+        The lubricant, SI.
+    """
     keys = oil.keys
     given: dict[str, Any] = {"name": keys.get("name", "")}
     given |= {field: to_si(key, keys[key]) for field, key in NUMBERS.items() if key in keys}
@@ -369,7 +406,20 @@ def _set_viscosity(given: dict[str, Any], keys: dict[str, Any]) -> None:
 
 
 def lubricant_keys(oil: Lubricant, *, moes: bool) -> dict[str, Any]:
-    """A lubricant as keys of [lubricant], in their units."""
+    """A lubricant as keys of [lubricant].
+
+    Parameters
+    ----------
+    oil : Lubricant
+        The lubricant, SI.
+    moes : bool
+        True: a contact of Moes' groups, which needs no viscosity.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key, in their units.
+    """
     numbers = {} if moes else {VISCOSITIES[0]: oil.viscosity}
     numbers |= {} if moes else {"flooded_layer_um": oil.flooded_layer}
     numbers |= {PRESSURE_VISCOSITY: oil.pressure_viscosity, "density_kg_m3": oil.density}

@@ -75,7 +75,19 @@ RELATIONS = (
 
 
 def faults(values: CaseValues) -> Iterator[CaseProblem]:
-    """A load or a displacement for each direction, a moment or a tilt about each axis, once."""
+    """Conflicts of [operation]: a load and a displacement in one direction, a moment on a held
+    tilt.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     components = [values.get("operation", f"{name}_load_N") for name in ("axial", "radial")]
     force = values.get("operation", "force_N") or (*components, None)
     moment = values.get("operation", "moment_N_mm") or ()
@@ -96,7 +108,18 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
 
 
 def operation(table: OperationTable) -> Operation:
-    """Speeds [rad/s], temperature [K], a load [N, N m] or a displacement [m, rad] each way."""
+    """Speeds, temperature, and a load or a displacement in each direction.
+
+    Parameters
+    ----------
+    table : OperationTable
+        The checked table.
+
+    Returns
+    -------
+    Operation
+        Speeds [rad/s], temperature [K], loads [N, N m], displacements [m, rad].
+    """
     si = table.si()
     free = table.tilt == FREE_WORD or table.moment_N_mm is not None
     displacement = _fixed(si["displacement"] or (FREE_WORD,) * 3)
@@ -122,7 +145,20 @@ def _loads(loads: tuple[float, ...], fixed: tuple[float | None, ...]) -> Any:
 
 
 def model(table: ModelTable, friction: FrictionTable) -> QuasistaticModel:
-    """Assumptions of the bearing model [-]; traction equilibrium where a traction is given."""
+    """Assumptions of the bearing model; traction equilibrium where a traction is given.
+
+    Parameters
+    ----------
+    table : ModelTable
+        The checked table.
+    friction : FrictionTable
+        The checked table [friction].
+
+    Returns
+    -------
+    QuasistaticModel
+        The assumptions.
+    """
     named = friction.traction is not None and "ball_kinematics" not in table.model_fields_set
     kinematics = BallKinematics(table.ball_kinematics)
     kinematics = BallKinematics.TRACTION_EQUILIBRIUM if named else kinematics

@@ -60,7 +60,18 @@ def _row_tables(values: CaseValues) -> list[dict[str, Any]]:
 
 
 def faults(values: CaseValues) -> Iterator[CaseProblem]:
-    """One preload a row; rows at least a ball diameter apart; films where balls are."""
+    """Conflicts of [[rows]]: several preloads of a row, rows that overlap, films without a ball.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     tables = _row_tables(values)
     for index, table in enumerate(tables):
         first, *others = [key for key in PRELOADS if key in table] or [""]
@@ -100,12 +111,38 @@ def _film_map_faults(values: CaseValues) -> Iterator[CaseProblem]:
 
 
 def ball_azimuths(balls: int, first: float) -> tuple[float, ...]:
-    """Azimuths of the balls from the load line [deg], 0 to 360."""
+    """Azimuths of the balls from the load line.
+
+    Parameters
+    ----------
+    balls : int
+        Number of balls [-].
+    first : float
+        Azimuth of the first ball [deg].
+
+    Returns
+    -------
+    tuple[float, ...]
+        Azimuths from 0 to 360 [deg].
+    """
     return tuple((first + 360.0 * k / balls) % 360.0 for k in range(balls))
 
 
 def ball_at(azimuth: float, azimuths: tuple[float, ...]) -> int | None:
-    """Index [-] of the ball at `azimuth` [deg], None if there is none."""
+    """Index of the ball at an azimuth.
+
+    Parameters
+    ----------
+    azimuth : float
+        The azimuth [deg].
+    azimuths : tuple[float, ...]
+        Azimuths of the balls [deg].
+
+    Returns
+    -------
+    int | None
+        Index, from 0 [-]; None if there is no ball.
+    """
     for index, other in enumerate(azimuths):
         if _apart(azimuth, other) <= AZIMUTH_AGREEMENT_DEG:
             return index
@@ -117,7 +154,20 @@ def _apart(first: float, second: float) -> float:
 
 
 def preload_of_class(name: str, capacity: float) -> tuple[float, float, float]:
-    """Axial preload [N] of a class by name, and its interval, as typical shares of C [N]."""
+    """Axial preload of a class, as a typical share of the dynamic rating.
+
+    Parameters
+    ----------
+    name : str
+        Light, medium or heavy.
+    capacity : float
+        Dynamic rating C [N].
+
+    Returns
+    -------
+    tuple[float, float, float]
+        Preload, and the ends of its interval [N].
+    """
     data = library_data("typical.toml")[f"{name}_preload_over_C"]
     low, high = data["range"]
     return data["value"] * capacity, low * capacity, high * capacity
@@ -142,8 +192,23 @@ def rows(
     model: QuasistaticModel,
     capacity: Callable[[], float],
 ) -> tuple[Row, ...] | None:
-    """Rows with positions and offsets [m], preloaded as delivered; None without [[rows]];
-    `capacity`: C of one row [N].
+    """Rows of balls, preloaded as delivered.
+
+    Parameters
+    ----------
+    tables : tuple[RowTable, ...] | None
+        The checked tables, where there are any.
+    delivered : Bearing
+        The bearing as delivered.
+    model : QuasistaticModel
+        Assumptions of the bearing model.
+    capacity : Callable[[], float]
+        Gives the dynamic rating C of one row [N].
+
+    Returns
+    -------
+    tuple[Row, ...] | None
+        Rows with positions and offsets [m]; None without [[rows]].
     """
     if tables is None:
         return None

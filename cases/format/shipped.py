@@ -24,7 +24,18 @@ def shipped_sweeps() -> dict[str, Path]:
 
 
 def table_path(name: str) -> Path:
-    """A file of traction tables: from the working directory, or one that comes with the cases."""
+    """A file of traction tables: from the working directory, or one that comes with the cases.
+
+    Parameters
+    ----------
+    name : str
+        Name of the file.
+
+    Returns
+    -------
+    Path
+        The path.
+    """
     path = Path(name)
     if path.is_file() or path.name != name:
         return path
@@ -58,12 +69,44 @@ def find_case(name_or_path: str | Path, folder: Path | None = None) -> Path:
 
 
 def find_sweep(name_or_path: str | Path) -> Path:
-    """The file of a sweep, likewise."""
+    """The file of a sweep: an existing file, or the stem of a shipped one.
+
+    Parameters
+    ----------
+    name_or_path : str | Path
+        Path or name of the sweep.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    CaseError
+        If there is none, or a name stands for two files that differ.
+    """
     return _find(name_or_path, shipped_sweeps(), "sweep")
 
 
 def find_optimisation(name_or_path: str | Path) -> Path:
-    """The file of an optimisation, likewise."""
+    """The file of an optimisation: an existing file, or the stem of a shipped one.
+
+    Parameters
+    ----------
+    name_or_path : str | Path
+        Path or name of the optimisation.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    CaseError
+        If there is none, or a name stands for two files that differ.
+    """
     files = sorted((LIBRARY / OPTIMISATIONS).glob("*.toml"))
     return _find(name_or_path, {path.stem: path for path in files}, "optimisation")
 
@@ -110,6 +153,17 @@ def _local_cases(path: Path) -> list[Path]:
 
 
 def title(path: Path) -> str:
-    """Title of a case file; empty if it has none."""
+    """Title of a case file.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+
+    Returns
+    -------
+    str
+        The title; empty if it has none.
+    """
     with path.open("rb") as file:
         return str(tomllib.load(file).get("title", ""))

@@ -49,12 +49,42 @@ class Observations:
 
 
 def first_designs(keys: int, count: int, seed: int) -> Array:
-    """Designs to begin with: a Latin hypercube, shape (count, keys)."""
+    """Designs to begin with: a Latin hypercube.
+
+    Parameters
+    ----------
+    keys : int
+        Number of keys [-].
+    count : int
+        Number of designs [-].
+    seed : int
+        Seed of the random numbers.
+
+    Returns
+    -------
+    Array
+        Positions in the unit cube, shape (count, keys) [-].
+    """
     return qmc.LatinHypercube(keys, seed=np.random.default_rng(seed)).random(count)
 
 
 def next_designs(observations: Observations, count: int, seed: int) -> Array:
-    """Designs to compute next, shape (count, keys) of the unit cube."""
+    """Designs to compute next.
+
+    Parameters
+    ----------
+    observations : Observations
+        Designs computed so far.
+    count : int
+        Number of designs [-].
+    seed : int
+        Seed of the random numbers.
+
+    Returns
+    -------
+    Array
+        Positions in the unit cube, shape (count, keys) [-].
+    """
     rng = np.random.default_rng(seed)
     complete = observations.complete
     if complete.sum() < 2:
@@ -84,7 +114,24 @@ def next_designs(observations: Observations, count: int, seed: int) -> Array:
 
 
 def scalar_goal(goals: Array, noise: Array, rng: np.random.Generator) -> tuple[Array, Array]:
-    """Several goals as one by random weights, the augmented Tchebycheff function; its noise."""
+    """Several goals as one by random weights, the augmented Tchebycheff function.
+
+    Parameters
+    ----------
+    goals : Array
+        Goals, smaller is better, shape (n, goals).
+    noise : Array
+        Their standard deviations, shape (n, goals).
+    rng : np.random.Generator
+        Random numbers.
+
+    Returns
+    -------
+    value
+        The one goal, shape (n,).
+    noise
+        Its standard deviation, shape (n,).
+    """
     low, high = (end(goals, axis=0) for end in (np.min, np.max))
     span = np.where(high > low, high - low, 1.0)
     scaled = (goals - low) / span
@@ -125,7 +172,18 @@ def _best_candidate(
 
 
 def pareto_front(goals: Array) -> Booleans:
-    """Designs that no other one betters in one goal without being worse in another."""
+    """Designs that no other one betters in one goal without being worse in another.
+
+    Parameters
+    ----------
+    goals : Array
+        Goals, smaller is better, shape (n, goals).
+
+    Returns
+    -------
+    Booleans
+        True for designs of the front, shape (n,).
+    """
     front = np.ones(len(goals), dtype=bool)
     for k, own in enumerate(goals):
         better = (goals <= own).all(axis=1) & (goals < own).any(axis=1)

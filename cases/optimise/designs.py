@@ -56,8 +56,23 @@ def _text(value: float | None) -> str:
 def designs_of(
     study: Study, points: Sequence[BatchPoint], start: int, *, bars: bool = False
 ) -> list[Design]:
-    """Designs from the points of each, numbered from 1 on after `start`; `bars`: a limit counts as
-    met within the error bar.
+    """Designs from their points.
+
+    Parameters
+    ----------
+    study : Study
+        The optimisation.
+    points : Sequence[BatchPoint]
+        Points of all designs, in their order.
+    start : int
+        Number of designs before these [-].
+    bars : bool, default False
+        True: a limit counts as met within the error bar.
+
+    Returns
+    -------
+    list[Design]
+        The designs.
     """
     each = len(study.deviations)
     return [

@@ -24,7 +24,21 @@ Compute = Callable[[Sweep], Sequence[BatchPoint]]
 
 
 def confirm_designs(found: OptimisationResult, compute: Compute) -> OptimisationResult:
-    """What was found, with its proof; without [proof], or a design within the limits, as it is."""
+    """Compute the case and the best designs once more with solved films.
+
+    Parameters
+    ----------
+    found : OptimisationResult
+        Result of the search.
+    compute : Compute
+        Computes the points of a sweep.
+
+    Returns
+    -------
+    OptimisationResult
+        The result with the confirmed designs; unchanged without [proof], or a design within the
+        limits.
+    """
     study = found.study
     if not study.proof or not found.front:
         return found
@@ -58,11 +72,20 @@ def _half(proof: tuple[Setting, ...]) -> tuple[Setting, ...]:
 
 
 def improvement(found: OptimisationResult) -> dict[str, Any] | None:
-    """How far the first goal of the best proved design is from that of the case, and how far that
-    is known; None where it is not known (`reason`).
+    """Gain of the first goal from the case to the best confirmed design.
 
-    The error of the difference is that of both error bars or, of a goal without one, what half
-    the nodes change of the difference; None where neither is known.
+    The error of the difference is that of both error bars or, of a goal without one, the change
+    of the difference by half the nodes; None where neither is known.
+
+    Parameters
+    ----------
+    found : OptimisationResult
+        Result of the optimisation.
+
+    Returns
+    -------
+    dict[str, Any] | None
+        Gain and its error; None where `no_improvement_reason` gives one.
     """
     if no_improvement_reason(found) is not None:
         return None
@@ -114,7 +137,18 @@ def _error(found: OptimisationResult, pair: tuple[str, str], name: str) -> float
 
 
 def no_improvement_reason(found: OptimisationResult) -> str | None:
-    """Why there is no improvement to tell; None where there is one."""
+    """Reason why there is no improvement to report.
+
+    Parameters
+    ----------
+    found : OptimisationResult
+        Result of the optimisation.
+
+    Returns
+    -------
+    str | None
+        The reason; None where there is an improvement.
+    """
     name, _ = found.study.goals[0]
     if not found.front:
         return "no design meets the constraints"
@@ -137,7 +171,19 @@ def _reason_text(found: OptimisationResult, name: str) -> str:
 
 
 def confirmation_messages(found: OptimisationResult) -> Iterator[str]:
-    """Why there is no improvement, how far it is known, and where the search was misled."""
+    """Messages on the improvement, its error, and numbers of the search that the confirmation
+    refutes.
+
+    Parameters
+    ----------
+    found : OptimisationResult
+        Result of the optimisation.
+
+    Yields
+    ------
+    Iterator[str]
+        The messages.
+    """
     why = no_improvement_reason(found)
     gain = improvement(found)
     if why is not None:

@@ -21,7 +21,18 @@ PICTURE = "plots/front.png"
 
 
 def optimisation_summary(found: OptimisationResult) -> dict[str, Any]:
-    """The document of an optimisation; `converged`: whether a design meets the constraints."""
+    """The document of an optimisation; converged if a design meets the constraints.
+
+    Parameters
+    ----------
+    found : OptimisationResult
+        Result of the optimisation.
+
+    Returns
+    -------
+    dict[str, Any]
+        The summary.
+    """
     study = found.study
     return {
         "oilfilm": version(),
@@ -60,7 +71,20 @@ def _messages(found: OptimisationResult) -> list[str]:
 
 
 def write_optimisation(found: OptimisationResult, directory: Path) -> dict[str, Any]:
-    """Write table, picture and, last, the summary; the summary."""
+    """Write table, picture and, last, the summary.
+
+    Parameters
+    ----------
+    found : OptimisationResult
+        Result of the optimisation.
+    directory : Path
+        Folder of the results.
+
+    Returns
+    -------
+    dict[str, Any]
+        The summary.
+    """
     study = found.study
     names = [name for name in _names(found.designs) if name not in study.keys]
     header = ["design", *study.keys, *names, "feasible", "front"]

@@ -25,7 +25,13 @@ class PersistentPool(LocalPool):
     """Processes that stay from one generation of designs to the next, until `end`."""
 
     def close(self, *, at_once: bool) -> None:
-        """End the workers at once, or let them be."""
+        """End the processes at once, or leave them running for the next generation.
+
+        Parameters
+        ----------
+        at_once : bool
+            True: the processes end.
+        """
         if at_once:
             super().close(at_once=True)
 
@@ -37,10 +43,28 @@ class PersistentPool(LocalPool):
 def search_designs(
     study: Study, directory: Path, pool: Callable[[], Pool], resume: bool, progress: Progress
 ) -> OptimisationResult:
-    """Ask for designs and compute them until there are as many as the study wants.
+    """Choose designs and compute them until there are as many as the study asks for.
 
     The designs follow from the study and from the numbers of those before alone, so that an
-    interrupted search goes on where it was.
+    interrupted search continues where it was.
+
+    Parameters
+    ----------
+    study : Study
+        The optimisation.
+    directory : Path
+        Folder of the batch.
+    pool : Callable[[], Pool]
+        Starts the workers.
+    resume : bool
+        True: finished points of the folder are taken over.
+    progress : Progress
+        Called with points done, points in all, and a text.
+
+    Returns
+    -------
+    OptimisationResult
+        The result.
     """
     search = study.search
     own = study.position_of_case()

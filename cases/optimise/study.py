@@ -54,7 +54,18 @@ class Study:
     proof: tuple[Setting, ...]
 
     def values(self, position: Array) -> list[float]:
-        """Values of the keys at a place of the unit cube, in their units."""
+        """Values of the keys at a position of the unit cube.
+
+        Parameters
+        ----------
+        position : Array
+            The position, shape (keys,) [-].
+
+        Returns
+        -------
+        list[float]
+            Values in the units of the keys.
+        """
         found = []
         for u, (low, high), whole in zip(position, self.ranges, self.whole, strict=True):
             value = low + float(u) * (high - low)
@@ -73,7 +84,17 @@ class Study:
     def sweep(self, designs: list[list[float]], extra: tuple[Setting, ...] = ()) -> Sweep:
         """The points of designs: one each, or one for each row of `deviations`.
 
-        `extra`: values by key, for all of them.
+        Parameters
+        ----------
+        designs : list[list[float]]
+            Values of the keys of each design.
+        extra : tuple[Setting, ...], default ()
+            Values by key, for all points.
+
+        Returns
+        -------
+        Sweep
+            The points.
         """
         base = with_values(self.base, Variation("fixed", extra))
         resolved = case_of_document(base).document
@@ -107,7 +128,23 @@ def _plain(value: float, whole: bool) -> float:
 
 
 def read_study(path: str | FilePath) -> Study:
-    """Read an optimisation file; `CaseError` with one line for every error."""
+    """Read an optimisation file.
+
+    Parameters
+    ----------
+    path : str | FilePath
+        The file.
+
+    Returns
+    -------
+    Study
+        The optimisation, ready to run.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong, with one line for every error.
+    """
     file_path = FilePath(path)
     name = str(path)
     text = read_text(file_path)

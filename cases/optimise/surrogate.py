@@ -31,8 +31,19 @@ class Surrogate:
     weights: Array  # shape (n,)
 
     def predict(self, positions: Array) -> tuple[Array, Array]:
-        """Mean and standard deviation at places, shape (m, keys), in the unit of the values; that
-        of the number itself, without noise.
+        """Mean and standard deviation of the number itself, without noise.
+
+        Parameters
+        ----------
+        positions : Array
+            Positions in the unit cube, shape (m, keys) [-].
+
+        Returns
+        -------
+        mean
+            Mean, shape (m,), in the unit of the values.
+        deviation
+            Standard deviation, shape (m,), in the unit of the values.
         """
         across = _matern(positions, self.positions, self.lengths)
         mean = across @ self.weights

@@ -15,7 +15,18 @@ TEMPERATURES = ("dynamics", "temperature_table_C")
 
 
 def faults(values: CaseValues) -> Iterator[CaseProblem]:
-    """Displacements where the ring is held, loads where it is free, a temperature that counts."""
+    """Conflicts of tables over time with [operation], and temperatures without effect.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     displacements = _held(values, "displacement_um", 3)
     tilts = _held(values, "tilt_mrad", 2)
     yield from _place_faults(values, "displacement_table_um", "xyz", displacements)
@@ -127,7 +138,18 @@ def _temperature_faults(values: CaseValues) -> Iterator[CaseProblem]:
 
 
 def oil_data(oil: Oil) -> dict[str, Any] | None:
-    """Data of the library for an oil that has its viscosity from there; None for another."""
+    """Data of the library for an oil that has its viscosity from there.
+
+    Parameters
+    ----------
+    oil : Oil
+        Keys of the oil.
+
+    Returns
+    -------
+    dict[str, Any] | None
+        The data; None for another oil.
+    """
     name = str(oil.keys.get("name"))
     key = matching_name(name, list_lubricants(name)) if oil.of_library else None
     if key is None or any(viscosity in oil.keys for viscosity in VISCOSITIES):

@@ -103,8 +103,18 @@ DIMENSIONLESS = "nothing with Moes' groups, which have no unit of time"
 
 
 def faults(values: CaseValues) -> Iterator[CaseProblem]:
-    """Keys of a feature that its kind lacks or does not know; a contact without lengths, with
-    spin, a layer or another film than the Newtonian one.
+    """Conflicts of [transient] and [[features]]: keys of another kind, a contact that is not
+    computed.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
     """
     for index, table in _features(values):
         yield from _feature_faults(index, table)
@@ -158,8 +168,28 @@ def transient(
     features: tuple[FeatureTable, ...],
     contact: ContactConditions | MoesConditions,
 ) -> TransientConditions | None:
-    """The contact over time, SI; None without [transient]. `UnfitKey` or ValueError where it
-    cannot be computed.
+    """The contact over time.
+
+    Parameters
+    ----------
+    table : TransientTable | None
+        The checked table, where there is one.
+    features : tuple[FeatureTable, ...]
+        Features of the surfaces.
+    contact : ContactConditions | MoesConditions
+        The steady contact.
+
+    Returns
+    -------
+    TransientConditions | None
+        The contact, SI; None without [transient].
+
+    Raises
+    ------
+    InvalidKeyError
+        If a profile cannot be read.
+    ValueError
+        If the contact cannot be computed.
     """
     if table is None or isinstance(contact, MoesConditions):
         return None
@@ -176,7 +206,20 @@ def transient(
 
 
 def transient_options(table: TransientTable, grid: ContactEhlTable) -> TransientOptions:
-    """Grid, scheme and steps of a run, SI."""
+    """Grid, scheme and steps of a run.
+
+    Parameters
+    ----------
+    table : TransientTable
+        The checked table.
+    grid : ContactEhlTable
+        The checked table [ehl].
+
+    Returns
+    -------
+    TransientOptions
+        The options, SI.
+    """
     points = POINTS if grid.points is None else grid.points
     return table.build(TransientOptions, points=points, domain=grid.domain)
 

@@ -176,7 +176,18 @@ RELATIONS: tuple[Relation, ...] = (
 
 
 def faults(values: CaseValues) -> Iterator[CaseProblem]:
-    """Rings without a hold; a run-up from more than the speed; what belongs to other laws."""
+    """Conflicts of [form], [support] and [vibration]: rings without a hold, keys of another law.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     held = values.get("support", "inner_ring") == "held"
     if held and not values.given("support", "seat_stiffness_N_um"):
         path = ("support", "inner_ring")
@@ -228,9 +239,28 @@ def vibration(
     table: VibrationTable | None,
     speeds: tuple[float, float | None],
 ) -> VibrationModel:
-    """Model of the vibration, SI; `UnfitKey` where a profile cannot be read.
+    """Model of the vibration.
 
-    speeds: of the inner ring [rad/s], and the end time of [dynamics] [s].
+    Parameters
+    ----------
+    form : FormTable | None
+        The checked table [form], where there is one.
+    support : SupportTable | None
+        The checked table [support], where there is one.
+    table : VibrationTable | None
+        The checked table [vibration], where there is one.
+    speeds : tuple[float, float | None]
+        Speed of the inner ring [rad/s], and end time of [dynamics] [s].
+
+    Returns
+    -------
+    VibrationModel
+        The model, SI.
+
+    Raises
+    ------
+    InvalidKeyError
+        If a profile cannot be read.
     """
     return VibrationModel(
         form=SurfaceForm() if form is None else surface_form(form),
@@ -240,7 +270,23 @@ def vibration(
 
 
 def surface_form(table: FormTable) -> SurfaceForm:
-    """Form of the surfaces, SI; `UnfitKey` where a profile cannot be read."""
+    """Form of the surfaces.
+
+    Parameters
+    ----------
+    table : FormTable
+        The checked table.
+
+    Returns
+    -------
+    SurfaceForm
+        Waves, profiles and defects, SI.
+
+    Raises
+    ------
+    InvalidKeyError
+        If a profile cannot be read.
+    """
     waves = {
         Place.INNER: tuple(wave.build(Wave) for wave in table.inner_waviness),
         Place.OUTER: tuple(wave.build(Wave) for wave in table.outer_waviness),
@@ -299,8 +345,22 @@ def _profile(key: str, file: str | None) -> Array:
 
 
 def frequency_response(table: SupportTable | None) -> Array | None:
-    """Rows of frequency [Hz], amplitude ratio [-], phase [rad]; `UnfitKey` where the file cannot
-    be read.
+    """Frequency response that the acceleration passes through.
+
+    Parameters
+    ----------
+    table : SupportTable | None
+        The checked table [support], where there is one.
+
+    Returns
+    -------
+    Array | None
+        Rows of frequency [Hz], amplitude ratio [-] and phase [rad], shape (n, 3).
+
+    Raises
+    ------
+    InvalidKeyError
+        If the file cannot be read.
     """
     if table is None or table.frequency_response is None:
         return None
