@@ -12,7 +12,6 @@ from ehl.traction.laws import ContactShape
 
 from ..geometry import Array, Bearing, Race, contact_modulus, reduced_radii
 from .contact import RACES, BearingContact
-from .last import LastOf
 
 UNLOADED = 1e-6  # semi-axis of a contact without load [m]
 
@@ -43,15 +42,20 @@ class DryContacts(NamedTuple):
 
 
 def dry_contacts(bearing: Bearing, contacts: Sequence[BearingContact]) -> DryContacts:
-    """Loads, axes and curvatures of contacts, made once for one tuple of them."""
-    return _LAST.of((contacts, bearing), lambda: _dry_contacts(bearing, contacts))
+    """Loads, axes and curvatures of contacts.
 
+    Parameters
+    ----------
+    bearing : Bearing
+        The bearing.
+    contacts : sequence of BearingContact
+        Some of its contacts.
 
-_LAST: LastOf[DryContacts] = LastOf()
-
-
-def _dry_contacts(bearing: Bearing, contacts: Sequence[BearingContact]) -> DryContacts:
-    """As `dry_contacts`."""
+    Returns
+    -------
+    DryContacts
+        In the order of the contacts.
+    """
     none = (0.0, UNLOADED, UNLOADED)
     radius = {race: groove_curvature_radius(bearing, race) for race in RACES}
     dry = [contact.hertz for contact in contacts]

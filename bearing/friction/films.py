@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from ehl.oil.rheology import Rheology
 
 from ..contacts.contact import BearingContact
+from ..films.film import Films
 from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 from ._kernels import film_frictions
@@ -24,7 +25,6 @@ from .coulomb import contact_ellipses, ellipse_sums
 from .film_nodes import FilmNodes, film_nodes
 from .law import REFERENCE_TRACTION, ContactLaw, Dissipation
 from .resistance import NO_RESISTANCE, Resistance
-from .running_films import RunningFilms
 
 MIN_SLIDING = 1.0e-12  # [m/s] below which the stress counts as proportional to it
 
@@ -32,7 +32,7 @@ MIN_SLIDING = 1.0e-12  # [m/s] below which the stress counts as proportional to 
 def film_balance(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: RunningFilms,
+    films: Films,
     rheology: Rheology,
     resistance: Resistance = NO_RESISTANCE,
     near: BalancedFriction | None = None,
@@ -125,15 +125,15 @@ class ShearedFilms:
 def sheared_films(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: RunningFilms,
+    films: Films,
     rheology: Rheology,
     nodes: FilmNodes | None = None,
 ) -> ShearedFilms:
     """Films of all contacts as they shear; arguments as in `film_balance`; `nodes` [m], [Pa]: of
     the same films where they are known.
     """
-    share = np.array([0.0 if film is None else film.asperity_share for film in films])
-    boundary = np.array([0.0 if film is None else film.boundary for film in films])
+    share = np.array([0.0 if film is None else film.asperity_load for film in films])
+    boundary = np.array([0.0 if film is None else film.boundary_friction for film in films])
     moment = np.array([0.0 if film is None else film.rolling_moment for film in films])
     curvature = np.array([0.0 if c.hertz is None else 0.5 / c.hertz.radius_x for c in contacts])
     along = curvature - 2.0 / solution.bearing.ball_diameter
@@ -150,7 +150,7 @@ def sheared_films(
 def film_law(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: RunningFilms,
+    films: Films,
     rheology: Rheology,
     *,
     scale: Array | None = None,
@@ -165,7 +165,7 @@ def film_law(
 
 def law_of_films(
     contacts: Sequence[BearingContact],
-    films: RunningFilms,
+    films: Films,
     sheared: ShearedFilms,
     scale: Array | None = None,
 ) -> ContactLaw:

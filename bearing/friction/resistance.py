@@ -9,7 +9,7 @@ from math import cos, pi
 import numpy as np
 
 from ..contacts.contact import BearingContact
-from ..contacts.heavy_moment import rolling_moment
+from ..films.moment import heavy_moment
 from ..geometry import Array, Bearing
 from ..quasistatic.solution import QuasistaticSolution
 
@@ -159,7 +159,7 @@ def contact_rolling_power(contact: BearingContact) -> float:
     hertz = contact.hertz
     if c is None or hertz is None:
         return 0.0
-    moment = rolling_moment(c, hertz.semi_axis_y, hertz.semi_axis_x)
+    moment = heavy_moment(c, hertz.semi_axis_y, hertz.semi_axis_x)
     return moment * c.entrainment_speed / c.radius_x
 
 

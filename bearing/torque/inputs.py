@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 from ehl.oil.lubricant import Lubricant
 
-from ..friction.asperities import Asperities, LoadSharing, Spectrum
+from ..films.asperities import Asperities, LoadSharing, Spectrum
 from ..friction.resistance import Cage, Resistance, resistance_of
 from ..geometry import Bearing
 from ..library.plugins import Plugin
@@ -49,7 +49,7 @@ class FrictionInput:
     solved_supply: Supply | InletFilm | None = None
     # SKF's sliding moment also with the slip of the sliding friction paper
     as_printed: bool = False
-    # results show every model, not only integrated, SKF, Palmgren and Coulomb
+    # models of single papers are computed beside integrated, SKF, Palmgren and Coulomb
     all_models: bool = False
     more_models: tuple[Plugin, ...] = ()  # of other distributions, computed, too
 

@@ -4,7 +4,7 @@ are none.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from math import cos, hypot, sin
+from math import hypot
 
 import numpy as np
 
@@ -14,25 +14,17 @@ from ehl.units import MILLIMETRE, MILLION, RPM, from_si
 from ..contacts.contact import BearingContact
 from ..friction.balance import BalancedFriction
 from ..friction.coulomb import balanced_friction
-from ..friction.resistance import (
-    churning_power,
-    contact_rolling_power,
-    hysteresis_torque,
-    land_power,
-    pocket_power,
-)
-from ..geometry import Bearing, Race
+from ..friction.resistance import churning_power, land_power, pocket_power
+from ..geometry import Array, Bearing, Race
 from ..material import MaterialKind, load_material
 from ..quasistatic.solution import QuasistaticSolution
 from ..rating.load_rating import dynamic_rating, static_equivalent_load, static_rating
 from ..shoulder_diameter import shoulder_diameter
-from . import palmgren, skf, sliding
+from . import palmgren, skf
 from .inlet import bearing_kind, mean_diameter
 from .inputs import FrictionInput
 
 ROUND_OFF = 1.0e-8  # of one load over the other below which there is none [-]
-# of Jones (1959), as quoted in the comparison of sliding friction torques [-]
-CONSTANT_COULOMB = 0.07
 AS_PRINTED = "skf_as_printed"
 COMPUTED_RATING = "static rating computed from the geometry, as of steel; none was given"
 
@@ -93,55 +85,33 @@ def cage_and_drag(
     return {"cage": cage, "drag": drag}
 
 
-def line_models(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], mu: float, speed: float
-) -> dict[str, ModelTorque]:
-    """Sliding by Coulomb's mu [-] at a shaft's speed [rad/s]: lines of pure rolling and what they
-    are compared with.
-    """
-    loaded = sliding.sliding_contacts(solution, contacts)
-    balance = balanced_friction(solution, contacts, mu, lines=True)
-    lines = sliding.pure_rolling_line_torque
-    houpert = sliding.houpert_torque(loaded, speed, mu)
-    return {
-        "pure_rolling_lines": summed(lines(loaded, speed, mu)._asdict()),
-        "balanced_lines": _balanced(balance, speed),
-        "houpert": summed(
-            {
-                "spin": houpert.spin,
-                "curvature": houpert.rotation + houpert.orbit,
-                "hydrodynamic": sum(map(contact_rolling_power, contacts)) / speed,
-            }
-        ),
-        "kakuta": summed(sliding.kakuta_torque(loaded, speed, mu)._asdict()),
-        "constant_coulomb": summed(lines(loaded, speed, CONSTANT_COULOMB)._asdict()),
-        "coulomb": _coulomb(solution, contacts, mu, speed, balance),
-    }
-
-
-def _balanced(balance: BalancedFriction, speed: float) -> ModelTorque:
-    """Lines in balance of force and moments on every ball."""
-    if not balance.converged:
-        residual = f"residual {balance.residual:.1e} of mu Q"
-        return ModelTorque(note=f"no balance of the friction on the balls ({residual})")
-    k = balance.kinematics
-    f = balance.forces
-    rotation = float(-(f[..., 3] * balance.ball_rolling).sum() / speed)
-    spin = float(-(f[..., 2] * k[..., 2]).sum() / speed)
-    orbit = float(balance.power.sum()) / speed - spin - rotation
-    return summed({"spin": spin, "rotation": rotation, "orbit": orbit})
-
-
-def _coulomb(
+def coulomb_model(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     mu: float,
-    speed: float,
-    lines: BalancedFriction,
+    lines: BalancedFriction | None = None,
 ) -> ModelTorque:
-    """The whole ellipse in balance of force and moments, with the gyroscopic couple, sought from
-    the balance of lines on.
+    """Coulomb friction over the whole ellipse in balance of force and moments on every ball, with
+    the gyroscopic couple.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Equilibrium of the bearing.
+    contacts : sequence of BearingContact
+        Its contacts.
+    mu : float
+        Coefficient of friction [-].
+    lines : BalancedFriction, optional
+        Lines of pure rolling in balance, from which the search begins; None: sought here.
+
+    Returns
+    -------
+    ModelTorque
+        Parts against sliding, spin and curvature [N m], or why there are none.
     """
+    if lines is None:
+        lines = balanced_friction(solution, contacts, mu, lines=True)
     near = lines if lines.converged else None
     balance = balanced_friction(solution, contacts, mu, near=near)
     if not balance.converged:
@@ -149,8 +119,30 @@ def _coulomb(
         return ModelTorque(note=f"Coulomb friction of {mu:.3g} {failure}")
     powers = -(balance.forces * balance.kinematics)
     powers = np.stack([powers[..., :2].sum(axis=-1), powers[..., 2], powers[..., 3]], axis=-1)
-    parts = sliding.spent_powers(powers.reshape(-1, 3)).sum(axis=0) / speed
+    parts = spent_powers(powers.reshape(-1, 3)).sum(axis=0) / solution.operation.shaft_speed
     return summed(dict(zip(("sliding", "spin", "curvature"), parts.tolist(), strict=True)))
+
+
+def spent_powers(powers: Array) -> Array:
+    """Parts of the friction power of contacts, none negative, sums as they are.
+
+    At one centre one motion may drive what another one resists, for example curvature slip a
+    ball's sliding: what it drives is taken from the other parts by their share.
+
+    Parameters
+    ----------
+    powers : ndarray, shape (n, 3)
+        Friction power by what it works against [W].
+
+    Returns
+    -------
+    ndarray, shape (n, 3)
+        Parts [W].
+    """
+    resisting = np.maximum(powers, 0.0)
+    whole = resisting.sum(axis=1, keepdims=True)
+    share = powers.sum(axis=1, keepdims=True) / np.where(whole > 0.0, whole, 1.0)
+    return np.asarray(np.maximum(share, 0.0) * resisting, dtype=np.float64)
 
 
 def skf_model(
@@ -346,46 +338,3 @@ def palmgren_model(
         remarks += (COMPUTED_RATING,)
     found = summed(dict(zip(("viscous", "load"), torques, strict=True)))
     return replace(found, remarks=remarks)
-
-
-def yao_model(
-    solution: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    lubricant: Lubricant,
-    friction: FrictionInput,
-    mu: float,
-) -> ModelTorque:
-    """The five terms of Yao et al. (2022), M_C and M_L by models of our own: those printed are no
-    torques.
-
-    M_D = d_m/(2 D) [(1 - g_i^2) sum M_Di + (1 - g_e^2) sum M_De] f_s with M_D = 0.0806 Q a^2/R and
-    M_S = 3/8 f_s sum E(k) a Q sin(alpha), E(k) the complete elliptic integral; M_E is
-    `hysteresis_torque`.
-    """
-    needed = {
-        "friction.hysteresis_loss": friction.hysteresis,
-        "cage.pocket_friction": friction.cage,
-        "friction.oil_fraction": friction.oil_fraction,
-    }
-    missing = [key for key, value in needed.items() if value is None]
-    if friction.hysteresis is None or missing:
-        return ModelTorque(note=f"needs {', '.join(missing)}")
-    bearing = solution.bearing
-    speed = solution.operation.shaft_speed
-    ratio = bearing.pitch_diameter / (2.0 * bearing.ball_diameter)
-    rotation = spin = 0.0
-    for c in sliding.sliding_contacts(solution, contacts):
-        slope = bearing.ball_diameter * cos(c.angle) / bearing.pitch_diameter
-        curvature = 0.0806 * c.load * c.semi_axis**2 / c.radius
-        rotation += ratio * (1.0 - slope**2) * curvature * mu
-        spin += sliding.spin_moment(c, mu) * sin(abs(c.angle))
-    resistance = cage_and_drag(solution, lubricant, friction, speed)
-    return summed(
-        {
-            "ME": hysteresis_torque(solution, contacts, friction.hysteresis),
-            "MD": rotation,
-            "MS": spin,
-            "MC": resistance["cage"],
-            "ML": sum(map(contact_rolling_power, contacts)) / speed + resistance["drag"],
-        }
-    )

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..contacts.traction import ContactTraction
+from ..films.film import Films
 from ..friction.balance import BalancedFriction
 from ..friction.resistance import NOTHING_RESISTED, ResistedPower
-from ..friction.running_films import RunningFilms
 from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 
@@ -105,7 +105,7 @@ class SolvedShear:
     cage_driven: tuple[int, ...] = ()
     # of every contact with a solved film, at the motion of `torque`
     tractions: tuple[ContactTraction, ...] = ()
-    films: RunningFilms = ()  # as they run, of all contacts; empty where a friction law has none
+    films: Films = ()  # operating ones of all contacts; empty where a friction law has none
     # contacts of all lubricated ones whose film is that of a formula [-]
     by_formula: int = 0
     by_atlas: int = 0  # of these, that of the film atlas [-]

@@ -7,9 +7,9 @@ from time import perf_counter
 
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.contacts import contact_conditions
+from bearing.films.operating import OilAtInlets, supplied_films
 from bearing.geometry import Race
 from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.supply.starved_films import starved_films
 from bearing.supply.supply import AMPLE
 from bearing.vibration.assembly import assembled
 from bearing.vibration.inputs import Direction
@@ -115,9 +115,10 @@ def _film_shares(case: Case, contacts: Sequence[BearingContact]) -> dict[Race, f
     shares = {}
     for race in Race:
         contact = heaviest(contacts, race)
-        (film,) = starved_films([contact], scarce or AMPLE, case.bearing.balls)
+        oil = OilAtInlets(oil=scarce or AMPLE, balls=case.bearing.balls)
+        (film,) = supplied_films([contact], [None], oil)
         if film is not None:
-            shares[race] = 1.0 - asperities.share(contact, film.central)
+            shares[race] = 1.0 - asperities.share(contact, film.central.value)
     return shares
 
 

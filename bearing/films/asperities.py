@@ -78,10 +78,13 @@ class Asperities:
     density: float = 0.05
     slope: float = 0.01
 
+    def roughness(self, race: Race) -> float:
+        """Root mean square of a race and the balls together [m]."""
+        return self.inner_roughness if race is Race.INNER else self.outer_roughness
+
     def share(self, contact: BearingContact, film: float) -> float:
         """Part of a contact's load that they carry, by its central film [m], in [-]."""
-        inner = contact.race is Race.INNER
-        roughness = self.inner_roughness if inner else self.outer_roughness
+        roughness = self.roughness(contact.race)
         if self.spectrum is not None:
             roughness *= self.spectrum.left(contact)
         if roughness <= 0.0:
