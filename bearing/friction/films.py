@@ -38,11 +38,28 @@ def film_balance(
     near: BalancedFriction | None = None,
 ) -> BalancedFriction:
     """Motion of all balls in which the shear of their films balances itself, at given loads; the
-    forces contain the hydrodynamic rolling moment.
+    forces
+    contain the hydrodynamic rolling moment.
 
-    `contacts`: inner then outer, ball by ball; `films`: one per contact, None without load;
-    `resistance`: what holds the balls back beside the races; `near`: of a similar state, where the
-    search begins.
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    films : Films
+        operating films of the contacts
+    rheology : Rheology
+        of the oil
+    resistance : Resistance, default NO_RESISTANCE
+        what holds the balls back beside the races
+    near : BalancedFriction | None, optional
+        balance of a similar state, where the search begins
+
+    Returns
+    -------
+    BalancedFriction
+        motions, forces [N] and powers [W] of all contacts
     """
     law = film_law(solution, contacts, films, rheology)
     return film_law_balance(solution, contacts, law, resistance, near)
@@ -55,7 +72,26 @@ def film_law_balance(
     resistance: Resistance = NO_RESISTANCE,
     near: BalancedFriction | None = None,
 ) -> BalancedFriction:
-    """As `film_balance`, by the law of the films, SI."""
+    """Motion of all balls in balance, as `film_balance`, by the law of the films.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    law : ContactLaw
+        friction of the films
+    resistance : Resistance, default NO_RESISTANCE
+        what holds the balls back beside the races
+    near : BalancedFriction | None, optional
+        balance of a similar state, where the search begins
+
+    Returns
+    -------
+    BalancedFriction
+        motions, forces [N] and powers [W] of all contacts
+    """
     begun = None if near is None else _begun(solution, contacts, law, resistance, near)
     return begun or balance_driven_balls(solution, contacts, law, resistance)
 
@@ -92,8 +128,21 @@ class ShearedFilms:
     rubs: NDArray[np.bool_]  # (contacts,) where there are any
 
     def shear(self, motion: Array, indices: NDArray[np.int64]) -> tuple[Array, Array]:
-        """Gradient (n, 4) and slope (n, 4, 4) of the oil's sliding stress at motions (n, 4) of
-        contacts [m/s], [rad/s].
+        """Friction of the oil's sliding stress.
+
+        Parameters
+        ----------
+        motion : Array
+            sliding along and across, spin and rolling of n contacts, shape (n, 4) [m/s], [rad/s]
+        indices : NDArray[np.int64]
+            numbers of these contacts, shape (n,) [-]
+
+        Returns
+        -------
+        gradient
+            of the power by the motion, shape (n, 4) [N], [N m]
+        slope
+            of the gradient by the motion, shape (n, 4, 4) [N s/m]
         """
         n = len(indices)
         gradient = np.empty((n, 4))
@@ -105,14 +154,40 @@ class ShearedFilms:
         return oil[:, None] * gradient, oil[:, None, None] * slope
 
     def rub(self, motion: Array, indices: NDArray[np.int64]) -> tuple[Array, Array] | None:
-        """The same of asperities; None where there are none."""
+        """Friction of asperities.
+
+        Parameters
+        ----------
+        motion : Array
+            sliding along and across, spin and rolling of n contacts, shape (n, 4) [m/s], [rad/s]
+        indices : NDArray[np.int64]
+            numbers of these contacts, shape (n,) [-]
+
+        Returns
+        -------
+        tuple[Array, Array] | None
+            gradient and slope as of `shear`; None where no asperities touch
+        """
         if not self.rubs[indices].any():
             return None
         _, gradient, slope = ellipse_sums(motion, self.rubbing[indices])
         return gradient, slope
 
     def evaluate(self, motion: Array, indices: NDArray[np.int64]) -> Dissipation:
-        """All of it."""
+        """Friction of oil and asperities, with the hydrodynamic rolling moment.
+
+        Parameters
+        ----------
+        motion : Array
+            sliding along and across, spin and rolling of n contacts, shape (n, 4) [m/s], [rad/s]
+        indices : NDArray[np.int64]
+            numbers of these contacts, shape (n,) [-]
+
+        Returns
+        -------
+        Dissipation
+            SI; the power is left zero
+        """
         gradient, slope = self.shear(motion, indices)
         gradient += self.pumping[indices]
         more = self.rub(motion, indices)
@@ -129,8 +204,25 @@ def sheared_films(
     rheology: Rheology,
     nodes: FilmNodes | None = None,
 ) -> ShearedFilms:
-    """Films of all contacts as they shear; arguments as in `film_balance`; `nodes` [m], [Pa]: of
-    the same films where they are known.
+    """Friction of the films of all contacts by its parts.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    films : Films
+        operating films of the contacts
+    rheology : Rheology
+        of the oil
+    nodes : FilmNodes | None, optional
+        nodes of the same films, where they are computed already
+
+    Returns
+    -------
+    ShearedFilms
+        numbered as the contacts
     """
     share = np.array([0.0 if film is None else film.asperity_load for film in films])
     boundary = np.array([0.0 if film is None else film.boundary_friction for film in films])
@@ -155,10 +247,26 @@ def film_law(
     *,
     scale: Array | None = None,
 ) -> ContactLaw:
-    """Friction of all contacts by the shear of their films; arguments as in `film_balance`.
+    """Friction of all contacts by the shear of their films.
 
-    `scale` (contacts,): load of each contact over that of its film, by which the film's friction
-    is multiplied [-].
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    films : Films
+        operating films of the contacts
+    rheology : Rheology
+        of the oil
+    scale : Array | None, optional
+        load of each contact over that of its film, by which the film's friction is multiplied,
+        shape (contacts,) [-]
+
+    Returns
+    -------
+    ContactLaw
+        law of the contacts
     """
     return law_of_films(contacts, films, sheared_films(solution, contacts, films, rheology), scale)
 
@@ -169,7 +277,24 @@ def law_of_films(
     sheared: ShearedFilms,
     scale: Array | None = None,
 ) -> ContactLaw:
-    """Films as the law of their contacts; `scale` [-] as in `film_law`."""
+    """Sheared films as the law of their contacts.
+
+    Parameters
+    ----------
+    contacts : Sequence[BearingContact]
+        all contacts, inner then outer, ball by ball
+    films : Films
+        operating films of the contacts
+    sheared : ShearedFilms
+        their friction by its parts
+    scale : Array | None, optional
+        load of each contact over that of its film, shape (contacts,) [-]
+
+    Returns
+    -------
+    ContactLaw
+        law of the contacts
+    """
     if scale is not None:
         sheared = replace(
             sheared, oil=scale * sheared.oil, pumping=scale[:, None] * sheared.pumping
