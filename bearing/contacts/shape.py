@@ -17,16 +17,41 @@ UNLOADED = 1e-6  # semi-axis of a contact without load [m]
 
 
 def groove_radius(bearing: Bearing, race: Race) -> float:
-    """Radius r of a race's groove in section [m]."""
+    """Radius r of a race's groove in section.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        the bearing
+    race : Race
+        inner or outer race
+
+    Returns
+    -------
+    float
+        radius [m]
+    """
     return bearing.inner_groove_radius if race is Race.INNER else bearing.outer_groove_radius
 
 
 def groove_curvature_radius(bearing: Bearing, race: Race) -> float:
-    """Radius of the loaded surface across the rolling direction, 2 r D/(2 r + D) [m], Harris and
+    """Radius of the loaded surface across the rolling direction, 2 r D/(2 r + D), Harris and
     Kotzalas.
 
     The mean of the curvatures of ball and groove, as two equal half spaces under the same pressure
     deform alike.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        the bearing
+    race : Race
+        inner or outer race
+
+    Returns
+    -------
+    float
+        radius [m]
     """
     groove = groove_radius(bearing, race)
     return 2.0 * groove * bearing.ball_diameter / (2.0 * groove + bearing.ball_diameter)
@@ -66,8 +91,21 @@ def dry_contacts(bearing: Bearing, contacts: Sequence[BearingContact]) -> DryCon
 
 
 def contact_shape(bearing: Bearing, race: Race, contact_angle: float) -> ContactShape:
-    """Ellipse at 1 N and curvatures of the contact of a ball with a race at a contact angle
-    [rad].
+    """Ellipse at 1 N and curvatures of the contact of a ball with a race.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        the bearing
+    race : Race
+        inner or outer race
+    contact_angle : float
+        of the contact [rad]
+
+    Returns
+    -------
+    ContactShape
+        lengths [m], curvatures [1/m]
     """
     radius_x, radius_y = reduced_radii(bearing, race, contact_angle)
     hertz = hertz_contact(1.0, radius_x, radius_y, contact_modulus(bearing, race))

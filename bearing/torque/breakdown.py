@@ -200,10 +200,31 @@ def more_models(
     lubricant: Lubricant,
     friction: FrictionInput,
 ) -> dict[str, ModelTorque]:
-    """Torque [N m] by the models of plug-ins that are wanted, by their names.
+    """Torque by the models of plug-ins that are wanted.
 
     Each is called as model(solution, contacts, lubricant, friction) and gives its components
     [N m] by name, or a `ModelTorque`.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        its contacts
+    lubricant : Lubricant
+        the oil
+    friction : FrictionInput
+        names the models
+
+    Returns
+    -------
+    dict[str, ModelTorque]
+        by their names [N m]
+
+    Raises
+    ------
+    PluginError
+        if a model has the name of another, or gives no torque
     """
     models = {}
     for plugin in friction.more_models:

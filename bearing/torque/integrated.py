@@ -63,9 +63,27 @@ def solved_shear(
     *,
     bound: bool = True,
 ) -> SolvedShear:
-    """Torque [N m] of films under the hypothesis and in traction equilibrium, there flooded and
-    isothermal, too, unless that `bound` is not wanted; arguments as in `film_balance`, films of
-    all lubricated contacts.
+    """Torque of operating films under the hypothesis and in traction equilibrium.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    films : Films
+        operating films of all lubricated contacts
+    rheology : Rheology
+        of the oil
+    resistance : Resistance, default NO_RESISTANCE
+        what holds the balls back beside the races
+    bound : bool, default True
+        whether the torque of flooded, isothermal films is wanted, too
+
+    Returns
+    -------
+    SolvedShear
+        torques [N m]
     """
     whole = None
     if bound and any(film is not None and film.rolling_fraction != 1.0 for film in films):
@@ -266,10 +284,27 @@ def law_torque(
     resistance: Resistance = NO_RESISTANCE,
     whole: ContactLaw | None = None,
 ) -> SolvedShear:
-    """Torque [N m] by the friction of all contacts, inner then outer, ball by ball, under the
-    hypothesis and in balance; the rings turn against each other.
+    """Torque by the friction of all contacts under the hypothesis and in balance; the rings turn
+    against
+    each other.
 
-    whole: the law with the rolling moment of flooded, isothermal films, where it is another.
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    law : ContactLaw
+        friction of the contacts
+    resistance : Resistance, default NO_RESISTANCE
+        what holds the balls back beside the races
+    whole : ContactLaw | None, optional
+        the law with the rolling moment of flooded, isothermal films, where it is another
+
+    Returns
+    -------
+    SolvedShear
+        torques [N m]
     """
     kinematics = motion_map(solution, contacts)
     motion = kinematics.motion(*ball_speeds(solution))
@@ -361,9 +396,25 @@ def integrated_torque(
     motion: Array,
     forces: Array,
 ) -> IntegratedTorque:
-    """Torque [N m] of the shear of all lubricated contacts, and of the asperities of their films,
-    at motions (contacts, 4) [m/s], [rad/s] with the forces of the films there (contacts, 4) [N],
-    [N m].
+    """Torque of the shear of all lubricated contacts, and of the asperities of their films.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    kinematics : MotionMap
+        motion of the contacts as a function of the balls' and rings' speeds
+    films : ShearedFilms
+        friction of the films by its parts
+    motion : Array
+        sliding along and across, spin and rolling, shape (contacts, 4) [m/s], [rad/s]
+    forces : Array
+        of the films at this motion, shape (contacts, 4) [N], [N m]
+
+    Returns
+    -------
+    IntegratedTorque
+        torque by its parts [N m]
     """
     rubbed = films.rub(motion, np.arange(motion.shape[0]))
     asperity = np.zeros_like(forces) if rubbed is None else -rubbed[0]

@@ -40,7 +40,20 @@ class ModelTorque:
 
 
 def summed(components: dict[str, float], note: str = "") -> ModelTorque:
-    """A model whose torque is the sum of its components [N m]."""
+    """A model whose torque is the sum of its components.
+
+    Parameters
+    ----------
+    components : dict[str, float]
+        by name [N m]
+    note : str, default ''
+        on the torque
+
+    Returns
+    -------
+    ModelTorque
+        torque [N m]
+    """
     return ModelTorque(components=components, total=sum(components.values()), note=note)
 
 
@@ -48,7 +61,21 @@ def coulomb_coefficient(
     solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput
 ) -> float:
     """Coulomb's mu of the sliding models: as given, or SKF's mu_sl at the bearing's speed and
-    viscosity [-].
+    viscosity.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    lubricant : Lubricant
+        the oil
+    friction : FrictionInput
+        input of the models
+
+    Returns
+    -------
+    float
+        coefficient [-]
     """
     if friction.coefficient is not None:
         return friction.coefficient
@@ -59,8 +86,21 @@ def coulomb_coefficient(
 
 
 def ring_loads(solution: QuasistaticSolution) -> tuple[float, float]:
-    """Radial and axial load of the ring [N]; none where it is round-off of the other, for SKF's
-    formulas jump there.
+    """Radial and axial load of the ring; none where it is round-off of the other, for SKF's
+    formulas
+    jump there.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+
+    Returns
+    -------
+    radial
+        [N]
+    axial
+        [N]
     """
     axial, y, z = (float(force) for force in solution.ring_force)
     radial = hypot(y, z)
@@ -73,7 +113,24 @@ def ring_loads(solution: QuasistaticSolution) -> tuple[float, float]:
 def cage_and_drag(
     solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput, speed: float
 ) -> dict[str, float]:
-    """Torque of cage and churning [N m] at a shaft's speed [rad/s], zero for what is not given."""
+    """Torque of cage and churning, zero for what is not given.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    lubricant : Lubricant
+        the oil
+    friction : FrictionInput
+        cage and oil in the cavity
+    speed : float
+        of the shaft [rad/s]
+
+    Returns
+    -------
+    dict[str, float]
+        "cage" and "drag" [N m]
+    """
     cage = drag = 0.0
     if friction.cage is not None:
         speeds = solution.operation.inner_speed, solution.operation.outer_speed
@@ -153,10 +210,26 @@ def skf_model(
 ) -> dict[str, ModelTorque]:
     """SKF's model, and beside it its variants.
 
-    "skf_lambda" takes the share of boundary friction from the films [-] instead of speed and
+    "skf_lambda" takes the fraction of boundary friction from the films instead of speed and
     viscosity, where it is given; "skf_as_printed" has the sliding moment as a paper printed it,
     where that is asked for. The bearings of a set are computed one by one, each at the loads that
     its row holds, preload included, and added.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    lubricant : Lubricant
+        the oil
+    friction : FrictionInput
+        input of the models
+    asperity_share : float | None, optional
+        fraction of the load on asperities [-]
+
+    Returns
+    -------
+    dict[str, ModelTorque]
+        by their names [N m]
     """
     rows = [solution]
     if len(solution.rows) > 1:
@@ -253,7 +326,20 @@ def _unrated(friction: FrictionInput) -> bool:
 
 
 def static_capacity(bearing: Bearing, friction: FrictionInput) -> float:
-    """C_0 of one row [N] as given, or from the geometry, as of a bearing of steel."""
+    """C_0 of one row as given, or from the geometry, as of a bearing of steel.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        the bearing
+    friction : FrictionInput
+        with the static rating
+
+    Returns
+    -------
+    float
+        load rating [N]
+    """
     if friction.static_rating is not None:
         return friction.static_rating
     return static_rating(_of_steel(bearing), friction.nominal_contact_angle)
@@ -270,8 +356,25 @@ def _of_steel(bearing: Bearing) -> Bearing:
 def model_remarks(
     name: str, solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput
 ) -> tuple[str, ...]:
-    """Where speed, viscosity [Pa s] or load lie beyond the range of a model ("skf" or "palmgren"),
-    and what it was made for.
+    """Remarks where speed, viscosity or load lie beyond the range of a model, and on the bearings
+    that
+    it was made for.
+
+    Parameters
+    ----------
+    name : str
+        "skf" or "palmgren"
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    lubricant : Lubricant
+        the oil
+    friction : FrictionInput
+        input of the models
+
+    Returns
+    -------
+    tuple[str, ...]
+        sentences, empty within the range
     """
     bearing = solution.bearing
     limits = skf.RANGES[name]
@@ -313,7 +416,22 @@ def _skf(bearing: skf.SkfBearing, operation: skf.SkfOperation) -> ModelTorque:
 def palmgren_model(
     solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput
 ) -> ModelTorque:
-    """Palmgren's model."""
+    """Palmgren's model.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    lubricant : Lubricant
+        the oil
+    friction : FrictionInput
+        input of the models
+
+    Returns
+    -------
+    ModelTorque
+        torque [N m], or the reason why there is none
+    """
     kind = bearing_kind(solution.bearing).value.replace("_", " ")
     radial, axial = ring_loads(solution)
     factor = friction.load_factor

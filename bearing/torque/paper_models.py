@@ -60,15 +60,24 @@ class RollingLines:
 
 
 def rolling_lines(spin_ratio: float, force: float = 0.0) -> RollingLines:
-    """Lines of a contact.
+    """Lines of pure rolling of a contact.
 
-    `spin_ratio`: E = 2 R w_s/(w_r a), not negative; infinite without rolling [-]; `force`:
-    F/(mu Q) the friction has to carry, from -1 to 1 [-].
+    Parameters
+    ----------
+    spin_ratio : float
+        E = 2 R w_s/(w_r a), not negative; infinite without rolling [-]
+    force : float, default 0.0
+        F/(mu Q) that the friction has to carry, from -1 to 1 [-]
+
+    Returns
+    -------
+    RollingLines
+        place of the lines and what they leave [-]
 
     Raises
     ------
     ValueError
-        If the friction cannot carry the force.
+        if the friction cannot carry the force
     """
     if not -1.0 < force < 1.0:
         raise ValueError(f"force must lie between -1 and 1 times the friction, got {force!r}")
@@ -106,21 +115,59 @@ def _inside(first: float, second: float) -> tuple[float, float]:
 
 
 def line_force(first: float, second: float) -> float:
-    """F/(mu Q) = 1 - 3/2 (c_1 + c_2) + 1/2 (c_1^3 + c_2^3) [-]; lines beyond the contact count at
-    its end.
+    """F/(mu Q) = 1 - 3/2 (c_1 + c_2) + 1/2 (c_1^3 + c_2^3); lines beyond the contact count at its
+    end.
+
+    Parameters
+    ----------
+    first : float
+        c_1 [-]
+    second : float
+        c_2 [-]
+
+    Returns
+    -------
+    float
+        force [-]
     """
     c, d = _inside(first, second)
     return 1.0 - 1.5 * (c + d) + 0.5 * (c**3 + d**3)
 
 
 def line_spin_moment(first: float, second: float) -> float:
-    """m_s/(mu Q a) = 3/8 [2 (c_1^2 - c_2^2) - (c_1^4 - c_2^4)] [-]."""
+    """m_s/(mu Q a) = 3/8 [2 (c_1^2 - c_2^2) - (c_1^4 - c_2^4)].
+
+    Parameters
+    ----------
+    first : float
+        c_1 [-]
+    second : float
+        c_2 [-]
+
+    Returns
+    -------
+    float
+        moment [-]
+    """
     c, d = _inside(first, second)
     return 0.375 * (2.0 * (c**2 - d**2) - (c**4 - d**4))
 
 
 def line_curvature(first: float, second: float) -> float:
-    """S = 1/5 - 3/2 [(c_1^3 + c_2^3)/3 - (c_1^5 + c_2^5)/5] [-]."""
+    """S = 1/5 - 3/2 [(c_1^3 + c_2^3)/3 - (c_1^5 + c_2^5)/5].
+
+    Parameters
+    ----------
+    first : float
+        c_1 [-]
+    second : float
+        c_2 [-]
+
+    Returns
+    -------
+    float
+        S [-]
+    """
     c, d = _inside(first, second)
     return 0.2 - 1.5 * ((c**3 + d**3) / 3.0 - (c**5 + d**5) / 5.0)
 
@@ -168,7 +215,20 @@ class SlidingTorque(NamedTuple):
 def sliding_contacts(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> tuple[SlidingContact, ...]:
-    """The loaded contacts of a bearing as sliding friction takes them; SI."""
+    """The loaded contacts of a bearing as models of sliding friction take them.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        its contacts
+
+    Returns
+    -------
+    tuple[SlidingContact, ...]
+        loaded ones in their order, SI
+    """
     loaded = [(contact, contact.hertz) for contact in contacts if contact.hertz is not None]
     kinematics = motion_map(solution, [contact for contact, _ in loaded])
     balls, races = kinematics.bodies(*ball_speeds(solution))
@@ -211,9 +271,21 @@ def _torque(
 def pure_rolling_line_torque(
     contacts: Sequence[SlidingContact], speed: float, friction: float
 ) -> SlidingTorque:
-    """Torque by the lines of pure rolling, no net force along the rolling direction [N m].
+    """Torque by the lines of pure rolling, no net force along the rolling direction.
 
-    `speed`: of the shaft [rad/s]; `friction`: Coulomb's mu [-].
+    Parameters
+    ----------
+    contacts : Sequence[SlidingContact]
+        loaded contacts
+    speed : float
+        of the shaft [rad/s]
+    friction : float
+        Coulomb's mu [-]
+
+    Returns
+    -------
+    SlidingTorque
+        torque [N m]
     """
 
     def moments(c: SlidingContact) -> tuple[float, float]:
@@ -227,10 +299,23 @@ def pure_rolling_line_torque(
 def kakuta_torque(
     contacts: Sequence[SlidingContact], speed: float, friction: float
 ) -> SlidingTorque:
-    """Kakuta's: spin on the inner race alone and as on a plane, 3/8 mu Q a E(k) sin(alpha); lines
+    """Kakuta's torque: spin on the inner race alone and as on a plane, 3/8 mu Q a E(k) sin(alpha);
+    lines
     as without spin.
 
-    Parameters as in `pure_rolling_line_torque`; torque in [N m].
+    Parameters
+    ----------
+    contacts : Sequence[SlidingContact]
+        loaded contacts
+    speed : float
+        of the shaft [rad/s]
+    friction : float
+        Coulomb's mu [-]
+
+    Returns
+    -------
+    SlidingTorque
+        torque [N m]
     """
 
     def moments(c: SlidingContact) -> tuple[float, float]:
@@ -242,8 +327,19 @@ def kakuta_torque(
 
 
 def spin_moment(contact: SlidingContact, friction: float) -> float:
-    """Moment of pure spin, 3/8 mu Q a E(k), k^2 = 1 - (b/a)^2, Harris and Kotzalas [N m]; mu
-    [-].
+    """Moment of pure spin, 3/8 mu Q a E(k), k^2 = 1 - (b/a)^2, Harris and Kotzalas.
+
+    Parameters
+    ----------
+    contact : SlidingContact
+        loaded contact
+    friction : float
+        Coulomb's mu [-]
+
+    Returns
+    -------
+    float
+        moment [N m]
     """
     longer = max(contact.semi_axis, contact.semi_axis_rolling)
     ratio = min(contact.semi_axis, contact.semi_axis_rolling) / longer
@@ -254,10 +350,22 @@ def houpert_torque(
     contacts: Sequence[SlidingContact], speed: float, friction: float
 ) -> SlidingTorque:
     """Houpert's (1999) fits of curvature and spin moment over the spin ratio, at Hertz's exact
-    ellipse.
+    ellipse:
+    M_C = 0.0806 mu Q a^2/R f_c(E), M_P = 3/8 mu Q a f_p(E).
 
-    M_C = 0.0806 mu Q a^2/R f_c(E), M_P = 3/8 mu Q a f_p(E). Parameters as in
-    `pure_rolling_line_torque`; [N m].
+    Parameters
+    ----------
+    contacts : Sequence[SlidingContact]
+        loaded contacts
+    speed : float
+        of the shaft [rad/s]
+    friction : float
+        Coulomb's mu [-]
+
+    Returns
+    -------
+    SlidingTorque
+        torque [N m]
     """
 
     def moments(c: SlidingContact) -> tuple[float, float]:
