@@ -4,6 +4,7 @@ yields.
 contacts          - the lubricated contacts that follow from an equilibrium: shape, motion, stress
 dynamics          - time simulation of a ball bearing
 files             - files that are there as a whole or not at all
+films             - films of the contacts, from the computed film to the operating one
 fits              - fits and clearances
 friction          - friction of balls on races: laws, balance of the balls, traction equilibrium
 geometry          - internal geometry of a ball bearing

@@ -15,10 +15,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from bearing.films.formula import hertz_size, plain_film
 from bearing.friction._kernels import film_frictions
 from bearing.friction.film_nodes import ShearedFilm, joined_nodes, unsolved_nodes
 from bearing.friction.films import MIN_SLIDING
-from bearing.friction.unsolved_film import UnsolvedFilm, hertz_size
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
 from ehl.closed_form.hertz import hertz_coefficients
 from ehl.oil.rheology import Rheology, ShearLaw, contact_rheology
@@ -91,7 +91,7 @@ def errors(conditions):
     law = contact_rheology(SHEAR, conditions.lubricant, MEAN_PRESSURE_RATIO * size[2])
     slides = tuple(np.ascontiguousarray(part) for part in motions.T[:3])
     solved = -sliding_forces(film_quadrature(solution, law), slides, np.zeros(len(motions)), 0.0)
-    film = UnsolvedFilm(conditions=conditions, central=solution.film_central, minimum=None, size=size)
+    film = plain_film(conditions, solution.film_central)
     own, block = unsolved_nodes([ShearedFilm(film, 0.0, size[1])] * len(motions), SHEAR, None)
     *films, own = joined_nodes([block], own)
     friction, slope = np.empty((len(motions), 4)), np.empty((len(motions), 4, 4))

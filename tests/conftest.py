@@ -6,7 +6,6 @@ import functools
 import gc
 import os
 import random
-import sys
 from collections import Counter, defaultdict
 from datetime import date
 
@@ -96,13 +95,6 @@ def kernels_compiled_once(tmp_path_factory):
     Dispatcher.compile = compile_in_turn
     yield
     Dispatcher.compile = plain
-
-
-@pytest.fixture(autouse=True)
-def no_equilibrium_of_another_test():
-    """Equilibria that a process keeps are forgotten: a test may have made the solver fail."""
-    if "cases.runs.equilibrium" in sys.modules:
-        sys.modules["cases.runs.equilibrium"]._equilibrium.cache_clear()
 
 
 @pytest.fixture(scope="session")

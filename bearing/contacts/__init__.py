@@ -4,13 +4,8 @@ _kernels      - search for the largest sliding in ellipses, compiled
 contact       - one contact of a ball with a race, placed in the bearing's frame
 contacts      - the contacts of a solved bearing as lubricated contacts
 electrical    - capacitance and breakdown voltage of a bearing between its rings
-film_heat     - what the heat of their inlets leaves of films
-film_numbers  - film and rolling moment where no film is solved: film atlas, and formulas
 finite_bodies - difference of ring, ball and groove to half-spaces, radii of films with it
-formula_moment - moment that resists rolling in a flooded contact, by formulas
-heavy_moment - moment that resists rolling in a heavily loaded contact, by a formula
 hertz         - Hertz contacts of many balls at once
-last          - what was made last of contacts, for those who ask for the same once more
 motion        - the one kinematics of ball on race: rolling, sliding and spin of both
 shape         - curvatures and ellipse of a contact, as the laws of friction take them
 shoulder      - distance of ellipses to the shoulders, what these cut off, pressure of what is left

@@ -16,7 +16,7 @@ from ..quasistatic.solution import QuasistaticSolution
 from ..rows import row_directions
 from .contact import RACES, BearingContact
 from .hertz import hertz_contacts
-from .motion import motion_map_of_axes
+from .motion import BearingContacts, motion_map_of_axes
 
 # entrainment or rolling over the speed of the rings below which there is none [-]
 STANDSTILL = 1.0e-12
@@ -26,39 +26,66 @@ NEGLIGIBLE_LOAD = 0.02
 SIDES = np.array([-1.0, 1.0])  # of the inner and the outer contact, from the ball's centre [-]
 
 
-def contact_conditions(
-    solution: QuasistaticSolution, lubricant: Lubricant
-) -> tuple[BearingContact, ...]:
-    """All contacts of a bearing, row by row and ball by ball, inner then outer, 2 Z entries a row.
+def contact_conditions(solution: QuasistaticSolution, lubricant: Lubricant) -> BearingContacts:
+    """All contacts of a bearing as lubricated contacts.
 
-    `solution`: loads in [N], angles in [rad], speeds in [rad/s].
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Equilibrium of the bearing.
+    lubricant : Lubricant
+        The oil.
+
+    Returns
+    -------
+    BearingContacts
+        Row by row and ball by ball, inner then outer, 2 Z entries a row.
     """
     motions = _motions(solution)
     light = NEGLIGIBLE_LOAD * float(max(solution.inner_load.max(), solution.outer_load.max()))
     frames = _placements(solution, np.array([motion.speed for motion in motions]).reshape(-1, 2))
     parts = zip(motions, _hertz(solution), frames, strict=True)
-    return tuple(
-        _contact(solution, (n // 2, RACES[n % 2]), motion, hertz, frame, (lubricant, light))
-        for n, (motion, hertz, frame) in enumerate(parts)
+    return BearingContacts.of(
+        solution,
+        (
+            _contact(solution, (n // 2, RACES[n % 2]), motion, hertz, frame, (lubricant, light))
+            for n, (motion, hertz, frame) in enumerate(parts)
+        ),
     )
 
 
 def with_oil(
     solution: QuasistaticSolution, contacts: tuple[BearingContact, ...], lubricant: Lubricant
 ) -> tuple[BearingContact, ...]:
-    """Contacts of a solution as `contact_conditions` makes them, from those with another oil;
-    made anew where the oil decides whether one of them has a film.
+    """Contacts of a solution as `contact_conditions` computes them, from those with another oil.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Equilibrium of the bearing.
+    contacts : tuple of BearingContact
+        Its contacts with another oil.
+    lubricant : Lubricant
+        The oil.
+
+    Returns
+    -------
+    tuple of BearingContact
+        Computed anew where the oil decides whether one of them has a film.
     """
     if all(own.conditions is None or own.conditions.lubricant == lubricant for own in contacts):
         return contacts
     light = NEGLIGIBLE_LOAD * max(solution.inner_load.max(), solution.outer_load.max())
     if any(contact.hertz is not None and contact.load < light for contact in contacts):
         return contact_conditions(solution, lubricant)
-    return tuple(
-        contact
-        if (known := contact.conditions) is None
-        else replace(contact, conditions=replace(known, lubricant=lubricant))
-        for contact in contacts
+    return BearingContacts.of(
+        solution,
+        (
+            contact
+            if (existing := contact.conditions) is None
+            else replace(contact, conditions=replace(existing, lubricant=lubricant))
+            for contact in contacts
+        ),
     )
 
 

@@ -9,18 +9,18 @@ ball's less the race's is (S_x, S_y, spin, rolling) of `ehl.kinematics.ContactKi
 `MotionMap` is this linear map, and every other kinematics of ball on race an evaluation of it.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ehl.kinematics import ContactKinematics
 
-from ..geometry import Array, Race
+from ..geometry import Array, Bearing, Race
 from ..quasistatic.solution import QuasistaticSolution
 from .contact import BearingContact
-from .last import LastOf
 from .shape import groove_curvature_radius
 
 
@@ -71,23 +71,63 @@ class MotionMap:
 
 
 def motion_map(solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> MotionMap:
-    """How contacts of an equilibrium move with balls and rings, speeds in [rad/s]; its arrays are
-    not to be changed: all that asks for the same tuple of contacts has the same map.
+    """How contacts of an equilibrium move with balls and rings.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Equilibrium, speeds in [rad/s].
+    contacts : sequence of BearingContact
+        Some of its contacts; `BearingContacts` of this equilibrium have their map computed once.
+
+    Returns
+    -------
+    MotionMap
+        Its arrays are not to be changed.
     """
-    objects = (contacts, solution.bearing, solution.operation)
-    return _LAST.of(objects, lambda: _motion_map(solution, contacts))
+    operation = solution.operation
+    speeds = (operation.inner_speed, operation.outer_speed)
+    if isinstance(contacts, BearingContacts) and contacts.moves_as(solution.bearing, speeds):
+        return contacts.motion
+    return _motion_map(solution.bearing, speeds, contacts)
 
 
-_LAST: LastOf[MotionMap] = LastOf()
+class BearingContacts(tuple[BearingContact, ...]):
+    """All contacts of an equilibrium, and how they move, computed once."""
+
+    bearing: Bearing
+    ring_speeds: tuple[float, float]  # of the inner and the outer ring [rad/s]
+
+    @classmethod
+    def of(
+        cls, solution: QuasistaticSolution, contacts: Iterable[BearingContact]
+    ) -> "BearingContacts":
+        """Contacts of an equilibrium, speeds in [rad/s]."""
+        made = cls(contacts)
+        made.bearing = solution.bearing
+        made.ring_speeds = (solution.operation.inner_speed, solution.operation.outer_speed)
+        return made
+
+    def moves_as(self, bearing: Bearing, ring_speeds: tuple[float, float]) -> bool:
+        """Whether the contacts are those of a bearing with its rings at these speeds [rad/s]."""
+        return self.bearing is bearing and self.ring_speeds == ring_speeds
+
+    @cached_property
+    def motion(self) -> MotionMap:
+        """How the contacts move with balls and rings."""
+        return _motion_map(self.bearing, self.ring_speeds, self)
 
 
-def _motion_map(solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> MotionMap:
-    """As `motion_map`."""
+def _motion_map(
+    bearing: Bearing, ring_speeds: tuple[float, float], contacts: Sequence[BearingContact]
+) -> MotionMap:
+    """As `motion_map`, at speeds of the inner and the outer ring [rad/s]."""
     inner = np.array([contact.race is Race.INNER for contact in contacts], dtype=np.bool_)
     angle = np.array([contact.contact_angle for contact in contacts])
     ball = np.array([contact.ball - 1 for contact in contacts], dtype=np.int64)
     axle = np.broadcast_to([1.0, 0.0, 0.0], (ball.size, 3))
-    return motion_map_of_axes(solution, inner, angle, contact_frames(contacts), axle, ball)
+    axes = contact_frames(contacts)
+    return _map_of_axes(bearing, ring_speeds, inner, angle, axes, axle, ball)
 
 
 def motion_map_of_axes(
@@ -101,8 +141,21 @@ def motion_map_of_axes(
     """The map of contacts by race, contact angle [rad], ball, and axes x, y, n and the bearing's
     axle in a frame whose third direction is e_t [-].
     """
-    bearing = solution.bearing
     operation = solution.operation
+    speeds = (operation.inner_speed, operation.outer_speed)
+    return _map_of_axes(solution.bearing, speeds, inner, angle, axes, axle, ball)
+
+
+def _map_of_axes(
+    bearing: Bearing,
+    ring_speeds: tuple[float, float],
+    inner: NDArray[np.bool_],
+    angle: Array,
+    axes: Array,
+    axle: Array,
+    ball: NDArray[np.int64],
+) -> MotionMap:
+    """As `motion_map_of_axes`, at speeds of the inner and the outer ring [rad/s]."""
     radius = 0.5 * bearing.ball_diameter
     side = np.where(inner, -1.0, 1.0)
     track = 0.5 * (bearing.pitch_diameter + side * bearing.ball_diameter * np.cos(angle))
@@ -113,7 +166,7 @@ def motion_map_of_axes(
     return MotionMap(
         by_rotation=np.stack([radius * across, -radius * along, normal, across], axis=1),
         by_ring=-np.stack(ring, axis=1),
-        ring_speed=np.where(inner, operation.inner_speed, operation.outer_speed),
+        ring_speed=np.where(inner, *ring_speeds),
         ball=ball,
     )
 

@@ -12,22 +12,46 @@ from ehl.traction.laws import ContactShape
 
 from ..geometry import Array, Bearing, Race, contact_modulus, reduced_radii
 from .contact import RACES, BearingContact
-from .last import LastOf
 
 UNLOADED = 1e-6  # semi-axis of a contact without load [m]
 
 
 def groove_radius(bearing: Bearing, race: Race) -> float:
-    """Radius r of a race's groove in section [m]."""
+    """Radius r of a race's groove in section.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        the bearing
+    race : Race
+        inner or outer race
+
+    Returns
+    -------
+    float
+        radius [m]
+    """
     return bearing.inner_groove_radius if race is Race.INNER else bearing.outer_groove_radius
 
 
 def groove_curvature_radius(bearing: Bearing, race: Race) -> float:
-    """Radius of the loaded surface across the rolling direction, 2 r D/(2 r + D) [m], Harris and
+    """Radius of the loaded surface across the rolling direction, 2 r D/(2 r + D), Harris and
     Kotzalas.
 
     The mean of the curvatures of ball and groove, as two equal half spaces under the same pressure
     deform alike.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        the bearing
+    race : Race
+        inner or outer race
+
+    Returns
+    -------
+    float
+        radius [m]
     """
     groove = groove_radius(bearing, race)
     return 2.0 * groove * bearing.ball_diameter / (2.0 * groove + bearing.ball_diameter)
@@ -43,15 +67,20 @@ class DryContacts(NamedTuple):
 
 
 def dry_contacts(bearing: Bearing, contacts: Sequence[BearingContact]) -> DryContacts:
-    """Loads, axes and curvatures of contacts, made once for one tuple of them."""
-    return _LAST.of((contacts, bearing), lambda: _dry_contacts(bearing, contacts))
+    """Loads, axes and curvatures of contacts.
 
+    Parameters
+    ----------
+    bearing : Bearing
+        The bearing.
+    contacts : sequence of BearingContact
+        Some of its contacts.
 
-_LAST: LastOf[DryContacts] = LastOf()
-
-
-def _dry_contacts(bearing: Bearing, contacts: Sequence[BearingContact]) -> DryContacts:
-    """As `dry_contacts`."""
+    Returns
+    -------
+    DryContacts
+        In the order of the contacts.
+    """
     none = (0.0, UNLOADED, UNLOADED)
     radius = {race: groove_curvature_radius(bearing, race) for race in RACES}
     dry = [contact.hertz for contact in contacts]
@@ -62,8 +91,21 @@ def _dry_contacts(bearing: Bearing, contacts: Sequence[BearingContact]) -> DryCo
 
 
 def contact_shape(bearing: Bearing, race: Race, contact_angle: float) -> ContactShape:
-    """Ellipse at 1 N and curvatures of the contact of a ball with a race at a contact angle
-    [rad].
+    """Ellipse at 1 N and curvatures of the contact of a ball with a race.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        the bearing
+    race : Race
+        inner or outer race
+    contact_angle : float
+        of the contact [rad]
+
+    Returns
+    -------
+    ContactShape
+        lengths [m], curvatures [1/m]
     """
     radius_x, radius_y = reduced_radii(bearing, race, contact_angle)
     hertz = hertz_contact(1.0, radius_x, radius_y, contact_modulus(bearing, race))

@@ -77,8 +77,22 @@ class BalancedFriction:
 def curvature_slip(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], motion: Array | None = None
 ) -> Array:
-    """Largest sliding by the curvature of each contact, w a^2/(2 R) [m/s], at the motion of the
-    solution (N, 4).
+    """Largest sliding by the curvature of each contact, w a^2/(2 R).
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        some of its contacts
+    motion : Array | None, optional
+        sliding along and across, spin and rolling of the contacts, shape (n, 4) [m/s], [rad/s];
+        that of the equilibrium if left out
+
+    Returns
+    -------
+    Array
+        shape (n,) [m/s]
     """
     if motion is None:
         motion = motion_map(solution, contacts).motion(*ball_speeds(solution))
@@ -94,12 +108,29 @@ def balance_driven_balls(
     law: ContactLaw,
     resistance: Resistance = NO_RESISTANCE,
 ) -> BalancedFriction:
-    """As `balance_balls`, with balls that would skid driven by the cage, SI.
+    """Motion of all balls in balance, as `balance_balls`, with balls that would skid driven by the
+    cage.
 
     Where the oil's resistance asks more traction than a light contact has, the ball would slide at
     speeds for which its film was not solved; beyond `SKID_RATIO` of the entrainment the inner race
     counts as not driving it. So it does for balls that are cage-driven in the equilibrium, and for
     those whose inner contact has no film, being of negligible load.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    law : ContactLaw
+        friction of the contacts
+    resistance : Resistance, default NO_RESISTANCE
+        drag of the oil around the balls and of the cage's guidance
+
+    Returns
+    -------
+    BalancedFriction
+        motions, forces [N] and powers [W] of all contacts
     """
     driven = may_be_driven(solution, contacts)
     balance = balance_balls(solution, contacts, law, driven=driven, resistance=resistance)
@@ -115,13 +146,39 @@ def balance_driven_balls(
 def may_be_driven(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> NDArray[np.bool_]:
-    """Balls that the inner race drives unless they skid, (balls,) [-]."""
+    """Balls that the inner race drives unless they skid.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+
+    Returns
+    -------
+    NDArray[np.bool_]
+        shape (balls,)
+    """
     with_film = np.array([c.conditions is not None for c in contacts]).reshape(-1, 2)[:, 0]
     return np.asarray((solution.inner_load > 0.0) & ~solution.cage_driven & with_film)
 
 
 def sliding_ratio(balance: BalancedFriction, contacts: Sequence[BearingContact]) -> Array:
-    """Larger sliding over entrainment of the two contacts of each ball, shape (balls,) [-]."""
+    """Larger sliding over entrainment of the two contacts of each ball.
+
+    Parameters
+    ----------
+    balance : BalancedFriction
+        motion of the balls
+    contacts : Sequence[BearingContact]
+        all contacts, inner then outer, ball by ball
+
+    Returns
+    -------
+    Array
+        shape (balls,) [-]
+    """
     speed = np.array(
         [np.inf if c.conditions is None else c.conditions.entrainment_speed for c in contacts]
     )
@@ -139,13 +196,30 @@ def balance_balls(
     initial_guess: BalancedFriction | None = None,
     resistance: Resistance = NO_RESISTANCE,
 ) -> BalancedFriction:
-    """Motion of all balls in which a law of friction balances itself on each of them, SI.
+    """Motion of all balls in which a law of friction balances itself on each of them.
 
-    `contacts`: all of its contacts, inner then outer, ball by ball; `gyroscopic`: whether the
-    contacts have to hold the gyroscopic couple; `driven` (balls,): balls that the inner race
-    drives, the others being driven by the cage; None: those with load there; `initial_guess`:
-    of a similar law with the same balls driven; `resistance`: drag of the oil around the balls
-    and of the cage's guidance.
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing, SI
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    law : ContactLaw
+        friction of the contacts
+    gyroscopic : bool, default True
+        whether the contacts have to hold the gyroscopic couple
+    driven : NDArray[np.bool_] | None, optional
+        balls that the inner race drives, the others being driven by the cage, shape (balls,);
+        those with load there if left out
+    initial_guess : BalancedFriction | None, optional
+        balance of a similar law with the same balls driven
+    resistance : Resistance, default NO_RESISTANCE
+        drag of the oil around the balls and of the cage's guidance
+
+    Returns
+    -------
+    BalancedFriction
+        motions, forces [N] and powers [W] of all contacts
     """
     loaded = solution.inner_load > 0.0
     kinematics = motion_map(solution, contacts)

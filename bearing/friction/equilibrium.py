@@ -78,8 +78,25 @@ def solve_traction_equilibrium(
 ) -> QuasistaticSolution:
     """Equilibrium of ring and balls with the friction of the races in balance on every ball.
 
-    Arguments as in `solve_quasistatic`, SI; the ball kinematics of the model is traction
-    equilibrium. With `converged` False and a `message` where one of the balances was not found.
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds and loads, SI
+    model : QuasistaticModel | None
+        assumptions; the ball kinematics is traction equilibrium
+    traction : BallTraction
+        friction of balls on races, and what holds the balls back
+    initial_guess : QuasistaticSolution | None, optional
+        equilibrium nearby
+    rows : Sequence[Row], default SINGLE
+        rows of balls on the inner ring
+
+    Returns
+    -------
+    QuasistaticSolution
+        `converged` is False, with a `message`, where one of the balances was not found
     """
     model = replace(
         model or QuasistaticModel(), ball_kinematics=BallKinematics.TRACTION_EQUILIBRIUM

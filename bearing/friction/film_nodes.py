@@ -20,7 +20,6 @@ from ehl.oil.rheology import (
     kernel_rheology,
     limiting_stress,
 )
-from ehl.solution import ContactSolution
 from ehl.traction.atlas.film_shapes import PLACE, film_shapes, shape_places
 from ehl.traction.shear import (
     Cavitation,
@@ -37,12 +36,11 @@ from ehl.traction.shear import (
 from ..contacts.contact import BearingContact
 from ..contacts.shape import groove_curvature_radius
 from ..contacts.traction import TRACTION_POINTS
+from ..films.film import ContactFilm, Films, first_same
 from ..geometry import Array, Bearing
 from ..quasistatic.solution import QuasistaticSolution
 from ._kernels import thin_sums
 from .law import TINY
-from .running_films import RunningFilms
-from .unsolved_film import UnsolvedFilm
 
 ROWS = 7  # area, 1 over the gap, viscosity, limiting stress, x, y and height of the surface
 THIN = 11  # numbers of `_kernels.thin_sums`
@@ -72,7 +70,7 @@ class FilmBlock(NamedTuple):
 class ShearedFilm(NamedTuple):
     """A film with the surface that it runs on."""
 
-    film: ContactSolution | UnsolvedFilm
+    film: ContactFilm
     curvature: float  # 1/(2 R) of the loaded surface across rolling [1/m]
     width: float  # half of what is curved like that [m]
 
@@ -80,45 +78,75 @@ class ShearedFilm(NamedTuple):
 def film_nodes(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    states: Sequence[RunningFilms],
+    states: Sequence[Films],
     rheology: Rheology,
 ) -> list[FilmNodes]:
-    """Nodes that shear in the films of contacts, None without one, in [m], [Pa], [Pa s]; of films
-    in several states, the nodes of all together in each, an empty state without films.
+    """Nodes that shear in the films of contacts, in one or several states of these.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Equilibrium of the bearing.
+    contacts : sequence of BearingContact
+        Its contacts.
+    states : sequence of sequences of ContactFilm or None
+        Films of the contacts in each state; an empty state has no films.
+    rheology : Rheology
+        Of the oil.
+
+    Returns
+    -------
+    list of FilmNodes
+        One a state, in [m], [Pa], [Pa s]; each has the nodes of all states.
     """
-    bearing = solution.bearing
-    films = [film for state in states for film in state]
-    places = [n for state in states for n in range(len(state))]
-    own = np.zeros(len(films), dtype=np.int64)
-    blocks = [FilmBlock(np.empty((ROWS, 1, 0)), 0, np.zeros((1, 4)))]
     temperature = solution.operation.temperature
+    sheared = [
+        None if film is None else _sheared(solution.bearing, contact, film)
+        for state in states
+        for contact, film in zip(contacts, state, strict=False)
+    ]
+    own = np.zeros(len(sheared), dtype=np.int64)
+    blocks = [FilmBlock(np.empty((ROWS, 1, 0)), 0, np.zeros((1, 4)))]
     # 1. solved films, one by one
-    known: dict[tuple[int, float], int] = {}
+    fields = first_same([None if one is None else one.film.field for one in sheared])
+    existing: dict[tuple[int, float, float], int] = {}
     others: dict[int, ShearedFilm] = {}
-    for number, (place, film) in enumerate(zip(places, films, strict=True)):
-        if film is None:
+    for number, one in enumerate(sheared):
+        if one is None:
             continue
-        sheared = _sheared(bearing, contacts[place], film.film)
-        if isinstance(film.film, UnsolvedFilm):
-            others[number] = sheared
+        if one.film.field is None:
+            others[number] = one
             continue
-        key = (id(film.film), sheared.curvature)
-        if key not in known:
-            known[key] = len(blocks)
-            blocks.append(_solved_nodes(sheared, rheology, temperature))
-        own[number] = known[key]
+        key = (fields[number], one.film.gap_fraction, one.curvature)
+        if key not in existing:
+            existing[key] = len(blocks)
+            blocks.append(_solved_nodes(one, rheology, temperature))
+        own[number] = existing[key]
     # 2. others, all at once
     if others:
-        like, found = unsolved_nodes(list(others.values()), rheology, temperature)
+        like, block = unsolved_nodes(list(others.values()), rheology, temperature)
         own[list(others)] = len(blocks) + like
-        blocks.append(found)
+        blocks.append(block)
     ends = np.cumsum([len(state) for state in states])
     joined = joined_nodes(blocks, own)
     return [joined._replace(own=part) for part in np.split(own, ends[:-1])]
 
 
 def joined_nodes(blocks: Sequence[FilmBlock], own: NDArray[np.int64]) -> FilmNodes:
-    """Films one after the other."""
+    """Films of blocks one after the other.
+
+    Parameters
+    ----------
+    blocks : sequence of FilmBlock
+        Films of equal size each.
+    own : ndarray, shape (contacts,)
+        Film of each contact, counted through all blocks [-].
+
+    Returns
+    -------
+    FilmNodes
+        In [m], [Pa], [Pa s].
+    """
     counts = [block.nodes.shape[1] for block in blocks]
     sizes = np.repeat([block.nodes.shape[2] for block in blocks], counts)
     pressed = np.repeat([block.pressed for block in blocks], counts)
@@ -137,9 +165,7 @@ def joined_nodes(blocks: Sequence[FilmBlock], own: NDArray[np.int64]) -> FilmNod
     )
 
 
-def _sheared(
-    bearing: Bearing, contact: BearingContact, film: ContactSolution | UnsolvedFilm
-) -> ShearedFilm:
+def _sheared(bearing: Bearing, contact: BearingContact, film: ContactFilm) -> ShearedFilm:
     radius = groove_curvature_radius(bearing, contact.race)
     width = np.inf if contact.hertz is None else contact.hertz.semi_axis_y
     return ShearedFilm(film, 0.5 / radius, width)
@@ -163,8 +189,8 @@ def _solved_nodes(
     sheared: ShearedFilm, rheology: Rheology, temperature: float | None
 ) -> FilmBlock:
     """Those of a solved film; sums of `integrate_traction`."""
-    solved = sheared.film
-    assert not isinstance(solved, UnsolvedFilm)
+    solved = sheared.film.operating_field
+    assert solved is not None
     rheology = solution_rheology(solved, rheology)
     film = with_outlet(solved.thinned(TRACTION_POINTS))
     film_x, film_y, thickness = dimensional_grid(film)
@@ -188,21 +214,35 @@ def _solved_nodes(
 def unsolved_nodes(
     films: Sequence[ShearedFilm], rheology: Rheology, temperature: float | None
 ) -> tuple[NDArray[np.int64], FilmBlock]:
-    """Which of the films that are not solved and differ each one is, and these; one at least, all
-    of one oil.
+    """Nodes of films of atlas and formulas, of one oil.
+
+    Parameters
+    ----------
+    films : sequence of ShearedFilm
+        Films without a field, one at least.
+    rheology : Rheology
+        Of the oil.
+    temperature : float or None
+        Of the oil [K]; None: that of its properties.
+
+    Returns
+    -------
+    like : ndarray, shape (films,)
+        Which of the films that differ each one is [-].
+    block : FilmBlock
+        The films that differ.
     """
-    unsolved = [one.film for one in films if isinstance(one.film, UnsolvedFilm)]
-    own = {id(film.conditions): film for film in unsolved}
-    numbers = _shape_numbers(list(own.values()))
-    known = dict(zip(own, numbers, strict=True))
+    unsolved = [one.film for one in films]
+    first = first_same([film.conditions for film in unsolved])
+    distinct = sorted(set(first))
+    numbers = dict(zip(distinct, _shape_numbers([unsolved[n] for n in distinct]), strict=True))
     places = np.array([
-        (*known[id(film.conditions)], one.curvature, one.width)
-        for film, one in zip(unsolved, films, strict=True)
+        (*numbers[n], one.curvature, one.width) for n, one in zip(first, films, strict=True)
     ])  # fmt: skip
-    first, like = _alike(places)
-    shapes = _shapes(places[first], unsolved[0].conditions.lubricant, rheology, temperature)
-    # the same shapes with other gaps, of films as they run and flooded
-    gaps = np.array([(film.gap, film.share) for film in unsolved])
+    kind, like = _alike(places)
+    shapes = _shapes(places[kind], unsolved[0].conditions.lubricant, rheology, temperature)
+    # the same shapes with other gaps, of operating and flooded films
+    gaps = np.array([(film.gap, film.gap_fraction) for film in unsolved])
     chosen, kinds = _alike(np.column_stack([like, gaps]))
     return kinds, _with_gaps(shapes, like[chosen], gaps[chosen])
 
@@ -213,14 +253,14 @@ def _alike(places: Array) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
     return alike(places / np.where(scale > 0.0, scale, 1.0))
 
 
-def _shape_numbers(films: Sequence[UnsolvedFilm]) -> list[tuple[float, ...]]:
+def _shape_numbers(films: Sequence[ContactFilm]) -> list[tuple[float, ...]]:
     """Place of each film in the atlas, semi-axes [m], Hertz' pressure [Pa], radius, central film
     [m].
     """
     sizes = np.array([film.size for film in films])
     places = shape_places([film.conditions for film in films], sizes[:, 0])
     return [
-        (*place, *film.size, film.conditions.radius_x, film.central)
+        (*place, *film.size, film.conditions.radius_x, film.flooded_central)
         for place, film in zip(places.tolist(), films, strict=True)
     ]
 

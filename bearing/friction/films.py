@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from ehl.oil.rheology import Rheology
 
 from ..contacts.contact import BearingContact
+from ..films.film import Films
 from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 from ._kernels import film_frictions
@@ -24,7 +25,6 @@ from .coulomb import contact_ellipses, ellipse_sums
 from .film_nodes import FilmNodes, film_nodes
 from .law import REFERENCE_TRACTION, ContactLaw, Dissipation
 from .resistance import NO_RESISTANCE, Resistance
-from .running_films import RunningFilms
 
 MIN_SLIDING = 1.0e-12  # [m/s] below which the stress counts as proportional to it
 
@@ -32,17 +32,34 @@ MIN_SLIDING = 1.0e-12  # [m/s] below which the stress counts as proportional to 
 def film_balance(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: RunningFilms,
+    films: Films,
     rheology: Rheology,
     resistance: Resistance = NO_RESISTANCE,
     near: BalancedFriction | None = None,
 ) -> BalancedFriction:
     """Motion of all balls in which the shear of their films balances itself, at given loads; the
-    forces contain the hydrodynamic rolling moment.
+    forces
+    contain the hydrodynamic rolling moment.
 
-    `contacts`: inner then outer, ball by ball; `films`: one per contact, None without load;
-    `resistance`: what holds the balls back beside the races; `near`: of a similar state, where the
-    search begins.
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    films : Films
+        operating films of the contacts
+    rheology : Rheology
+        of the oil
+    resistance : Resistance, default NO_RESISTANCE
+        what holds the balls back beside the races
+    near : BalancedFriction | None, optional
+        balance of a similar state, where the search begins
+
+    Returns
+    -------
+    BalancedFriction
+        motions, forces [N] and powers [W] of all contacts
     """
     law = film_law(solution, contacts, films, rheology)
     return film_law_balance(solution, contacts, law, resistance, near)
@@ -55,7 +72,26 @@ def film_law_balance(
     resistance: Resistance = NO_RESISTANCE,
     near: BalancedFriction | None = None,
 ) -> BalancedFriction:
-    """As `film_balance`, by the law of the films, SI."""
+    """Motion of all balls in balance, as `film_balance`, by the law of the films.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    law : ContactLaw
+        friction of the films
+    resistance : Resistance, default NO_RESISTANCE
+        what holds the balls back beside the races
+    near : BalancedFriction | None, optional
+        balance of a similar state, where the search begins
+
+    Returns
+    -------
+    BalancedFriction
+        motions, forces [N] and powers [W] of all contacts
+    """
     begun = None if near is None else _begun(solution, contacts, law, resistance, near)
     return begun or balance_driven_balls(solution, contacts, law, resistance)
 
@@ -92,8 +128,21 @@ class ShearedFilms:
     rubs: NDArray[np.bool_]  # (contacts,) where there are any
 
     def shear(self, motion: Array, indices: NDArray[np.int64]) -> tuple[Array, Array]:
-        """Gradient (n, 4) and slope (n, 4, 4) of the oil's sliding stress at motions (n, 4) of
-        contacts [m/s], [rad/s].
+        """Friction of the oil's sliding stress.
+
+        Parameters
+        ----------
+        motion : Array
+            sliding along and across, spin and rolling of n contacts, shape (n, 4) [m/s], [rad/s]
+        indices : NDArray[np.int64]
+            numbers of these contacts, shape (n,) [-]
+
+        Returns
+        -------
+        gradient
+            of the power by the motion, shape (n, 4) [N], [N m]
+        slope
+            of the gradient by the motion, shape (n, 4, 4) [N s/m]
         """
         n = len(indices)
         gradient = np.empty((n, 4))
@@ -105,14 +154,40 @@ class ShearedFilms:
         return oil[:, None] * gradient, oil[:, None, None] * slope
 
     def rub(self, motion: Array, indices: NDArray[np.int64]) -> tuple[Array, Array] | None:
-        """The same of asperities; None where there are none."""
+        """Friction of asperities.
+
+        Parameters
+        ----------
+        motion : Array
+            sliding along and across, spin and rolling of n contacts, shape (n, 4) [m/s], [rad/s]
+        indices : NDArray[np.int64]
+            numbers of these contacts, shape (n,) [-]
+
+        Returns
+        -------
+        tuple[Array, Array] | None
+            gradient and slope as of `shear`; None where no asperities touch
+        """
         if not self.rubs[indices].any():
             return None
         _, gradient, slope = ellipse_sums(motion, self.rubbing[indices])
         return gradient, slope
 
     def evaluate(self, motion: Array, indices: NDArray[np.int64]) -> Dissipation:
-        """All of it."""
+        """Friction of oil and asperities, with the hydrodynamic rolling moment.
+
+        Parameters
+        ----------
+        motion : Array
+            sliding along and across, spin and rolling of n contacts, shape (n, 4) [m/s], [rad/s]
+        indices : NDArray[np.int64]
+            numbers of these contacts, shape (n,) [-]
+
+        Returns
+        -------
+        Dissipation
+            SI; the power is left zero
+        """
         gradient, slope = self.shear(motion, indices)
         gradient += self.pumping[indices]
         more = self.rub(motion, indices)
@@ -125,15 +200,32 @@ class ShearedFilms:
 def sheared_films(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: RunningFilms,
+    films: Films,
     rheology: Rheology,
     nodes: FilmNodes | None = None,
 ) -> ShearedFilms:
-    """Films of all contacts as they shear; arguments as in `film_balance`; `nodes` [m], [Pa]: of
-    the same films where they are known.
+    """Friction of the films of all contacts by its parts.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    films : Films
+        operating films of the contacts
+    rheology : Rheology
+        of the oil
+    nodes : FilmNodes | None, optional
+        nodes of the same films, where they are computed already
+
+    Returns
+    -------
+    ShearedFilms
+        numbered as the contacts
     """
-    share = np.array([0.0 if film is None else film.asperity_share for film in films])
-    boundary = np.array([0.0 if film is None else film.boundary for film in films])
+    share = np.array([0.0 if film is None else film.asperity_load for film in films])
+    boundary = np.array([0.0 if film is None else film.boundary_friction for film in films])
     moment = np.array([0.0 if film is None else film.rolling_moment for film in films])
     curvature = np.array([0.0 if c.hertz is None else 0.5 / c.hertz.radius_x for c in contacts])
     along = curvature - 2.0 / solution.bearing.ball_diameter
@@ -150,26 +242,59 @@ def sheared_films(
 def film_law(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: RunningFilms,
+    films: Films,
     rheology: Rheology,
     *,
     scale: Array | None = None,
 ) -> ContactLaw:
-    """Friction of all contacts by the shear of their films; arguments as in `film_balance`.
+    """Friction of all contacts by the shear of their films.
 
-    `scale` (contacts,): load of each contact over that of its film, by which the film's friction
-    is multiplied [-].
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    films : Films
+        operating films of the contacts
+    rheology : Rheology
+        of the oil
+    scale : Array | None, optional
+        load of each contact over that of its film, by which the film's friction is multiplied,
+        shape (contacts,) [-]
+
+    Returns
+    -------
+    ContactLaw
+        law of the contacts
     """
     return law_of_films(contacts, films, sheared_films(solution, contacts, films, rheology), scale)
 
 
 def law_of_films(
     contacts: Sequence[BearingContact],
-    films: RunningFilms,
+    films: Films,
     sheared: ShearedFilms,
     scale: Array | None = None,
 ) -> ContactLaw:
-    """Films as the law of their contacts; `scale` [-] as in `film_law`."""
+    """Sheared films as the law of their contacts.
+
+    Parameters
+    ----------
+    contacts : Sequence[BearingContact]
+        all contacts, inner then outer, ball by ball
+    films : Films
+        operating films of the contacts
+    sheared : ShearedFilms
+        their friction by its parts
+    scale : Array | None, optional
+        load of each contact over that of its film, shape (contacts,) [-]
+
+    Returns
+    -------
+    ContactLaw
+        law of the contacts
+    """
     if scale is not None:
         sheared = replace(
             sheared, oil=scale * sheared.oil, pumping=scale[:, None] * sheared.pumping

@@ -81,23 +81,60 @@ def _evaluate(
 
 
 def pocket_power(z: Array, problem: MotionProblem) -> Array:
-    """Coulomb's friction of balls in their pockets at the unknowns of all balls, (balls,) [W].
+    """Coulomb's friction of balls in their pockets.
 
     The pocket touches the ball ahead or behind on its orbit, where its surface moves by its
     rotation in the frame of the orbit; that turns with the cage.
+
+    Parameters
+    ----------
+    z : Array
+        change of the motion of the balls, scaled to speeds, shape (balls, 4) [m/s]
+    problem : MotionProblem
+        the balance of the balls
+
+    Returns
+    -------
+    Array
+        shape (balls,) [W]
     """
     slide = problem.rubbing + z[:, 1:3]
     return np.asarray(problem.pocket * np.hypot(slide[:, 0], slide[:, 1]))
 
 
 def contacts_of(balls: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Numbers of the contacts of balls, inner then outer [-]."""
+    """Numbers of the contacts of balls, inner then outer.
+
+    Parameters
+    ----------
+    balls : NDArray[np.int64]
+        numbers of balls, shape (n,) [-]
+
+    Returns
+    -------
+    NDArray[np.int64]
+        numbers of their contacts, inner then outer, shape (2 n,) [-]
+    """
     return (2 * balls[:, None] + np.arange(2)).ravel()
 
 
 def solve_with_couple_steps(problem: MotionProblem, start: Array) -> tuple[Array, Array]:
     """As `minimise`; balls for which that fails are solved again with the gyroscopic couple
     growing in steps (natural continuation, Allgower and Georg, 2003, chapter 2).
+
+    Parameters
+    ----------
+    problem : MotionProblem
+        the balance of the balls
+    start : Array
+        initial guess, shape (balls, 4) [m/s]
+
+    Returns
+    -------
+    z
+        change of the motion, scaled to speeds, shape (balls, 4) [m/s]
+    residual
+        force left on each ball over its friction, shape (balls,) [-]
     """
     # 1. the whole couple at once
     z, residual = minimise(problem, start)
@@ -121,8 +158,21 @@ def solve_with_couple_steps(problem: MotionProblem, start: Array) -> tuple[Array
 
 def minimise(problem: MotionProblem, start: Array) -> tuple[Array, Array]:
     """Newton's method with Levenberg's damping (Levenberg, 1944; Nocedal and Wright, 2006, sec.
-    10.3), every ball by itself, those that are the same once; returns z and the residual of each
-    ball [-].
+    10.3), every ball by itself, those that are the same once.
+
+    Parameters
+    ----------
+    problem : MotionProblem
+        the balance of the balls
+    start : Array
+        initial guess, shape (balls, 4) [m/s]
+
+    Returns
+    -------
+    z
+        change of the motion, scaled to speeds, shape (balls, 4) [m/s]
+    residual
+        force left on each ball over its friction, shape (balls,) [-]
     """
     balls = problem.first
     z = start[balls]

@@ -41,11 +41,30 @@ def table_contacts(
     temperature: float | None = None,
     solids: Solids | None = None,
 ) -> dict[Race, TableContact]:
-    """Contact that the table of each race is built for, that of its heaviest loaded contact;
-    ValueError if none of a race is loaded and entrains oil.
+    """Contact that the table of each race is built for: that of its heaviest loaded contact.
 
-    `temperature` [K], None: of operation; `solids`: ball and race, for films solved and sheared
-    with heat.
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    lubricant : Lubricant
+        the oil
+    rheology : Rheology
+        of the oil
+    temperature : float | None, optional
+        of the oil [K]; that of operation if left out
+    solids : Solids | None, optional
+        heat properties of ball and race, for films solved and sheared with heat
+
+    Returns
+    -------
+    dict[Race, TableContact]
+        by race
+
+    Raises
+    ------
+    ValueError
+        if no contact of a race is loaded and entrains oil
     """
     contacts = contact_conditions(solution, lubricant)
     contacts_of_races = {}
@@ -73,7 +92,25 @@ def table_contacts(
 
 
 def table_range(solution: QuasistaticSolution, lubricant: Lubricant) -> TableRange:
-    """Loads [N] and speeds [m/s] around those of a bearing's contacts, the same for both races."""
+    """Loads and speeds around those of a bearing's contacts, the same for both races.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    lubricant : Lubricant
+        the oil
+
+    Returns
+    -------
+    TableRange
+        loads [N] and speeds [m/s]
+
+    Raises
+    ------
+    ValueError
+        if no contact is loaded and entrains oil
+    """
     contacts = [c for c in contact_conditions(solution, lubricant) if c.conditions is not None]
     if not contacts:
         raise ValueError(
@@ -97,9 +134,29 @@ def build_race_tables(
     solids: Solids | None = None,
     limits: Callable[[TableRange], TableRange] = lambda usual: usual,
 ) -> Tables:
-    """Traction tables of both races around a quasi-static solution; `solids` as in
-    `table_contacts`; `progress`: called with films done, films wanted so far, and a word;
-    `limits`: the range [N], [m/s] to take for that of `table_range`.
+    """Traction tables of both races around a quasi-static solution.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    lubricant : Lubricant
+        the oil
+    rheology : Rheology
+        of the oil
+    options : TableOptions | None, optional
+        of the tables
+    progress : Progress | None, optional
+        called with films done, films wanted so far, and a word
+    solids : Solids | None, optional
+        heat properties of ball and race, for films solved and sheared with heat
+    limits : Callable[[TableRange], TableRange], default lambda usual: usual
+        gives the range [N], [m/s] to take for that of `table_range`
+
+    Returns
+    -------
+    Tables
+        by race
     """
     chosen = limits(table_range(solution, lubricant))
     tables = {}
@@ -117,8 +174,29 @@ def build_temperature_tables(
     solids: Solids | None = None,
     limits: Callable[[TableRange], TableRange] = lambda usual: usual,
 ) -> TemperatureTables:
-    """As `build_race_tables` at two or more rising temperatures [K]; `oil_at`: lubricant and
-    rheology at one of them.
+    """Traction tables of both races at two or more rising temperatures.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    oil_at : OilAt
+        gives lubricant and rheology at a temperature
+    temperatures : Sequence[float]
+        of the oil, rising [K]
+    options : TableOptions | None, optional
+        of the tables
+    progress : Progress | None, optional
+        called with films done, films wanted so far, and a word
+    solids : Solids | None, optional
+        heat properties of ball and race, for films solved and sheared with heat
+    limits : Callable[[TableRange], TableRange], default lambda usual: usual
+        gives the range [N], [m/s] to take for that of `table_range`
+
+    Returns
+    -------
+    TemperatureTables
+        by race
     """
     chosen = limits(table_range(solution, oil_at(temperatures[0])[0]))
     tables = {}
@@ -133,7 +211,20 @@ def build_temperature_tables(
 
 
 def race_progress(progress: Progress | None, race: Race) -> Progress:
-    """A progress whose state begins with the race; it does nothing where there is none."""
+    """A progress whose state begins with the race; it does nothing where there is none.
+
+    Parameters
+    ----------
+    progress : Progress | None
+        called with films done, films wanted so far, and a word
+    race : Race
+        inner or outer race
+
+    Returns
+    -------
+    Progress
+        the progress of one race
+    """
 
     def notify(done: int, total: int, state: str) -> None:
         if progress is not None:

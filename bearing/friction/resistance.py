@@ -9,7 +9,7 @@ from math import cos, pi
 import numpy as np
 
 from ..contacts.contact import BearingContact
-from ..contacts.heavy_moment import rolling_moment
+from ..films.moment import heavy_moment
 from ..geometry import Array, Bearing
 from ..quasistatic.solution import QuasistaticSolution
 
@@ -44,31 +44,89 @@ class Resistance:
     pocket: float = 0.0  # Coulomb's mu of ball against pocket [-]
 
     def drag(self, speed: Array) -> Array:
-        """Of each ball against its motion along the orbit at a speed [m/s], in [N]."""
+        """Drag of each ball against its motion along the orbit.
+
+        Parameters
+        ----------
+        speed : Array
+            of the balls, shape (balls,) [m/s]
+
+        Returns
+        -------
+        Array
+            force, shape (balls,) [N]
+        """
         return self.ball * speed * np.abs(speed)
 
     def cage_power(self, solution: QuasistaticSolution, cage_speed: float) -> float:
-        """Power [W] that the balls give to a cage that turns at a speed [rad/s] against the drag
-        of its land.
+        """Power that the balls give to the cage against the drag of its land.
+
+        Parameters
+        ----------
+        solution : QuasistaticSolution
+            equilibrium of the bearing
+        cage_speed : float
+            of the cage [rad/s]
+
+        Returns
+        -------
+        float
+            power [W]
         """
         slip = cage_speed - self.guiding_speed(solution)
         return self.land_torque(slip, cage_speed) * cage_speed
 
     def guiding_power(self, solution: QuasistaticSolution, cage_speed: float) -> float:
-        """Power [W] that the guiding ring gives to the land of a cage at a speed [rad/s]."""
+        """Power that the guiding ring gives to the land of the cage.
+
+        Parameters
+        ----------
+        solution : QuasistaticSolution
+            equilibrium of the bearing
+        cage_speed : float
+            of the cage [rad/s]
+
+        Returns
+        -------
+        float
+            power [W]
+        """
         ring = self.guiding_speed(solution)
         return -self.land_torque(cage_speed - ring, cage_speed) * ring
 
     def land_torque(self, slip: float, cage_speed: float) -> float:
-        """On the cage, against its slip over the land [N m], at speeds [rad/s]: oil by Petroff,
-        and dry by Coulomb under the weight of the cage and the centrifugal force of a cage that
-        lies on its land.
+        """Torque on the cage, against its slip over the land: oil by Petroff, and dry by Coulomb
+        under the
+        weight of the cage and the centrifugal force of a cage that lies on its land.
+
+        Parameters
+        ----------
+        slip : float
+            of the cage over the land [rad/s]
+        cage_speed : float
+            of the cage [rad/s]
+
+        Returns
+        -------
+        float
+            torque [N m]
         """
         load = STANDARD_GRAVITY + self.play * cage_speed**2
         return float(self.land * slip + self.rub * load * np.sign(slip))
 
     def guiding_speed(self, solution: QuasistaticSolution) -> float:
-        """Of the ring that the land runs on [rad/s]."""
+        """Speed of the ring that the land runs on.
+
+        Parameters
+        ----------
+        solution : QuasistaticSolution
+            equilibrium of the bearing
+
+        Returns
+        -------
+        float
+            speed [rad/s]
+        """
         operation = solution.operation
         return operation.outer_speed if self.outer_guided else operation.inner_speed
 
@@ -106,8 +164,27 @@ def resistance_of(
     density: float,
     oil_fraction: float | None,
 ) -> Resistance:
-    """Drag of the balls as `churning_power` has it, of the land as `land_power`, by viscosity
-    [Pa s], density [kg/m^3] and share in the cavity [-] of the oil, and friction in the pockets.
+    """Resistance of the balls' drag as `churning_power` has it, of the land as `land_power`, and
+    of the
+    friction in the pockets.
+
+    Parameters
+    ----------
+    cage : Cage | None
+        its guidance; None without one
+    bearing : Bearing
+        the bearing
+    viscosity : float
+        of the oil [Pa s]
+    density : float
+        of the oil [kg/m^3]
+    oil_fraction : float | None
+        of the cavity that oil fills [-]; None: none
+
+    Returns
+    -------
+    Resistance
+        what holds the balls back beside the races
     """
     ball = ball_drag(bearing, density, oil_fraction or 0.0)
     if cage is None:
@@ -127,16 +204,41 @@ def _cage_resistance(cage: Cage, viscosity: float) -> Resistance:
 
 
 def ball_drag(bearing: Bearing, density: float, oil_fraction: float) -> float:
-    """Drag of a ball over the square of its speed, C_D/2 rho X pi D^2/4 [N s^2/m^2], in a cavity
-    of which the share X [-] is filled with oil of a density [kg/m^3].
+    """Drag of a ball over the square of its speed, C_D/2 rho X pi D^2/4.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        the bearing
+    density : float
+        of the oil [kg/m^3]
+    oil_fraction : float
+        X, of the cavity that oil fills [-]
+
+    Returns
+    -------
+    float
+        [N s^2/m^2]
     """
     area = 0.25 * pi * bearing.ball_diameter**2
     return 0.5 * SPHERE_DRAG * density * oil_fraction * area
 
 
 def land_drag(cage: Cage, viscosity: float) -> float:
-    """Torque of the cage's guiding lands over its slip, Petroff (1883): 2 pi eta r^3 B/c [N m s],
-    at a viscosity [Pa s], of the share that oil fills; zero if guided by the balls.
+    """Torque of the cage's guiding lands over its slip, Petroff (1883): 2 pi eta r^3 B/c, of the
+    fraction that oil fills.
+
+    Parameters
+    ----------
+    cage : Cage
+        its guidance
+    viscosity : float
+        of the oil [Pa s]
+
+    Returns
+    -------
+    float
+        [N m s]; zero if guided by the balls
     """
     if cage.land_diameter is None or cage.land_width is None or cage.land_clearance is None:
         return 0.0
@@ -146,32 +248,68 @@ def land_drag(cage: Cage, viscosity: float) -> float:
 
 
 def land_rub(cage: Cage) -> float:
-    """Of a land that oil fills to the share s, torque over the acceleration that presses the cage
-    on it, mu (1 - s) r m [kg m]; zero if guided by the balls.
+    """Torque of a land that oil fills to the fraction s, over the acceleration that presses the
+    cage on
+    it, mu (1 - s) r m.
+
+    Parameters
+    ----------
+    cage : Cage
+        its guidance
+
+    Returns
+    -------
+    float
+        [kg m]; zero if guided by the balls
     """
     radius = 0.5 * (cage.land_diameter or 0.0)
     return cage.land_friction * (1.0 - cage.land_oil_share) * radius * cage.mass
 
 
 def contact_rolling_power(contact: BearingContact) -> float:
-    """Power of the oil's rolling resistance of one flooded contact [W]."""
+    """Power of the oil's rolling resistance of one flooded contact.
+
+    Parameters
+    ----------
+    contact : BearingContact
+        contact of a bearing
+
+    Returns
+    -------
+    float
+        power [W]
+    """
     c = contact.conditions
     hertz = contact.hertz
     if c is None or hertz is None:
         return 0.0
-    moment = rolling_moment(c, hertz.semi_axis_y, hertz.semi_axis_x)
+    moment = heavy_moment(c, hertz.semi_axis_y, hertz.semi_axis_x)
     return moment * c.entrainment_speed / c.radius_x
 
 
 def hysteresis_torque(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], loss: float
 ) -> float:
-    """M_E = 1/4 D_pw [(1 - g_i^2) sum Phi_i + (1 - g_e^2) sum Phi_e] beta_a [N m], Phi = 3/16 Q
-    b/Rx, g = D cos(alpha)/D_pw.
+    """M_E = 1/4 D_pw [(1 - g_i^2) sum Phi_i + (1 - g_e^2) sum Phi_e] beta_a, Phi = 3/16 Q b/Rx,
+    g = D cos(alpha)/D_pw.
 
-    The energy stored in front of a rolling contact, of which the share `loss`, beta_a [-], is lost
+    The energy stored in front of a rolling contact, of which the fraction beta_a is lost
     (Greenwood, Minshall and Tabor, 1961): Phi is the moment of the pressure ahead of the centre
     over the ball's radius.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        its contacts
+    loss : float
+        beta_a [-]
+
+    Returns
+    -------
+    float
+        torque [N m]
     """
     ball = solution.bearing.ball_diameter
     pitch = solution.bearing.pitch_diameter
@@ -185,8 +323,23 @@ def hysteresis_torque(
 
 
 def land_power(cage: Cage, viscosity: float, ring_speed: float, cage_speed: float) -> float:
-    """Power sheared and rubbed in the guiding lands [W] at a viscosity [Pa s] and speeds of the
-    guiding ring and the cage [rad/s].
+    """Power sheared and rubbed in the guiding lands.
+
+    Parameters
+    ----------
+    cage : Cage
+        its guidance
+    viscosity : float
+        of the oil [Pa s]
+    ring_speed : float
+        of the guiding ring [rad/s]
+    cage_speed : float
+        of the cage [rad/s]
+
+    Returns
+    -------
+    float
+        power [W]
     """
     slip = cage_speed - ring_speed
     return _cage_resistance(cage, viscosity).land_torque(slip, cage_speed) * slip
@@ -195,7 +348,24 @@ def land_power(cage: Cage, viscosity: float, ring_speed: float, cage_speed: floa
 def pocket_power(
     cage: Cage, bearing: Bearing, solution: QuasistaticSolution, drag_power: float
 ) -> float:
-    """Power rubbed in the pockets by the forces that pull the cage against its land drag [W]."""
+    """Power rubbed in the pockets by the forces that pull the cage against its land drag.
+
+    Parameters
+    ----------
+    cage : Cage
+        its guidance
+    bearing : Bearing
+        the bearing
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    drag_power : float
+        of the land [W]
+
+    Returns
+    -------
+    float
+        power [W]
+    """
     slip = abs(solution.cage_speed)
     if slip == 0.0:
         return 0.0
@@ -205,8 +375,21 @@ def pocket_power(
 
 
 def churning_power(solution: QuasistaticSolution, density: float, oil_fraction: float) -> float:
-    """Power of the balls' drag in the mixture of air and oil, Z C_d/2 rho X (pi D^2/4) v^3 [W], by
-    the oil's density [kg/m^3] and the share X of the cavity filled with it [-].
+    """Power of the balls' drag in the mixture of air and oil, Z C_d/2 rho X (pi D^2/4) v^3.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    density : float
+        of the oil [kg/m^3]
+    oil_fraction : float
+        X, of the cavity that oil fills [-]
+
+    Returns
+    -------
+    float
+        power [W]
     """
     speeds = abs(solution.orbit_speed) * 0.5 * solution.bearing.pitch_diameter
     return float((ball_drag(solution.bearing, density, oil_fraction) * speeds**3).sum())

@@ -17,13 +17,14 @@ from ehl.traction.table.table import TractionTable
 
 from ..contacts.contact import BearingContact
 from ..contacts.shape import contact_shape
+from ..films.asperities import Asperities
+from ..films.film import ContactFilm
+from ..films.operating import operating_films, solved_films, with_formulas
 from ..geometry import Bearing, Race
 from ..quasistatic.solution import QuasistaticSolution
-from .asperities import Asperities
 from .coulomb import coulomb_law
 from .films import film_law
 from .law import ContactLaw, Refreshed, TractionLaw
-from .running_films import running_films
 from .tables import contact_law
 
 SolveFilms = Callable[[Sequence[ContactConditions | None]], Sequence[ContactSolution | None]]
@@ -121,7 +122,7 @@ class FilmTraction(TractionLaw):
     # [-]
     rolling_factor: float = 1.0
     # empty before `refresh`
-    films: tuple[ContactSolution | None, ...] = ()
+    films: tuple[ContactFilm | None, ...] = ()
     loads: tuple[float, ...] = ()  # that the films were solved at [N]
 
     @property
@@ -137,16 +138,17 @@ class FilmTraction(TractionLaw):
         the solver refuses one.
         """
         try:
-            films = self.solve([contact.conditions for contact in contacts])
+            solutions = self.solve([contact.conditions for contact in contacts])
         except ValueError as refused:
             return Refreshed(self, str(refused))
         message = ""
-        for contact, film in zip(contacts, films, strict=True):
+        for contact, film in zip(contacts, solutions, strict=True):
             if film is not None and not film.converged and not message:
                 place = f"ball {contact.ball} at the {contact.race.value} race"
                 message = f"the film of {place} did not converge"
         loads = tuple(contact.load for contact in contacts)
-        return Refreshed(replace(self, films=tuple(films), loads=loads), message)
+        films = solved_films(contacts, solutions)
+        return Refreshed(replace(self, films=films, loads=loads), message)
 
     def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
         """Friction at the loads of an equilibrium [N], with the traction coefficients of the
@@ -154,7 +156,12 @@ class FilmTraction(TractionLaw):
         """
         pairs = zip(contacts, self.loads, strict=True)
         scale = np.array([contact.load / load if load > 0.0 else 0.0 for contact, load in pairs])
-        running = running_films(contacts, self.films, self.asperities, (self.rolling_factor, 1.0))
+        running = operating_films(
+            contacts,
+            with_formulas(contacts, self.films),
+            asperities=self.asperities,
+            rolling_factor=self.rolling_factor,
+        )
         return film_law(solution, contacts, running, self.rheology, scale=scale)
 
     def load_change(self, contacts: Sequence[BearingContact]) -> float:

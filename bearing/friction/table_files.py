@@ -22,12 +22,27 @@ INDEX = "temperatures.json"  # its presence marks a file with several temperatur
 def save_race_tables(tables: Tables, path: Path) -> None:
     """Write the tables of both races into one file; it appears under its name only when it is
     complete.
+
+    Parameters
+    ----------
+    tables : Tables
+        by race
+    path : Path
+        of the file
     """
     _write(path, {f"{race.value}.npz": _bytes(table) for race, table in tables.items()})
 
 
 def save_temperature_tables(tables: TemperatureTables, path: Path) -> None:
-    """Write the tables at all temperatures into one file, as `save_race_tables` does."""
+    """Write the tables at all temperatures into one file, as `save_race_tables` does.
+
+    Parameters
+    ----------
+    tables : TemperatureTables
+        by race
+    path : Path
+        of the file
+    """
     index = {}
     entries: dict[str, bytes | str] = {}
     for race, series in tables.items():
@@ -57,10 +72,20 @@ def _write(path: Path, entries: dict[str, bytes | str] | dict[str, bytes]) -> No
 def load_tables(path: Path) -> Tables | TemperatureTables:
     """Read the tables of both races, at one temperature or several, as the file has them.
 
+    Parameters
+    ----------
+    path : Path
+        of the file
+
+    Returns
+    -------
+    Tables | TemperatureTables
+        at one temperature or several, as the file has them
+
     Raises
     ------
     ValueError
-        If the file is none of this kind, or damaged; the message says which.
+        if the file is none of this kind, or damaged; the message says which
     """
     try:
         with zipfile.ZipFile(path) as archive:

@@ -21,7 +21,20 @@ STEP = 1.0e-5
 
 
 def contact_law(contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw]) -> ContactLaw:
-    """Friction [N] of all contacts by a law each, where they are lubricated."""
+    """Friction of all contacts by a law each, where they are lubricated.
+
+    Parameters
+    ----------
+    contacts : Sequence[BearingContact]
+        all contacts, inner then outer, ball by ball
+    laws : Sequence[FrictionLaw]
+        of the contacts
+
+    Returns
+    -------
+    ContactLaw
+        law of the contacts, SI
+    """
     groups = _groups(contacts, laws)
     places = np.array([_place(contact) for contact in contacts])
 
@@ -117,12 +130,24 @@ def _evaluation(laws: Sequence[FrictionLaw], first: FrictionLaw) -> Evaluate:
 
 
 def law_gradient(law: FrictionLaw, place: Array, motion: Array) -> tuple[Array, Array]:
-    """Minus the forces and moments (4,) on the ball by a law, and their slope (4, 4) by sliding
-    and spin.
+    """Minus the forces and moments on the ball by a law, and their slope by sliding and spin; the
+    entrainment is that of the rolling speed.
 
-    `place` (3,): load [N], entrainment speed [m/s], rolling radius [m]; the entrainment is
-    that of the rolling speed; `motion` (4,): sliding along and across [m/s], spin and rolling
-    [rad/s].
+    Parameters
+    ----------
+    law : FrictionLaw
+        of the contact
+    place : Array
+        load [N], entrainment speed [m/s], rolling radius [m], shape (3,)
+    motion : Array
+        sliding along and across [m/s], spin and rolling [rad/s], shape (4,)
+
+    Returns
+    -------
+    gradient
+        shape (4,) [N], [N m]
+    slope
+        shape (4, 4) [N s/m]
     """
     load, speed, radius = (float(value) for value in place)
     here = np.array(law.forces(load, speed, *(float(part) for part in motion[:3]))[:4])

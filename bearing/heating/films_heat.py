@@ -9,23 +9,30 @@ from ehl.oil.lubricant import Lubricant
 from ehl.oil.rheology import Rheology
 
 from ..contacts.contact import BearingContact
-from ..contacts.last import LastOf
+from ..films.film import Films
+from ..films.formula import formula_films
 from ..friction.balance import BalancedFriction
 from ..friction.films import film_balance
-from ..friction.formula_films import formula_film
-from ..friction.running_films import RunningFilm
 from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
-from ..torque.films_torque import films_as_they_run
 from ..torque.inlet import InletFactors
 from ..torque.inputs import FrictionInput
+from ..torque.integrated import bearing_films
 from ..torque.shear_torque import no_balance_message
 from .contact_conductances import contact_conductances
 from .friction_heat import FrictionHeat, UndrivenBallsError, loaded_half
 
-# films as they run, and the balls in balance on them
-KnownFriction = tuple[Sequence[RunningFilm | None] | None, BalancedFriction | None]
-UNKNOWN: KnownFriction = (None, None)
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OperatingState:
+    """What is computed of one state of a bearing; None where it is not."""
+
+    films: Films | None = None  # operating films of the contacts
+    balance: BalancedFriction | None = None  # of the balls on these films
+    conductances: Array | None = None  # through these films, (3, balls, 2) [W/K]
+
+
+NOTHING_COMPUTED = OperatingState()
 
 
 @dataclass(slots=True, kw_only=True)
@@ -45,10 +52,29 @@ class FilmsHeat:
         oil: Lubricant,
         rheology: Rheology,
         inlet: InletFactors,
-        known: KnownFriction = UNKNOWN,
+        computed: OperatingState = NOTHING_COMPUTED,
     ) -> FrictionHeat:
-        """Of films of formulas as they run, without seals [N m], [W]; `known`: these films, and
-        the balls in balance on them, where they are known.
+        """Heat of operating films of formulas, without seals.
+
+        Parameters
+        ----------
+        solution : QuasistaticSolution
+            Equilibrium of the bearing.
+        contacts : sequence of BearingContact
+            Its contacts.
+        oil : Lubricant
+            The oil.
+        rheology : Rheology
+            Of the oil.
+        inlet : InletFactors
+            What the inlets leave of the rolling moments [-].
+        computed : OperatingState
+            Films, balance and conductances of this state, where they are computed already.
+
+        Returns
+        -------
+        FrictionHeat
+            [N m], [W].
 
         Raises
         ------
@@ -60,20 +86,23 @@ class FilmsHeat:
             # loads of one equilibrium at several temperatures are one array
             if before.inner_load is solution.inner_load and same == oil:
                 return heat
-        running, balance = known
-        if running is None:
+        operating, balance = computed.films, computed.balance
+        if operating is None:
             none = (None,) * len(contacts)
-            running = films_as_they_run(solution, contacts, none, self.friction, inlet)
+            operating = bearing_films(solution, contacts, none, self.friction, inlet)
         resistance = self.friction.resistance(solution.bearing, oil)
         if balance is None:
-            balance = film_balance(solution, contacts, running, rheology, resistance, self.last)
+            balance = film_balance(solution, contacts, operating, rheology, resistance, self.last)
         if not balance.converged:
             raise UndrivenBallsError(f"the torque of films: {no_balance_message(balance)}")
         self.last = balance
-        pumped = np.array([0.0 if film is None else film.rolling_moment for film in running])
+        pumped = np.array([0.0 if film is None else film.rolling_moment for film in operating])
         pumped = pumped.reshape(-1, 2) * np.abs(balance.kinematics[..., 3])
         resisted = balance.resisted
         speed = solution.operation.shaft_speed
+        conductances = computed.conductances
+        if conductances is None:
+            conductances = film_conductances(solution, contacts, operating, ends=self.ends)
         found = FrictionHeat(
             torque=(float(balance.power.sum()) + resisted.heat) / speed,
             speed=speed,
@@ -81,7 +110,7 @@ class FilmsHeat:
             pumped=pumped,
             drag=resisted.drag,
             cage=resisted.pocket + resisted.land,
-            conductance=running_conductances(solution, contacts, running, ends=self.ends),
+            conductance=conductances,
             loaded=loaded_half(solution),
         )
         self.known = (solution, oil, found)
@@ -91,37 +120,47 @@ class FilmsHeat:
 def formula_conductances(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> Array:
-    """Of all contacts by films of formulas, (3, balls, 2) [W/K]."""
-    found = [formula_film(contact) for contact in contacts]
-    films = [None if film is None else (film.film, film.error) for film in found]
-    temperature = solution.operation.temperature
-    return contact_conductances(solution.bearing, contacts, films, temperature)
+    """Conductances of heat through isothermal films of formulas.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Equilibrium of the bearing.
+    contacts : sequence of BearingContact
+        Its contacts.
+
+    Returns
+    -------
+    ndarray, shape (3, balls, 2)
+        Value, low and high end [W/K].
+    """
+    return film_conductances(solution, contacts, formula_films(contacts))
 
 
-def running_conductances(
+def film_conductances(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: Sequence[RunningFilm | None],
+    films: Films,
     *,
     ends: bool = True,
 ) -> Array:
-    """Of all contacts by their films as they run, (3, balls, 2) [W/K], made once for one tuple of
-    them; `ends` as in `contact_conductances`.
+    """Conductances of heat through the films of all contacts of an equilibrium.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Equilibrium of the bearing.
+    contacts : sequence of BearingContact
+        Its contacts.
+    films : sequence of ContactFilm or None
+        Operating films of the contacts.
+    ends : bool
+        As in `contact_conductances`.
+
+    Returns
+    -------
+    ndarray, shape (3, balls, 2)
+        Value, low and high end [W/K].
     """
-    objects = (films, contacts, solution.bearing, solution.operation, ends)
-    return _LAST.of(objects, lambda: _conductances(solution, contacts, films, ends))
-
-
-_LAST: LastOf[Array] = LastOf()
-
-
-def _conductances(
-    solution: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    films: Sequence[RunningFilm | None],
-    ends: bool,
-) -> Array:
-    """As `running_conductances`."""
-    pairs = [None if film is None else (film.film, film.error) for film in films]
     temperature = solution.operation.temperature
-    return contact_conductances(solution.bearing, contacts, pairs, temperature, ends=ends)
+    return contact_conductances(solution.bearing, contacts, films, temperature, ends=ends)

@@ -39,8 +39,22 @@ class FrictionHeat:
         return self.torque * self.speed
 
     def scaled(self, factor: float, seal: float, conductance: Array) -> "FrictionHeat":
-        """A multiple of torque and heat [-] with the torque of seals [N m], and multiples of the
-        conductances at both races, shape (2,) [-].
+        """A multiple of torque and heat with the torque of seals, and multiples of the
+        conductances.
+
+        Parameters
+        ----------
+        factor : float
+            of torque and heat [-]
+        seal : float
+            torque of the seals [N m]
+        conductance : Array
+            factors at both races, shape (2,) [-]
+
+        Returns
+        -------
+        FrictionHeat
+            heat [W]
         """
         return replace(
             self,
@@ -54,11 +68,19 @@ class FrictionHeat:
         )
 
     def sources(self, ball_share: tuple[float, float], pumped_to_oil: float) -> Array:
-        """Heat into the nodes [W].
+        """Heat into the nodes.
 
-        ball_share: part of the shear's heat that goes into the ball at inner and outer contacts
-        [-]; pumped_to_oil: part of the inlets' heat that the oil takes, the rest goes as the
-        shear's [-].
+        Parameters
+        ----------
+        ball_share : tuple[float, float]
+            fraction of the shear's heat that goes into the ball at inner and outer contacts [-]
+        pumped_to_oil : float
+            fraction of the inlets' heat that the oil takes, the rest goes as the shear's [-]
+
+        Returns
+        -------
+        Array
+            shape (nodes,) [W]
         """
         solid = self.contact + (1.0 - pumped_to_oil) * self.pumped
         shares = np.array(ball_share)
@@ -74,7 +96,18 @@ class FrictionHeat:
         return node_values(values)
 
     def race(self, race: str) -> Conductance:
-        """Of all balls with the inner ring, or with a half of the outer ring [W/K]."""
+        """Conductance of all balls with the inner ring, or with a half of the outer ring.
+
+        Parameters
+        ----------
+        race : str
+            "inner_ring", "outer_ring_loaded" or "outer_ring_unloaded"
+
+        Returns
+        -------
+        Conductance
+            with its ends [W/K]
+        """
         if race == "inner_ring":
             return Conductance(*self.conductance[:, :, 0].sum(axis=1))
         share = self.loaded if race == "outer_ring_loaded" else 1.0 - self.loaded
@@ -82,8 +115,19 @@ class FrictionHeat:
 
 
 def loaded_half(solution: QuasistaticSolution) -> Array:
-    """Share of each ball in the half of the outer ring about the direction of its load [-]; a
-    half where the load has none.
+    """Fraction of each ball in the half of the outer ring about the direction of its load; a half
+    where
+    the load has none.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+
+    Returns
+    -------
+    Array
+        shape (balls,) [-]
     """
     psi = solution.azimuth
     load = solution.outer_load
@@ -97,8 +141,23 @@ def loaded_half(solution: QuasistaticSolution) -> Array:
 def heat_of_torque(
     parts: Mapping[str, float], solution: QuasistaticSolution, conductance: Array
 ) -> FrictionHeat:
-    """Heat of a torque that has no parts by contact: drag, cage and seal where they are told, the
-    rest on the contacts by their loads; parts in [N m], conductances (3, balls, 2) [W/K].
+    """Heat of a torque that has no parts by contact: drag, cage and seal where they are given, the
+    rest
+    on the contacts by their loads.
+
+    Parameters
+    ----------
+    parts : Mapping[str, float]
+        of the torque by name [N m]
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    conductance : Array
+        of the contacts, shape (3, balls, 2) [W/K]
+
+    Returns
+    -------
+    FrictionHeat
+        heat [W]
     """
     speed = solution.operation.shaft_speed
     apart = {name: parts.get(name, 0.0) * speed for name in ("drag", "cage", "seal")}
@@ -119,8 +178,24 @@ def heat_of_torque(
 def solid_thermal(
     material: Material, needed: str = "for temperatures of the parts"
 ) -> SolidThermal:
-    """Heat properties of a material [W/(m K)], [J/(kg K)]; ValueError, with what they are needed
-    for, where they are not known.
+    """Heat properties of a material.
+
+    Parameters
+    ----------
+    material : Material
+        of ball or ring
+    needed : str, default 'for temperatures of the parts'
+        purpose, for the message
+
+    Returns
+    -------
+    SolidThermal
+        [W/(m K)], [J/(kg K)]
+
+    Raises
+    ------
+    ValueError
+        with the purpose, where they are not given
     """
     if material.thermal_conductivity is None or material.specific_heat is None:
         raise ValueError(
@@ -135,8 +210,20 @@ def solid_thermal(
 
 
 def effusivity_shares(bearing: Bearing) -> tuple[float, float]:
-    """Part of a contact's heat that goes into the ball, e_1/(e_1 + e_2) of bodies at one speed, at
-    the inner and the outer race [-].
+    """Fraction of a contact's heat that goes into the ball, e_1/(e_1 + e_2) of bodies at one
+    speed.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        the bearing
+
+    Returns
+    -------
+    inner
+        at the inner race [-]
+    outer
+        at the outer race [-]
     """
     ball = solid_thermal(bearing.ball_material).effusivity
     rings = (bearing.inner_ring_material, bearing.outer_ring_material)

@@ -50,8 +50,18 @@ class SelfHeatingProblem:
     enough: float = 0.0
 
     def clearance(self, temperatures: Array) -> float:
-        """Diametral clearance [m] at temperatures of the nodes [K]; that of the outer ring is the
-        mean of its halves.
+        """Diametral clearance at temperatures of the nodes; that of the outer ring is the mean of
+        its halves.
+
+        Parameters
+        ----------
+        temperatures : Array
+            of the nodes, shape (nodes,) [K]
+
+        Returns
+        -------
+        float
+            clearance [m]
         """
         if self.reference is None:
             return self.bearing.diametral_clearance
@@ -66,7 +76,18 @@ class SelfHeatingProblem:
         return clearance_budget(self.bearing, self.operation, self.fit, rises).operating
 
     def disagreement(self, state: "HeatState") -> Array:
-        """T_f' - T_f [K] and P_d' - P_d [m] of a state: zero in a balance."""
+        """T_f' - T_f and P_d' - P_d of a state: zero in a balance.
+
+        Parameters
+        ----------
+        state : HeatState
+            heat and temperatures at one film temperature and clearance
+
+        Returns
+        -------
+        Array
+            shape (2,) [K], [m]
+        """
         return np.array(
             [
                 state.found_temperature - state.film_temperature,
@@ -112,14 +133,41 @@ class HeatState:
         return float(self.weights @ self.temperatures)
 
     def surplus(self, temperatures: Array) -> Array:
-        """Heat into each node less what leaves it at given temperatures [K], in [W]."""
+        """Heat into each node less what leaves it.
+
+        Parameters
+        ----------
+        temperatures : Array
+            of the nodes, shape (nodes,) [K]
+
+        Returns
+        -------
+        Array
+            shape (nodes,) [W]
+        """
         leaving, given = self.network.matrix()
         return np.asarray(self.sources + given - leaving @ temperatures)
 
 
 def broyden(matrix: Array, step: Array, change: Array, scales: tuple[float, ...]) -> Array:
-    """A matrix of derivatives after a step that changed the residual, lengths in the scales of the
+    """Matrix of derivatives after a step that changed the residual, lengths in the scales of the
     unknowns, Broyden (1965).
+
+    Parameters
+    ----------
+    matrix : Array
+        before the step, shape (n, n)
+    step : Array
+        of the unknowns, shape (n,)
+    change : Array
+        of the residual, shape (n,)
+    scales : tuple[float, ...]
+        of the unknowns, in their units
+
+    Returns
+    -------
+    Array
+        shape (n, n)
     """
     weighted = step * np.array(scales) ** -2.0
     return np.asarray(matrix + np.outer(change - matrix @ step, weighted) / (step @ weighted))
@@ -132,14 +180,30 @@ def heat_state(
     clearance: float,
     near: tuple[QuasistaticSolution, tuple[BearingContact, ...]] | None = None,
 ) -> HeatState:
-    """Equilibrium, friction and temperatures at a film temperature [K] and a clearance [m].
+    """Equilibrium, friction and temperatures at a film temperature and a clearance.
 
-    `near`: an equilibrium nearby, and its contacts, empty where they are not known.
+    Parameters
+    ----------
+    problem : SelfHeatingProblem
+        the bearing that warms itself
+    fixed : Sequence[HeatPath]
+        paths of heat that friction leaves as they are
+    film_temperature : float
+        of oil and films [K]
+    clearance : float
+        on the diameter [m]
+    near : tuple[QuasistaticSolution, tuple[BearingContact, ...]] | None, optional
+        an equilibrium nearby, and its contacts, empty where they are not computed
+
+    Returns
+    -------
+    HeatState
+        heat [W] and temperatures [K]
 
     Raises
     ------
     ValueError
-        If there is no equilibrium or no friction there, or heat cannot leave.
+        if there is no equilibrium or no friction there, or heat cannot leave
     """
     # 1. clearance, 2. equilibrium, 3. viscosity, 4. friction
     operation = replace(problem.operation, temperature=film_temperature)

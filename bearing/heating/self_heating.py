@@ -120,12 +120,25 @@ class _Search:
 def solve_self_heating(
     problem: SelfHeatingProblem, model: str, *, judged: bool = True
 ) -> SelfHeatingSolution:
-    """Temperatures [K] at which friction equals what surroundings and oil remove, or why there
+    """Temperatures at which friction equals what surroundings and oil remove, or the reason why
+    there
     are none.
 
-    judged: whether it is wanted how stable they are, which takes a state more. Without, and with
-    a clearance that stays, the temperature of the balance may be that to which the last states
-    lead; its torque is then that of the last one.
+    Parameters
+    ----------
+    problem : SelfHeatingProblem
+        the bearing that warms itself
+    model : str
+        of the friction torque, for the result
+    judged : bool, default True
+        whether it is wanted how stable they are, which takes a state more. Without, and with a
+        clearance that stays, the temperature of the balance may be that to which the last states
+        lead; its torque is then that of the last one
+
+    Returns
+    -------
+    SelfHeatingSolution
+        temperatures [K]
     """
     around = problem.around
     try:

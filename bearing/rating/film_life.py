@@ -85,8 +85,25 @@ def film_life(
     low: ContactKappa,
     high: ContactKappa,
 ) -> FilmLife:
-    """Life by the films of an equilibrium beside `rated`, the standard's; `low`, `high`: kappa at
-    the ends of the films' error bars.
+    """Life by the films of an equilibrium beside that of the standard.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    rated : LifeRating
+        the standard's life
+    kappa : ContactKappa
+        of the contacts
+    low : ContactKappa
+        kappa at the lower ends of the films' error bars
+    high : ContactKappa
+        kappa at their upper ends
+
+    Returns
+    -------
+    FilmLife
+        life [revolutions]
     """
     found = FilmLife(shaft_speed=rated.shaft_speed, smallest_kappa=kappa.smallest)
     basic = rated.basic_life
@@ -107,7 +124,18 @@ def film_life(
 
 
 def stress_limit(rated: LifeRating) -> float | None:
-    """e_C C_u/P of a rating [-]; None where one of them is not known."""
+    """e_C C_u/P of a rating.
+
+    Parameters
+    ----------
+    rated : LifeRating
+        the standard's life
+
+    Returns
+    -------
+    float | None
+        ratio [-]; None where one of them is not given
+    """
     cleanliness = rated.rating.contamination_factor
     limit = rated.fatigue_load_limit
     load = rated.equivalent_load
@@ -115,8 +143,21 @@ def stress_limit(rated: LifeRating) -> float | None:
 
 
 def missing_films(solution: QuasistaticSolution, kappa: ContactKappa) -> str:
-    """Which loaded contacts have no kappa, empty if none; but for those whose load is negligible
-    and whose film therefore may be outside the model.
+    """Message on the loaded contacts without kappa; but for those whose load is negligible and
+    whose
+    film therefore may be outside the model.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    kappa : ContactKappa
+        of the contacts
+
+    Returns
+    -------
+    str
+        sentence; empty if there are none
     """
     heaviest = max(solution.inner_load.max(), solution.outer_load.max())
     missing = []
@@ -133,9 +174,21 @@ def missing_films(solution: QuasistaticSolution, kappa: ContactKappa) -> str:
 def contact_life(
     solution: QuasistaticSolution, rated: LifeRating, kappa: ContactKappa
 ) -> float | None:
-    """Life with the kappa of each contact [revolutions]; None where one is below the smallest.
+    """Life with the kappa of each contact; one without has the factor 1.
 
-    A contact without a kappa has the factor 1.
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    rated : LifeRating
+        the standard's life
+    kappa : ContactKappa
+        of the contacts
+
+    Returns
+    -------
+    float | None
+        life [revolutions]; None where a kappa is below the smallest
     """
     limit = stress_limit(rated)
     if limit is None:
@@ -162,8 +215,19 @@ def contact_life(
 
 
 def ring_damage(damage: Array, *, turning: bool) -> float:
-    """(mean l)^e of a ring that turns against the load, mean l^e of one that stands [-]; l are the
-    damages of its contacts in 10^6 revolutions [-].
+    """Damage of a ring: (mean l)^e where it turns against the load, mean l^e where it stands.
+
+    Parameters
+    ----------
+    damage : Array
+        l of its contacts in 10^6 revolutions, shape (balls,) [-]
+    turning : bool
+        whether the ring turns against the load
+
+    Returns
+    -------
+    float
+        damage [-]
     """
     if turning:
         return float(np.mean(damage) ** WEIBULL_SLOPE)

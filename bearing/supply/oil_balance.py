@@ -41,12 +41,32 @@ class OilBalance:
                 raise ValueError(f"{name} must be positive, got {getattr(self, name)!r}")
 
     def layer(self, flow: float) -> float:
-        """Layer h that a contact finds in the steady state [m] at a flow [m^3/s]."""
+        """Layer h that a contact finds in the steady state.
+
+        Parameters
+        ----------
+        flow : float
+            of oil [m^3/s]
+
+        Returns
+        -------
+        float
+            thickness [m]
+        """
         return self.captured * flow * self.residence / self.area
 
     def best_flow(self, roughness: float) -> float:
-        """Flow of least friction [m^3/s], V = 6 sigma A/(phi tau); `roughness`: root mean square
-        of race and ball together [m].
+        """Flow of least friction, V = 6 sigma A/(phi tau).
+
+        Parameters
+        ----------
+        roughness : float
+            sigma, rms of race and ball together [m]
+
+        Returns
+        -------
+        float
+            flow [m^3/s]
         """
         return LAYERS * roughness * self.area / (self.captured * self.residence)
 
@@ -63,9 +83,24 @@ class GrooveOil:
 def groove_oil(
     bearing: Bearing, supply: Supply, residence: float, roughness: tuple[float, float] | None
 ) -> GrooveOil:
-    """Oil on the grooves by the balance: `residence`, the mean time that it stays there [s];
-    `roughness`: root mean square of inner race and balls, outer race and balls [m], of which the
-    larger counts.
+    """Oil on the grooves by the balance.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        the bearing
+    supply : Supply
+        flow of oil
+    residence : float
+        mean time that oil stays on the grooves [s]
+    roughness : tuple[float, float] | None
+        rms of inner race and balls, outer race and balls, of which the larger counts [m]; None:
+        unknown
+
+    Returns
+    -------
+    GrooveOil
+        area, layer, and the flow of least friction
     """
     balance = OilBalance(
         area=groove_area(bearing), captured=supply.track_share, residence=residence
@@ -79,15 +114,39 @@ def groove_oil(
 
 
 def retained_time(best_flow: float, roughness: float, area: float) -> float:
-    """phi tau = 6 sigma A/V [s] that a measured flow of least friction [m^3/s] asks for, by the
-    roughness [m] and the area [m^2].
+    """phi tau = 6 sigma A/V that a measured flow of least friction asks for.
+
+    Parameters
+    ----------
+    best_flow : float
+        V [m^3/s]
+    roughness : float
+        sigma, rms of race and ball together [m]
+    area : float
+        A, of both grooves [m^2]
+
+    Returns
+    -------
+    float
+        time [s]
     """
     return LAYERS * roughness * area / best_flow
 
 
 def groove_area(bearing: Bearing) -> float:
-    """Area of both grooves of a row, from shoulder to shoulder [m^2]; the height of a shoulder
-    whose diameter is not given is a sixth of the ball's diameter.
+    """Area of both grooves of a row, from shoulder to shoulder; the height of a shoulder whose
+    diameter
+    is not given is a sixth of the ball's diameter.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        the bearing
+
+    Returns
+    -------
+    float
+        area [m^2]
     """
     ball = bearing.ball_diameter
     pitch = bearing.pitch_diameter

@@ -28,9 +28,21 @@ NEAREST = 1.0e-9  # to the ends that the quadrature goes [rad]
 
 
 def side_flow_integral(hertz_pressure: float, lubricant: Lubricant) -> float:
-    """I = int_{-pi/2}^{pi/2} eta_0/eta(p_h cos(phi)) dphi [-] of the oil's own law; p_h [Pa].
+    """I = int_{-pi/2}^{pi/2} eta_0/eta(p_h cos(phi)) dphi of the oil's own law.
 
     With Barus' law within 2 % of `barus_integral` from alpha p_h of 10.
+
+    Parameters
+    ----------
+    hertz_pressure : float
+        p_h [Pa]
+    lubricant : Lubricant
+        the oil
+
+    Returns
+    -------
+    float
+        value of the integral [-]
     """
     # t from an end of the contact, dphi = t dln(t): even steps of ln(t) resolve both ends
     log_t = np.linspace(np.log(NEAREST), np.log(0.5 * pi), NODES)
@@ -40,15 +52,35 @@ def side_flow_integral(hertz_pressure: float, lubricant: Lubricant) -> float:
 
 
 def barus_integral(pressure_number: float) -> float:
-    """Nearly I of Barus' law at alpha p_h [-]: pi [(pi alpha p_h/2)^(3/2) + 1]^(-2/3), in error by
-    1 % at 20, 2 % at 10, 8 % at 5, 17 % at 2.
+    """Nearly I of Barus' law: pi [(pi alpha p_h/2)^(3/2) + 1]^(-2/3), in error by 1 % at alpha p_h
+    of 20,
+    2 % at 10, 8 % at 5, 17 % at 2.
+
+    Parameters
+    ----------
+    pressure_number : float
+        alpha p_h [-]
+
+    Returns
+    -------
+    float
+        value of the integral [-]
     """
     return float(pi * ((0.5 * pi * pressure_number) ** 1.5 + 1.0) ** (-2.0 / 3.0))
 
 
 def side_flow(contact: BearingContact) -> float:
-    """h_out^-2 - h_in^-2 of the layer that a contact finds and leaves [1/m^2]; zero where no oil
-    is entrained.
+    """h_out^-2 - h_in^-2 of the layer that a contact finds and leaves.
+
+    Parameters
+    ----------
+    contact : BearingContact
+        contact of a bearing
+
+    Returns
+    -------
+    float
+        [1/m^2]; zero where no oil is entrained
     """
     conditions = contact.conditions
     hertz = contact.hertz

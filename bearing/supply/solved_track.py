@@ -75,8 +75,28 @@ def solved_passes(
 ) -> tuple[SolvedPass, ...]:
     """The passes of a track; fewer where one does not converge, which is the last one then.
 
-    `conditions`: their layer is that of the first pass, [m] or [a^2/Rx]; `first`: its solution, if
-    it is known. ValueError without a layer.
+    Parameters
+    ----------
+    conditions : ContactConditions | MoesConditions
+        with the layer of the first pass [m] or [a^2/Rx]
+    options : SolverOptions
+        of the solver
+    track : TrackPasses
+        number of passes, loss and added oil
+    solve : Solve
+        solves one contact
+    first : ContactSolution | None, optional
+        solution of the first pass, if it is computed already
+
+    Returns
+    -------
+    tuple[SolvedPass, ...]
+        in their order
+
+    Raises
+    ------
+    ValueError
+        without a layer
     """
     if conditions.inlet_layer is None:
         raise ValueError("inlet_layer is needed for the first pass of a track")

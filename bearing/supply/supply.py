@@ -99,11 +99,23 @@ AMPLE = InletFilm(layer=1.0)  # floods every contact
 def supplied_shares(
     contact: BearingContact, flooded_film: float, supply: Supply | InletFilm, balls: int
 ) -> StarvationShares:
-    """What a supply leaves of the flooded films and rolling moment of a contact [-]; all where no
-    oil is entrained.
+    """Fractions of the flooded films and of the rolling moment of a contact that a supply leaves.
 
-    `flooded_film`: central, solved or from a formula [m]; `supply`: a layer that is ample leaves
-    the film as it was, to the last digit; `balls`: in one row [-].
+    Parameters
+    ----------
+    contact : BearingContact
+        contact of a bearing
+    flooded_film : float
+        central, solved or from a formula [m]
+    supply : Supply | InletFilm
+        a layer that is ample leaves the film as it was, to the last digit
+    balls : int
+        in one row [-]
+
+    Returns
+    -------
+    StarvationShares
+        fractions [-]; all where no oil is entrained
     """
     if contact.conditions is None or contact.hertz is None:
         return FLOODED
@@ -115,8 +127,23 @@ def supplied_shares(
 def inlet_layer(
     contact: BearingContact, flooded_film: float, supply: Supply | InletFilm, balls: int
 ) -> float:
-    """Layer of oil at the inlet of a contact in the steady state [m], as `supplied_shares`; a flow
-    gives none where no oil is entrained.
+    """Layer of oil at the inlet of a contact in the steady state.
+
+    Parameters
+    ----------
+    contact : BearingContact
+        contact of a bearing
+    flooded_film : float
+        central, solved or from a formula [m]
+    supply : Supply | InletFilm
+        oil at the inlets
+    balls : int
+        in one row [-]
+
+    Returns
+    -------
+    float
+        thickness [m]; zero of a flow where no oil is entrained
     """
     if isinstance(supply, InletFilm):
         return supply.layer
@@ -129,10 +156,30 @@ def inlet_layer(
 def contact_track(
     contact: BearingContact, flooded_film: float, supply: Supply | InletFilm | None = None
 ) -> tuple[Track, float]:
-    """What a pass does to the layer that a contact finds, and the layer that counts as 1 there,
-    the oil of its flooded film rho_c h_cff [m]; `supply` gives loss and exponent, if any.
+    """Change of the layer that a contact finds in one pass, and the layer that counts as 1 there,
+    the
+    oil of its flooded film rho_c h_cff.
 
-    ValueError where no oil is entrained.
+    Parameters
+    ----------
+    contact : BearingContact
+        contact of a bearing
+    flooded_film : float
+        central, solved or from a formula [m]
+    supply : Supply | InletFilm | None, optional
+        gives loss and exponent
+
+    Returns
+    -------
+    track
+        by the layer over the unit [-]
+    unit
+        [m]
+
+    Raises
+    ------
+    ValueError
+        where no oil is entrained
     """
     hertz = contact.hertz
     if contact.conditions is None or hertz is None:
@@ -161,8 +208,21 @@ def _unit(contact: BearingContact, flooded_film: float) -> float:
 def starvation_law(
     conditions: ContactConditions, unit: float
 ) -> Callable[[float], StarvationShares]:
-    """Shares over r, the layer over the oil of the flooded film, `unit` [m], of a contact [-]. The
+    """Law of starvation of a contact: fractions over r, the layer over the oil of the flooded
+    film. The
     layer of a flooded inlet leaves all.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        of the contact
+    unit : float
+        oil of the flooded film at ambient density [m]
+
+    Returns
+    -------
+    Callable[[float], StarvationShares]
+        gives the fractions at r [-]
     """
     scaled = scale_contact(conditions, along_entrainment=True)
     ample = conditions.lubricant.flooded_layer / unit
@@ -178,15 +238,43 @@ def _added(contact: BearingContact, supply: Supply, balls: int) -> float:
 
 
 def compression(hertz_pressure: float, lubricant: Lubricant) -> float:
-    """Density at the centre of a contact, at the Hertz pressure [Pa], over the ambient one [-]."""
+    """Density at the centre of a contact, at the Hertz pressure, over the ambient one.
+
+    Parameters
+    ----------
+    hertz_pressure : float
+        [Pa]
+    lubricant : Lubricant
+        the oil
+
+    Returns
+    -------
+    float
+        ratio [-]
+    """
     return float(density(hertz_pressure, lubricant)) / lubricant.density
 
 
 def cavity_volume(bearing: Bearing) -> float:
-    """Space between the rings less the balls [m^3]; the cage is left out.
+    """Space between the rings less the balls; the cage is left out.
 
     Between cylinders at the shoulders (raceway and a third of the ball's radius where these are
-    not given), over the width; ValueError if that is not given.
+    not given), over the width.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        the bearing
+
+    Returns
+    -------
+    float
+        volume [m^3]
+
+    Raises
+    ------
+    ValueError
+        if the width is not given
     """
     if bearing.width is None:
         raise ValueError("width is needed for the volume of the cavity")
@@ -211,5 +299,18 @@ def _share_in_cavity(inner: float, outer: float, pitch: float, ball: float) -> f
 
 
 def oil_fraction(supply: Supply, cavity: float) -> float:
-    """Oil in the cavity [m^3], flow times residence time over volume, at most 1 [-]."""
+    """Fraction of the cavity that oil fills: flow times residence time over volume, at most 1.
+
+    Parameters
+    ----------
+    supply : Supply
+        flow of oil
+    cavity : float
+        volume [m^3]
+
+    Returns
+    -------
+    float
+        fraction [-]
+    """
     return min(supply.flow * supply.residence_time / cavity, 1.0) if cavity > 0.0 else inf

@@ -52,14 +52,35 @@ class Track:
             raise ValueError(f"loss must lie in [0, 1], got {self.loss!r}")
 
     def left(self, layer: float) -> float:
-        """Layer that a pass leaves of a layer [-]."""
+        """Layer that a pass leaves of a layer.
+
+        Parameters
+        ----------
+        layer : float
+            at the inlet [-]
+
+        Returns
+        -------
+        float
+            layer [-]
+        """
         if layer <= 0.0:
             return 0.0
         return min(self.passing(layer), layer - self._pressed_out(layer))
 
     def lost(self, layer: float) -> float:
-        """Layer less what a pass leaves of it [-], to rounding of the loss where that is the side
+        """Layer less what a pass leaves of it, to rounding of the loss where that is the side
         flow.
+
+        Parameters
+        ----------
+        layer : float
+            at the inlet [-]
+
+        Returns
+        -------
+        float
+            layer [-]
         """
         if layer <= 0.0:
             return 0.0
@@ -74,8 +95,23 @@ class Track:
 
 
 def after_passes(track: Track, layer: float, number: int, added: float = 0.0) -> Array:
-    """Layers that so many passes leave one after the other, shape (number,), the first one of
-    `layer` at its inlet; `added`: layer between two balls [-].
+    """Layers that so many passes leave one after the other.
+
+    Parameters
+    ----------
+    track : Track
+        change of a layer in one pass
+    layer : float
+        at the first inlet, over the unit [-]
+    number : int
+        of passes [-]
+    added : float, default 0.0
+        layer added between two balls [-]
+
+    Returns
+    -------
+    Array
+        shape (number,) [-]
     """
     layers = np.empty(number)
     for index in range(number):
@@ -85,10 +121,21 @@ def after_passes(track: Track, layer: float, number: int, added: float = 0.0) ->
 
 
 def steady_layer(track: Track, added: float) -> float:
-    """Layer r at every inlet in the steady state [-]; zero without supply: all oil is pressed out
-    in the end, or lost.
+    """Layer r at every inlet in the steady state; without supply all oil is pressed out in the
+    end, or
+    lost.
 
-    `added`: layer between two balls [-].
+    Parameters
+    ----------
+    track : Track
+        change of a layer in one pass
+    added : float
+        layer added between two balls [-]
+
+    Returns
+    -------
+    float
+        layer over the unit [-]
     """
     if added <= 0.0:
         return 0.0
@@ -105,14 +152,42 @@ def steady_layer(track: Track, added: float) -> float:
 
 
 def steady_share(track: Track, added: float) -> float:
-    """Film over the flooded one in the steady state [-]; exactly 1 with ample oil."""
+    """Film over the flooded one in the steady state; exactly 1 with ample oil.
+
+    Parameters
+    ----------
+    track : Track
+        change of a layer in one pass
+    added : float
+        layer added between two balls [-]
+
+    Returns
+    -------
+    float
+        fraction [-]
+    """
     if added >= FLOODED_RATIO:
         return 1.0
     return track.share(steady_layer(track, added)) if added > 0.0 else 0.0
 
 
 def added_layer(flow: float, width: float, speed: float, balls: int) -> float:
-    """Layer that a flow [m^3/s] lays on a track of a width [m], which the contacts of so many
-    balls pass at a speed [m/s], from ball to ball [m].
+    """Layer that a flow lays on a track from ball to ball.
+
+    Parameters
+    ----------
+    flow : float
+        onto the track [m^3/s]
+    width : float
+        of the track [m]
+    speed : float
+        of the contacts along the track [m/s]
+    balls : int
+        that pass in a turn [-]
+
+    Returns
+    -------
+    float
+        thickness [m]
     """
     return flow / (width * speed * balls)

@@ -4,12 +4,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ehl import ContactSolution, Lubricant
+from ehl import Lubricant
 from ehl.units import from_si, notebook_html
 
 from ..contacts.contact import BearingContact
+from ..films.film import ContactFilm, Films
+from ..films.operating import OilAtInlets, supplied_films
+from ..friction.coulomb import balanced_friction
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.starved_films import StarvedFilm, starved_films
 from ..supply.supply import Supply
 from .inlet import InletFactors
 from .models import (
@@ -17,12 +19,12 @@ from .models import (
     FrictionInput,
     ModelTorque,
     coulomb_coefficient,
-    line_models,
+    coulomb_model,
     palmgren_model,
     skf_model,
     summed,
-    yao_model,
 )
+from .paper_models import line_models, yao_model
 from .shear_torque import SolvedShear
 from .starved import StarvedTorque, starved_torque
 
@@ -43,6 +45,11 @@ NAMES = (
     "skf_lambda",
     STARVED,
 )
+PAPERS = (
+    *("pure_rolling_lines", "houpert", "yao", "balanced_lines", "kakuta", "constant_coulomb"),
+    "skf_lambda",
+)
+NOT_COMPUTED = 'not computed; [friction] models = "all" computes the models of single papers'
 NO_FILMS = "needs the film of every loaded contact and the oil's shear law"
 
 
@@ -53,7 +60,9 @@ class TorqueBreakdown:
     models: dict[str, ModelTorque]
     coefficient: float  # Coulomb's mu the sliding models took [-]
     shear: SolvedShear | None = None
-    films: tuple[StarvedFilm | None, ...] = ()  # of the contacts, where a supply is given
+    films: tuple[
+        ContactFilm | None, ...
+    ] = ()  # at the supply, of the contacts, where one is given
     starved: StarvedTorque | None = None  # at that supply
     behind_layers: bool = False  # films, and with them the integrated model, are at the supply
     inlet: InletFactors | None = None  # in the rolling part; None without an integrated torque
@@ -111,14 +120,33 @@ def torque_breakdown(
     lubricant: Lubricant,
     friction: FrictionInput,
     shear: SolvedShear | None = None,
-    solutions: Sequence[ContactSolution | None] | None = None,
+    films: Films | None = None,
     inlet: InletFactors | None = None,
 ) -> TorqueBreakdown:
-    """Friction torque [N m] by every model; at rest every model is left out.
+    """Friction torque by the integrated model, SKF's, Palmgren's and Coulomb's, those of plug-ins
+    and of a supply, and on request those of single papers; at rest every model is left out.
 
-    `shear`: of every lubricated contact, without it there is no integrated model; `solutions`:
-    flooded films that a supply takes its share of, formulas where one is missing; `inlet`: what
-    the shear has of its rolling part [-].
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Equilibrium of the bearing.
+    contacts : sequence of BearingContact
+        Its contacts.
+    lubricant : Lubricant
+        The oil.
+    friction : FrictionInput
+        With `all_models`, the models of single papers are computed, too.
+    shear : SolvedShear, optional
+        Of every lubricated contact; without it there is no integrated model.
+    films : sequence of ContactFilm or None, optional
+        Films as computed, of which a supply leaves a fraction; formulas where one is missing.
+    inlet : InletFactors, optional
+        What the inlets leave of the rolling part of the shear [-].
+
+    Returns
+    -------
+    TorqueBreakdown
+        By the names of the models [N m]; those that are not computed have a note.
     """
     speed = solution.operation.shaft_speed
     if speed == 0.0:
@@ -126,30 +154,36 @@ def torque_breakdown(
         return TorqueBreakdown(models=dict.fromkeys(NAMES, stationary), coefficient=0.0)
     mu = coulomb_coefficient(solution, lubricant, friction)
     rough = shear is not None and friction.roughness is not None
-    asperities = shear.asperity_share if shear is not None and rough else None
+    wanted = rough and friction.all_models
+    asperities = shear.asperity_share if shear is not None and wanted else None
     by_skf = skf_model(solution, lubricant, friction, asperities)
-    models = {
+    lines = balanced_friction(solution, contacts, mu, lines=True)
+    models = dict.fromkeys(PAPERS, ModelTorque(note=NOT_COMPUTED)) | {
         INTEGRATED: _integrated(shear, by_skf[SKF]),
-        **line_models(solution, contacts, mu, speed),
         **by_skf,
         "palmgren": palmgren_model(solution, lubricant, friction),
-        "yao": yao_model(solution, contacts, lubricant, friction, mu),
+        "coulomb": coulomb_model(solution, contacts, mu, lines),
     }
-    lacking = {} if shear is None or friction.roughness is None else shear.missing_components
-    lambda_note = lacking.get("asperity", "needs the films and their roughness, [surface]")
-    models.setdefault("skf_lambda", ModelTorque(note=lambda_note))
-    models[STARVED], starved = _starved(solution, contacts, lubricant, friction, solutions)
-    films: tuple[StarvedFilm | None, ...] = ()
+    if friction.all_models:
+        models |= line_models(solution, contacts, mu, lines)
+        models["yao"] = yao_model(solution, contacts, lubricant, friction, mu)
+        if "skf_lambda" not in by_skf:
+            lacking = shear.missing_components if shear is not None and rough else {}
+            note = lacking.get("asperity", "needs the films and their roughness, [surface]")
+            models["skf_lambda"] = ModelTorque(note=note)
+    known = films or (None,) * len(contacts)
+    models[STARVED], starved = _starved(solution, contacts, lubricant, friction, known)
+    supplied: tuple[ContactFilm | None, ...] = ()
     if friction.supply is not None:
-        balls = solution.bearing.balls
-        films = starved_films(contacts, friction.supply, balls, friction.roughness, solutions)
-    behind_layers = any(film is not None and film.supply is not None for film in solutions or ())
+        oil = OilAtInlets(oil=friction.supply, balls=solution.bearing.balls)
+        supplied = supplied_films(contacts, known, oil, friction.asperities)
+    behind_layers = any(film is not None and film.behind_layer for film in known)
     order = [*NAMES, *(name for name in models if name not in NAMES)]
     return TorqueBreakdown(
         models={name: models[name] for name in order},
         coefficient=mu,
         shear=shear,
-        films=films,
+        films=supplied,
         starved=starved,
         behind_layers=behind_layers,
         inlet=None if shear is None else inlet,
@@ -163,18 +197,37 @@ def model_torque(
     friction: FrictionInput,
     name: str,
 ) -> ModelTorque:
-    """Friction torque [N m] by one model that needs no films, without the work of the others; as
-    `torque_breakdown`.
+    """Friction torque by one model that needs no films, without the work of the others.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Equilibrium of the bearing; the rings turn against each other.
+    contacts : sequence of BearingContact
+        Its contacts.
+    lubricant : Lubricant
+        The oil.
+    friction : FrictionInput
+        Input of the models.
+    name : str
+        Of the model, one of `NAMES`.
+
+    Returns
+    -------
+    ModelTorque
+        [N m].
     """
-    speed = solution.operation.shaft_speed
     mu = coulomb_coefficient(solution, lubricant, friction)
     models = {
         SKF: lambda: skf_model(solution, lubricant, friction)[SKF],
         "palmgren": lambda: palmgren_model(solution, lubricant, friction),
         "yao": lambda: yao_model(solution, contacts, lubricant, friction, mu),
-        STARVED: lambda: _starved(solution, contacts, lubricant, friction)[0],
+        "coulomb": lambda: coulomb_model(solution, contacts, mu),
+        STARVED: lambda: _starved(
+            solution, contacts, lubricant, friction, (None,) * len(contacts)
+        )[0],
     }
-    return models[name]() if name in models else line_models(solution, contacts, mu, speed)[name]
+    return models[name]() if name in models else line_models(solution, contacts, mu)[name]
 
 
 def _integrated(shear: SolvedShear | None, by_skf: ModelTorque) -> ModelTorque:
@@ -192,7 +245,7 @@ def _starved(
     contacts: Sequence[BearingContact],
     lubricant: Lubricant,
     friction: FrictionInput,
-    solutions: Sequence[ContactSolution | None] | None = None,
+    films: Films,
 ) -> tuple[ModelTorque, StarvedTorque | None]:
     """Torque at the oil supply given, first order."""
     no_width = isinstance(friction.supply, Supply) and solution.bearing.width is None
@@ -205,9 +258,7 @@ def _starved(
     if friction.supply is None or missing:
         return ModelTorque(note=f"needs {', '.join(missing)}"), None
     try:
-        torque = starved_torque(
-            solution, contacts, lubricant, friction, friction.supply, solutions
-        )
+        torque = starved_torque(solution, contacts, lubricant, friction, friction.supply, films)
     except ValueError as error:
         return ModelTorque(note=str(error)), None
     parts = ("rolling", "film", "asperity", "cage", "drag")

@@ -45,11 +45,27 @@ def inlet_factors(
     heated: bool = False,
     layered: bool = False,
 ) -> InletFactors:
-    """Factors at a speed of the rings against each other [rad/s] and a kinematic viscosity
-    [m^2/s].
+    """Factors of the rolling moment of flooded, isothermal films.
 
-    heated: films that are solved are solved with heat; layered: the oil that they find is given or
-    solved.
+    Parameters
+    ----------
+    bearing : Bearing
+        the bearing
+    speed : float
+        of the rings against each other [rad/s]
+    viscosity : float
+        kinematic, of the oil [m^2/s]
+    lubrication : skf.Lubrication
+        the way the oil comes to the bearing
+    heated : bool, default False
+        whether films that are solved are solved with heat
+    layered : bool, default False
+        whether the oil at the inlets is given or solved
+
+    Returns
+    -------
+    InletFactors
+        factors [-] and their sources
     """
     shear = supplied = 1.0
     why_shear = "solved with the films; SKF's phi_ish where one is not"
@@ -73,13 +89,36 @@ def inlet_factors(
 
 
 def mean_diameter(bearing: Bearing) -> float:
-    """(d + D)/2 where both are known, else the pitch diameter [m]."""
+    """(d + D)/2 where both are given, else the pitch diameter.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        the bearing
+
+    Returns
+    -------
+    float
+        diameter [m]
+    """
     return 0.5 * sum(diameters(bearing))
 
 
 def diameters(bearing: Bearing) -> tuple[float, float]:
-    """Bore and outside diameter [m]; where one is not given, about the pitch diameter, a section
-    of `BALL_TO_SECTION` apart.
+    """Bore and outside diameter; where one is not given, about the pitch diameter, a section of
+    `BALL_TO_SECTION` apart.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        the bearing
+
+    Returns
+    -------
+    bore
+        [m]
+    outside
+        [m]
     """
     if bearing.bore is not None and bearing.outside_diameter is not None:
         return bearing.bore, bearing.outside_diameter
@@ -88,5 +127,16 @@ def diameters(bearing: Bearing) -> tuple[float, float]:
 
 
 def bearing_kind(bearing: Bearing) -> skf.Series:
-    """Deep groove or angular contact [-]."""
+    """Kind of a bearing in SKF's tables: deep groove or angular contact.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        the bearing
+
+    Returns
+    -------
+    skf.Series
+        kind
+    """
     return skf.Series.ANGULAR_CONTACT if bearing.angular_contact else skf.Series.DEEP_GROOVE

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 from ehl.oil.lubricant import Lubricant
 
-from ..friction.asperities import Asperities, LoadSharing, Spectrum
+from ..films.asperities import Asperities, LoadSharing, Spectrum
 from ..friction.resistance import Cage, Resistance, resistance_of
 from ..geometry import Bearing
 from ..supply.supply import InletFilm, Supply, cavity_volume, oil_fraction
@@ -48,7 +48,7 @@ class FrictionInput:
     solved_supply: Supply | InletFilm | None = None
     # SKF's sliding moment also with the slip of the sliding friction paper
     as_printed: bool = False
-    # results show every model, not only integrated, SKF, Palmgren and Coulomb
+    # models of single papers are computed beside integrated, SKF, Palmgren and Coulomb
     all_models: bool = False
 
     @property
@@ -71,21 +71,54 @@ class FrictionInput:
         )
 
     def oil_share(self, bearing: Bearing) -> float | None:
-        """Share of the cavity of a bearing that oil fills [-]: by the flow, else as given; None:
-        without churning.
+        """Fraction of the cavity of a bearing that oil fills: by the flow, else as given.
+
+        Parameters
+        ----------
+        bearing : Bearing
+            the bearing
+
+        Returns
+        -------
+        float | None
+            fraction [-]; None: without churning
         """
         if isinstance(self.scarce, Supply) and bearing.width is not None:
             return oil_fraction(self.scarce, cavity_volume(bearing))
         return self.oil_fraction
 
     def resistance(self, bearing: Bearing, oil: Lubricant) -> Resistance:
-        """What holds balls and cage of a bearing back: drag, land and pockets."""
+        """Resistance of balls and cage of a bearing: drag, land and pockets.
+
+        Parameters
+        ----------
+        bearing : Bearing
+            the bearing
+        oil : Lubricant
+            the oil
+
+        Returns
+        -------
+        Resistance
+            what holds the balls back beside the races
+        """
         share = self.oil_share(bearing)
         return resistance_of(self.cage, bearing, oil.viscosity, oil.density, share)
 
     def at_supply(self, supply: Supply | InletFilm, bearing: Bearing) -> "FrictionInput":
-        """The same of a bearing at another supply [m^3/s], [m], with the oil that stands in its
-        cavity.
+        """The same of a bearing at another supply, with the oil that stands in its cavity.
+
+        Parameters
+        ----------
+        supply : Supply | InletFilm
+            flow [m^3/s] or layer [m]
+        bearing : Bearing
+            the bearing
+
+        Returns
+        -------
+        FrictionInput
+            for the films that were solved at the present supply
         """
         return replace(
             self,

@@ -14,22 +14,25 @@ from dataclasses import replace
 
 import numpy as np
 
+from ehl.oil.lubricant import Lubricant
 from ehl.oil.rheology import Rheology
 
 from ..contacts.contact import BearingContact
 from ..contacts.motion import MotionMap, ball_speeds, motion_map
 from ..contacts.traction import ContactTraction, contact_traction
+from ..films.film import ContactFilm, FilmOrigin, Films
+from ..films.operating import OilAtInlets, operating_films, with_formulas
 from ..friction.balance import BalancedFriction, balance_balls, balance_driven_balls
 from ..friction.cage import resisted_power
 from ..friction.film_nodes import film_nodes
 from ..friction.films import ShearedFilms, film_law_balance, law_of_films, sheared_films
 from ..friction.law import ContactLaw
 from ..friction.resistance import NO_RESISTANCE, Resistance
-from ..friction.running_films import RunningFilms
-from ..friction.unsolved_film import UnsolvedFilm
 from ..geometry import Array
 from ..operation import BallKinematics
 from ..quasistatic.solution import QuasistaticSolution
+from .inlet import InletFactors
+from .inputs import FrictionInput
 from .shear_torque import (
     IntegratedTorque,
     SolvedShear,
@@ -54,18 +57,36 @@ NO_ASPERITIES = (
 def solved_shear(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: RunningFilms,
+    films: Films,
     rheology: Rheology,
     resistance: Resistance = NO_RESISTANCE,
     *,
     bound: bool = True,
 ) -> SolvedShear:
-    """Torque [N m] of films under the hypothesis and in traction equilibrium, there flooded and
-    isothermal, too, unless that `bound` is not wanted; arguments as in `film_balance`, films of
-    all lubricated contacts.
+    """Torque of operating films under the hypothesis and in traction equilibrium.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    films : Films
+        operating films of all lubricated contacts
+    rheology : Rheology
+        of the oil
+    resistance : Resistance, default NO_RESISTANCE
+        what holds the balls back beside the races
+    bound : bool, default True
+        whether the torque of flooded, isothermal films is wanted, too
+
+    Returns
+    -------
+    SolvedShear
+        torques [N m]
     """
     whole = None
-    if bound and any(film is not None and film.rolling_factor != 1.0 for film in films):
+    if bound and any(film is not None and film.rolling_fraction != 1.0 for film in films):
         whole = [film and film.flooded() for film in films]
     nodes = film_nodes(solution, contacts, (films, whole or ()), rheology)
     sheared = sheared_films(solution, contacts, films, rheology, nodes[0])
@@ -100,11 +121,101 @@ def solved_shear(
     )
 
 
-def _asperity_share(contacts: Sequence[BearingContact], films: RunningFilms) -> float:
+def bearing_films(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    films: Films,
+    friction: FrictionInput,
+    inlet: InletFactors,
+) -> tuple[ContactFilm | None, ...]:
+    """Operating films of the contacts of a bearing, as its friction torque takes them.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Equilibrium of the bearing.
+    contacts : sequence of BearingContact
+        Its contacts.
+    films : sequence of ContactFilm or None
+        Films as computed; those of the film atlas or of formulas where there is none.
+    friction : FrictionInput
+        Supply and asperities.
+    inlet : InletFactors
+        What the inlets leave of the rolling moments [-].
+
+    Returns
+    -------
+    tuple of ContactFilm or None
+        None where a contact carries no load or entrains no oil.
+    """
+    supply = None
+    if friction.scarce is not None:
+        supply = OilAtInlets(
+            oil=friction.scarce,
+            balls=solution.bearing.balls,
+            as_solved=friction.solved_supply in (None, friction.scarce),
+        )
+    return operating_films(
+        contacts,
+        with_formulas(contacts, films),
+        supply=supply,
+        asperities=friction.asperities,
+        rolling_factor=inlet.rolling,
+        unheated_factor=inlet.unheated,
+    )
+
+
+def films_torque(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    films: Films,
+    friction: FrictionInput,
+    inlet: InletFactors,
+    rheology: Rheology,
+    lubricant: Lubricant,
+) -> SolvedShear:
+    """The recommended torque: shear of the operating films, with asperities, cage and drag.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Equilibrium of the bearing.
+    contacts : sequence of BearingContact
+        Its contacts.
+    films : sequence of ContactFilm or None
+        Films as computed; those of the film atlas or of formulas where there is none.
+    friction : FrictionInput
+        Supply, asperities, cage and oil in the cavity.
+    inlet : InletFactors
+        What the inlets leave of the rolling moments [-].
+    rheology : Rheology
+        Of the oil.
+    lubricant : Lubricant
+        The oil.
+
+    Returns
+    -------
+    SolvedShear
+        Torque [N m] under the hypothesis and in balance, and the operating films.
+    """
+    operating = bearing_films(solution, contacts, films, friction, inlet)
+    resistance = friction.resistance(solution.bearing, lubricant)
+    shear = solved_shear(solution, contacts, operating, rheology, resistance)
+    existing = [film for film in operating if film is not None]
+    return replace(
+        shear,
+        films=operating,
+        by_formula=sum(film.origin is not FilmOrigin.SOLVED for film in existing),
+        by_atlas=sum(film.origin is FilmOrigin.ATLAS for film in existing),
+        lubricated=len(existing),
+    )
+
+
+def _asperity_share(contacts: Sequence[BearingContact], films: Films) -> float:
     """Part of the sum of all loads on asperities [-]."""
     pairs = [(c, film) for c, film in zip(contacts, films, strict=True) if film is not None]
     loads = sum(c.load for c, _ in pairs)
-    return sum(film.asperity_share * c.load for c, film in pairs) / loads if loads > 0.0 else 0.0
+    return sum(film.asperity_load * c.load for c, film in pairs) / loads if loads > 0.0 else 0.0
 
 
 def _torque_in_balance(
@@ -121,7 +232,7 @@ def _torque_in_balance(
 def _tractions(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: RunningFilms,
+    films: Films,
     rheology: Rheology,
     balance: BalancedFriction | None = None,
 ) -> tuple[ContactTraction, ...]:
@@ -132,20 +243,20 @@ def _tractions(
         contact_traction(
             solution,
             contact,
-            film.film,
+            field,
             rheology,
             None if balance is None else balance.motions[contact.ball - 1],
             film.rolling_moment,
         )
         for contact, film in zip(contacts, films, strict=True)
-        if film is not None and not isinstance(film.film, UnsolvedFilm)
+        if film is not None and (field := film.operating_field) is not None
     )
 
 
 def _flooded_torque(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    whole: RunningFilms,
+    whole: Films,
     sheared: ShearedFilms,
     resistance: Resistance,
     near: BalancedFriction,
@@ -173,10 +284,27 @@ def law_torque(
     resistance: Resistance = NO_RESISTANCE,
     whole: ContactLaw | None = None,
 ) -> SolvedShear:
-    """Torque [N m] by the friction of all contacts, inner then outer, ball by ball, under the
-    hypothesis and in balance; the rings turn against each other.
+    """Torque by the friction of all contacts under the hypothesis and in balance; the rings turn
+    against
+    each other.
 
-    whole: the law with the rolling moment of flooded, isothermal films, where it is another.
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        all of its contacts, inner then outer, ball by ball
+    law : ContactLaw
+        friction of the contacts
+    resistance : Resistance, default NO_RESISTANCE
+        what holds the balls back beside the races
+    whole : ContactLaw | None, optional
+        the law with the rolling moment of flooded, isothermal films, where it is another
+
+    Returns
+    -------
+    SolvedShear
+        torques [N m]
     """
     kinematics = motion_map(solution, contacts)
     motion = kinematics.motion(*ball_speeds(solution))
@@ -268,9 +396,25 @@ def integrated_torque(
     motion: Array,
     forces: Array,
 ) -> IntegratedTorque:
-    """Torque [N m] of the shear of all lubricated contacts, and of the asperities of their films,
-    at motions (contacts, 4) [m/s], [rad/s] with the forces of the films there (contacts, 4) [N],
-    [N m].
+    """Torque of the shear of all lubricated contacts, and of the asperities of their films.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    kinematics : MotionMap
+        motion of the contacts as a function of the balls' and rings' speeds
+    films : ShearedFilms
+        friction of the films by its parts
+    motion : Array
+        sliding along and across, spin and rolling, shape (contacts, 4) [m/s], [rad/s]
+    forces : Array
+        of the films at this motion, shape (contacts, 4) [N], [N m]
+
+    Returns
+    -------
+    IntegratedTorque
+        torque by its parts [N m]
     """
     rubbed = films.rub(motion, np.arange(motion.shape[0]))
     asperity = np.zeros_like(forces) if rubbed is None else -rubbed[0]

@@ -4,7 +4,7 @@ are none.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from math import cos, hypot, sin
+from math import hypot
 
 import numpy as np
 
@@ -14,25 +14,17 @@ from ehl.units import MILLIMETRE, MILLION, RPM, from_si
 from ..contacts.contact import BearingContact
 from ..friction.balance import BalancedFriction
 from ..friction.coulomb import balanced_friction
-from ..friction.resistance import (
-    churning_power,
-    contact_rolling_power,
-    hysteresis_torque,
-    land_power,
-    pocket_power,
-)
-from ..geometry import Bearing, Race
+from ..friction.resistance import churning_power, land_power, pocket_power
+from ..geometry import Array, Bearing, Race
 from ..material import MaterialKind, load_material
 from ..quasistatic.solution import QuasistaticSolution
 from ..rating.load_rating import dynamic_rating, static_equivalent_load, static_rating
 from ..shoulder_diameter import shoulder_diameter
-from . import palmgren, skf, sliding
+from . import palmgren, skf
 from .inlet import bearing_kind, mean_diameter
 from .inputs import FrictionInput
 
 ROUND_OFF = 1.0e-8  # of one load over the other below which there is none [-]
-# of Jones (1959), as quoted in the comparison of sliding friction torques [-]
-CONSTANT_COULOMB = 0.07
 AS_PRINTED = "skf_as_printed"
 COMPUTED_RATING = "static rating computed from the geometry, as of steel; none was given"
 
@@ -48,7 +40,20 @@ class ModelTorque:
 
 
 def summed(components: dict[str, float], note: str = "") -> ModelTorque:
-    """A model whose torque is the sum of its components [N m]."""
+    """A model whose torque is the sum of its components.
+
+    Parameters
+    ----------
+    components : dict[str, float]
+        by name [N m]
+    note : str, default ''
+        on the torque
+
+    Returns
+    -------
+    ModelTorque
+        torque [N m]
+    """
     return ModelTorque(components=components, total=sum(components.values()), note=note)
 
 
@@ -56,7 +61,21 @@ def coulomb_coefficient(
     solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput
 ) -> float:
     """Coulomb's mu of the sliding models: as given, or SKF's mu_sl at the bearing's speed and
-    viscosity [-].
+    viscosity.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    lubricant : Lubricant
+        the oil
+    friction : FrictionInput
+        input of the models
+
+    Returns
+    -------
+    float
+        coefficient [-]
     """
     if friction.coefficient is not None:
         return friction.coefficient
@@ -67,8 +86,21 @@ def coulomb_coefficient(
 
 
 def ring_loads(solution: QuasistaticSolution) -> tuple[float, float]:
-    """Radial and axial load of the ring [N]; none where it is round-off of the other, for SKF's
-    formulas jump there.
+    """Radial and axial load of the ring; none where it is round-off of the other, for SKF's
+    formulas
+    jump there.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+
+    Returns
+    -------
+    radial
+        [N]
+    axial
+        [N]
     """
     axial, y, z = (float(force) for force in solution.ring_force)
     radial = hypot(y, z)
@@ -81,7 +113,24 @@ def ring_loads(solution: QuasistaticSolution) -> tuple[float, float]:
 def cage_and_drag(
     solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput, speed: float
 ) -> dict[str, float]:
-    """Torque of cage and churning [N m] at a shaft's speed [rad/s], zero for what is not given."""
+    """Torque of cage and churning, zero for what is not given.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    lubricant : Lubricant
+        the oil
+    friction : FrictionInput
+        cage and oil in the cavity
+    speed : float
+        of the shaft [rad/s]
+
+    Returns
+    -------
+    dict[str, float]
+        "cage" and "drag" [N m]
+    """
     cage = drag = 0.0
     if friction.cage is not None:
         speeds = solution.operation.inner_speed, solution.operation.outer_speed
@@ -93,55 +142,33 @@ def cage_and_drag(
     return {"cage": cage, "drag": drag}
 
 
-def line_models(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], mu: float, speed: float
-) -> dict[str, ModelTorque]:
-    """Sliding by Coulomb's mu [-] at a shaft's speed [rad/s]: lines of pure rolling and what they
-    are compared with.
-    """
-    loaded = sliding.sliding_contacts(solution, contacts)
-    balance = balanced_friction(solution, contacts, mu, lines=True)
-    lines = sliding.pure_rolling_line_torque
-    houpert = sliding.houpert_torque(loaded, speed, mu)
-    return {
-        "pure_rolling_lines": summed(lines(loaded, speed, mu)._asdict()),
-        "balanced_lines": _balanced(balance, speed),
-        "houpert": summed(
-            {
-                "spin": houpert.spin,
-                "curvature": houpert.rotation + houpert.orbit,
-                "hydrodynamic": sum(map(contact_rolling_power, contacts)) / speed,
-            }
-        ),
-        "kakuta": summed(sliding.kakuta_torque(loaded, speed, mu)._asdict()),
-        "constant_coulomb": summed(lines(loaded, speed, CONSTANT_COULOMB)._asdict()),
-        "coulomb": _coulomb(solution, contacts, mu, speed, balance),
-    }
-
-
-def _balanced(balance: BalancedFriction, speed: float) -> ModelTorque:
-    """Lines in balance of force and moments on every ball."""
-    if not balance.converged:
-        residual = f"residual {balance.residual:.1e} of mu Q"
-        return ModelTorque(note=f"no balance of the friction on the balls ({residual})")
-    k = balance.kinematics
-    f = balance.forces
-    rotation = float(-(f[..., 3] * balance.ball_rolling).sum() / speed)
-    spin = float(-(f[..., 2] * k[..., 2]).sum() / speed)
-    orbit = float(balance.power.sum()) / speed - spin - rotation
-    return summed({"spin": spin, "rotation": rotation, "orbit": orbit})
-
-
-def _coulomb(
+def coulomb_model(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     mu: float,
-    speed: float,
-    lines: BalancedFriction,
+    lines: BalancedFriction | None = None,
 ) -> ModelTorque:
-    """The whole ellipse in balance of force and moments, with the gyroscopic couple, sought from
-    the balance of lines on.
+    """Coulomb friction over the whole ellipse in balance of force and moments on every ball, with
+    the gyroscopic couple.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Equilibrium of the bearing.
+    contacts : sequence of BearingContact
+        Its contacts.
+    mu : float
+        Coefficient of friction [-].
+    lines : BalancedFriction, optional
+        Lines of pure rolling in balance, from which the search begins; None: sought here.
+
+    Returns
+    -------
+    ModelTorque
+        Parts against sliding, spin and curvature [N m], or why there are none.
     """
+    if lines is None:
+        lines = balanced_friction(solution, contacts, mu, lines=True)
     near = lines if lines.converged else None
     balance = balanced_friction(solution, contacts, mu, near=near)
     if not balance.converged:
@@ -149,8 +176,30 @@ def _coulomb(
         return ModelTorque(note=f"Coulomb friction of {mu:.3g} {failure}")
     powers = -(balance.forces * balance.kinematics)
     powers = np.stack([powers[..., :2].sum(axis=-1), powers[..., 2], powers[..., 3]], axis=-1)
-    parts = sliding.spent_powers(powers.reshape(-1, 3)).sum(axis=0) / speed
+    parts = spent_powers(powers.reshape(-1, 3)).sum(axis=0) / solution.operation.shaft_speed
     return summed(dict(zip(("sliding", "spin", "curvature"), parts.tolist(), strict=True)))
+
+
+def spent_powers(powers: Array) -> Array:
+    """Parts of the friction power of contacts, none negative, sums as they are.
+
+    At one centre one motion may drive what another one resists, for example curvature slip a
+    ball's sliding: what it drives is taken from the other parts by their share.
+
+    Parameters
+    ----------
+    powers : ndarray, shape (n, 3)
+        Friction power by what it works against [W].
+
+    Returns
+    -------
+    ndarray, shape (n, 3)
+        Parts [W].
+    """
+    resisting = np.maximum(powers, 0.0)
+    whole = resisting.sum(axis=1, keepdims=True)
+    share = powers.sum(axis=1, keepdims=True) / np.where(whole > 0.0, whole, 1.0)
+    return np.asarray(np.maximum(share, 0.0) * resisting, dtype=np.float64)
 
 
 def skf_model(
@@ -161,10 +210,26 @@ def skf_model(
 ) -> dict[str, ModelTorque]:
     """SKF's model, and beside it its variants.
 
-    "skf_lambda" takes the share of boundary friction from the films [-] instead of speed and
+    "skf_lambda" takes the fraction of boundary friction from the films instead of speed and
     viscosity, where it is given; "skf_as_printed" has the sliding moment as a paper printed it,
     where that is asked for. The bearings of a set are computed one by one, each at the loads that
     its row holds, preload included, and added.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    lubricant : Lubricant
+        the oil
+    friction : FrictionInput
+        input of the models
+    asperity_share : float | None, optional
+        fraction of the load on asperities [-]
+
+    Returns
+    -------
+    dict[str, ModelTorque]
+        by their names [N m]
     """
     rows = [solution]
     if len(solution.rows) > 1:
@@ -261,7 +326,20 @@ def _unrated(friction: FrictionInput) -> bool:
 
 
 def static_capacity(bearing: Bearing, friction: FrictionInput) -> float:
-    """C_0 of one row [N] as given, or from the geometry, as of a bearing of steel."""
+    """C_0 of one row as given, or from the geometry, as of a bearing of steel.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        the bearing
+    friction : FrictionInput
+        with the static rating
+
+    Returns
+    -------
+    float
+        load rating [N]
+    """
     if friction.static_rating is not None:
         return friction.static_rating
     return static_rating(_of_steel(bearing), friction.nominal_contact_angle)
@@ -278,8 +356,25 @@ def _of_steel(bearing: Bearing) -> Bearing:
 def model_remarks(
     name: str, solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput
 ) -> tuple[str, ...]:
-    """Where speed, viscosity [Pa s] or load lie beyond the range of a model ("skf" or "palmgren"),
-    and what it was made for.
+    """Remarks where speed, viscosity or load lie beyond the range of a model, and on the bearings
+    that
+    it was made for.
+
+    Parameters
+    ----------
+    name : str
+        "skf" or "palmgren"
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    lubricant : Lubricant
+        the oil
+    friction : FrictionInput
+        input of the models
+
+    Returns
+    -------
+    tuple[str, ...]
+        sentences, empty within the range
     """
     bearing = solution.bearing
     limits = skf.RANGES[name]
@@ -321,7 +416,22 @@ def _skf(bearing: skf.SkfBearing, operation: skf.SkfOperation) -> ModelTorque:
 def palmgren_model(
     solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput
 ) -> ModelTorque:
-    """Palmgren's model."""
+    """Palmgren's model.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    lubricant : Lubricant
+        the oil
+    friction : FrictionInput
+        input of the models
+
+    Returns
+    -------
+    ModelTorque
+        torque [N m], or the reason why there is none
+    """
     kind = bearing_kind(solution.bearing).value.replace("_", " ")
     radial, axial = ring_loads(solution)
     factor = friction.load_factor
@@ -346,46 +456,3 @@ def palmgren_model(
         remarks += (COMPUTED_RATING,)
     found = summed(dict(zip(("viscous", "load"), torques, strict=True)))
     return replace(found, remarks=remarks)
-
-
-def yao_model(
-    solution: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    lubricant: Lubricant,
-    friction: FrictionInput,
-    mu: float,
-) -> ModelTorque:
-    """The five terms of Yao et al. (2022), M_C and M_L by models of our own: those printed are no
-    torques.
-
-    M_D = d_m/(2 D) [(1 - g_i^2) sum M_Di + (1 - g_e^2) sum M_De] f_s with M_D = 0.0806 Q a^2/R and
-    M_S = 3/8 f_s sum E(k) a Q sin(alpha), E(k) the complete elliptic integral; M_E is
-    `hysteresis_torque`.
-    """
-    needed = {
-        "friction.hysteresis_loss": friction.hysteresis,
-        "cage.pocket_friction": friction.cage,
-        "friction.oil_fraction": friction.oil_fraction,
-    }
-    missing = [key for key, value in needed.items() if value is None]
-    if friction.hysteresis is None or missing:
-        return ModelTorque(note=f"needs {', '.join(missing)}")
-    bearing = solution.bearing
-    speed = solution.operation.shaft_speed
-    ratio = bearing.pitch_diameter / (2.0 * bearing.ball_diameter)
-    rotation = spin = 0.0
-    for c in sliding.sliding_contacts(solution, contacts):
-        slope = bearing.ball_diameter * cos(c.angle) / bearing.pitch_diameter
-        curvature = 0.0806 * c.load * c.semi_axis**2 / c.radius
-        rotation += ratio * (1.0 - slope**2) * curvature * mu
-        spin += sliding.spin_moment(c, mu) * sin(abs(c.angle))
-    resistance = cage_and_drag(solution, lubricant, friction, speed)
-    return summed(
-        {
-            "ME": hysteresis_torque(solution, contacts, friction.hysteresis),
-            "MD": rotation,
-            "MS": spin,
-            "MC": resistance["cage"],
-            "ML": sum(map(contact_rolling_power, contacts)) / speed + resistance["drag"],
-        }
-    )

@@ -29,7 +29,18 @@ class RollingExtent:
     notes: tuple[str, ...] = ()  # contacts whose oil ends elsewhere, or does not flood them
 
     def scaled(self, factor: float) -> "RollingExtent":
-        """The same of what inlet heating and replenishment leave of the moments [-]."""
+        """The same of what inlet heating and replenishment leave of the moments.
+
+        Parameters
+        ----------
+        factor : float
+            that they leave [-]
+
+        Returns
+        -------
+        RollingExtent
+            torques [N m]
+        """
         names = ("within_extent", "uncertainty", "box", "doubling")
         return replace(self, **{name: factor * getattr(self, name) for name in names})
 
@@ -37,9 +48,19 @@ class RollingExtent:
 def rolling_moments(
     films: Sequence[ContactSolution | None], factor: float = 1.0
 ) -> tuple[RollingMoment | None, ...]:
-    """Rolling moment of every film [N m], equal films once; None where there is none.
+    """Rolling moment of every film, equal films once.
 
-    factor: on the layer of their lubricant [-].
+    Parameters
+    ----------
+    films : Sequence[ContactSolution | None]
+        solutions, None where there is none
+    factor : float, default 1.0
+        on the layer of their lubricant [-]
+
+    Returns
+    -------
+    tuple[RollingMoment | None, ...]
+        moments [N m]; None where there is no film
     """
     distinct = {id(film): film for film in films if film is not None}
     known = {name: rolling_moment(film, factor * _layer(film)) for name, film in distinct.items()}
@@ -52,12 +73,25 @@ def rolling_extent(
     films: Sequence[ContactSolution | None],
     moments: Sequence[RollingMoment | None] | None = None,
 ) -> RollingExtent | None:
-    """Rolling torque [N m] by where the oil ends; None if the rings do not turn against each
-    other, or without films.
+    """Rolling torque by where the oil ends: the power of the moment at the motion of the tractions
+    over
+    the speed of the shaft.
 
-    It is the power of the moment at the motion of the tractions over the speed of the shaft.
-    `tractions`, `films`: of all contacts, None where there is none; `moments`: of the films, where
-    they are known [N m].
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    tractions : Sequence[ContactTraction | None]
+        of all contacts, None where there is none
+    films : Sequence[ContactSolution | None]
+        solutions of all contacts, None where there is none
+    moments : Sequence[RollingMoment | None] | None, optional
+        of the films, where they are computed already [N m]
+
+    Returns
+    -------
+    RollingExtent | None
+        torques [N m]; None if the rings do not turn against each other, or without films
     """
     speed = solution.operation.shaft_speed
     if moments is None:

@@ -7,9 +7,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from ..contacts.traction import ContactTraction
+from ..films.film import Films
 from ..friction.balance import BalancedFriction
 from ..friction.resistance import NOTHING_RESISTED, ResistedPower
-from ..friction.running_films import RunningFilms
 from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 
@@ -105,7 +105,7 @@ class SolvedShear:
     cage_driven: tuple[int, ...] = ()
     # of every contact with a solved film, at the motion of `torque`
     tractions: tuple[ContactTraction, ...] = ()
-    films: RunningFilms = ()  # as they run, of all contacts; empty where a friction law has none
+    films: Films = ()  # operating ones of all contacts; empty where a friction law has none
     # contacts of all lubricated ones whose film is that of a formula [-]
     by_formula: int = 0
     by_atlas: int = 0  # of these, that of the film atlas [-]
@@ -132,8 +132,18 @@ class SolvedShear:
 
 
 def no_balance_message(balance: BalancedFriction) -> str:
-    """Why a search for the motion of the balls does not count: no ball that the inner race drives,
-    or force left on a ball and push of the cage [-].
+    """Message why a search for the motion of the balls does not count: no ball that the inner race
+    drives, or force left on a ball and push of the cage.
+
+    Parameters
+    ----------
+    balance : BalancedFriction
+        motion of the balls
+
+    Returns
+    -------
+    str
+        sentence
     """
     if not balance.driven.any():
         return (
@@ -148,8 +158,17 @@ def no_balance_message(balance: BalancedFriction) -> str:
 
 
 def imbalance_message(torque: IntegratedTorque) -> str:
-    """Why the torque at the motion found does not count as that of balanced balls; empty if it
-    does [-].
+    """Message why the torque at a motion does not count as that of balanced balls.
+
+    Parameters
+    ----------
+    torque : IntegratedTorque
+        at the motion
+
+    Returns
+    -------
+    str
+        sentence; empty if it counts
     """
     if abs(torque.imbalance) <= POWER_TOLERANCE:
         return ""
@@ -160,13 +179,38 @@ def imbalance_message(torque: IntegratedTorque) -> str:
 
 
 def cage_driven_balls(solution: QuasistaticSolution, balance: BalancedFriction) -> tuple[int, ...]:
-    """Numbers of balls, from 1, loaded at the inner race but not driven by it [-]."""
+    """Numbers of balls, from 1, loaded at the inner race but not driven by it.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    balance : BalancedFriction
+        motion of the balls
+
+    Returns
+    -------
+    tuple[int, ...]
+        numbers [-]
+    """
     return tuple(int(i) + 1 for i in np.flatnonzero((solution.inner_load > 0.0) & ~balance.driven))
 
 
 def orbit_lag(solution: QuasistaticSolution, balance: BalancedFriction) -> float:
     """Part by which the orbits of the balls that the inner race drives lag behind those of the
-    solution, seen from the outer ring, mean weighted by the inner loads [-].
+    solution, seen from the outer ring, mean weighted by the inner loads.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    balance : BalancedFriction
+        motion of the balls
+
+    Returns
+    -------
+    float
+        lag [-]
     """
     outer = solution.operation.outer_speed
     orbits = np.array([motion.orbit_speed for motion in balance.motions]) - outer

@@ -131,12 +131,34 @@ class SkfTorque:
 
 
 def skf_series(kind: Series) -> tuple[str, ...]:
-    """Names of the series of a kind of bearing [-]."""
+    """Names of the series of a kind of bearing.
+
+    Parameters
+    ----------
+    kind : Series
+        deep groove or angular contact
+
+    Returns
+    -------
+    tuple[str, ...]
+        names
+    """
     return tuple(name for name in library_data(DATA)[kind.value] if name != "K_Z")
 
 
 def series_of(name: str) -> str | None:
-    """Series of the model by the designation of a bearing; None where there is none in it [-]."""
+    """Series of the model by the designation of a bearing.
+
+    Parameters
+    ----------
+    name : str
+        designation
+
+    Returns
+    -------
+    str | None
+        series; None where there is none in it
+    """
     designation = read_designation(name)
     if designation is not None:
         return designation_series(designation)
@@ -145,8 +167,24 @@ def series_of(name: str) -> str | None:
 
 
 def skf_constants(kind: Series, series: str) -> SkfConstants:
-    """Constants of a series as in the catalogue, for example "62" or "72 B" [-]; ValueError, with
-    those there are, if there is no such series.
+    """Constants of a series as in the catalogue.
+
+    Parameters
+    ----------
+    kind : Series
+        deep groove or angular contact
+    series : str
+        for example "62" or "72 B"
+
+    Returns
+    -------
+    SkfConstants
+        in the catalogue's units
+
+    Raises
+    ------
+    ValueError
+        with those there are, if there is no such series
     """
     table = library_data(DATA)[kind.value]
     if series not in skf_series(kind):
@@ -163,8 +201,24 @@ def skf_constants(kind: Series, series: str) -> SkfConstants:
 
 
 def skf_torque(bearing: SkfBearing, operation: SkfOperation) -> SkfTorque:
-    """Frictional moment of a ball bearing [N m]; ValueError if a deep groove bearing under axial
-    load has no static rating.
+    """Frictional moment of a ball bearing.
+
+    Parameters
+    ----------
+    bearing : SkfBearing
+        dimensions and constants
+    operation : SkfOperation
+        loads, speed and oil
+
+    Returns
+    -------
+    SkfTorque
+        moments [N m] and factors [-]
+
+    Raises
+    ------
+    ValueError
+        if a deep groove bearing under axial load has no static rating
     """
     d, outside = bearing.bore / MILLIMETRE, bearing.outside_diameter / MILLIMETRE
     mean = 0.5 * (d + outside)
@@ -200,8 +254,23 @@ def skf_torque(bearing: SkfBearing, operation: SkfOperation) -> SkfTorque:
 
 
 def inlet_shear_factor(speed: float, viscosity: float, mean_diameter: float) -> float:
-    """phi_ish = 1/(1 + 1.84e-9 (n d_m)^1.28 nu^0.64), what the heat of the shear in the inlets
-    leaves of the rolling moment [-]; [rad/s], [m^2/s], [m].
+    """phi_ish = 1/(1 + 1.84e-9 (n d_m)^1.28 nu^0.64), which the heat of the shear in the inlets
+    leaves
+    of the rolling moment.
+
+    Parameters
+    ----------
+    speed : float
+        of the rotating ring [rad/s]
+    viscosity : float
+        kinematic [m^2/s]
+    mean_diameter : float
+        d_m [m]
+
+    Returns
+    -------
+    float
+        phi_ish [-]
     """
     path = abs(speed) / RPM * mean_diameter / MILLIMETRE
     nu = from_si("viscosity_mm2_s", viscosity)
@@ -211,11 +280,25 @@ def inlet_shear_factor(speed: float, viscosity: float, mean_diameter: float) -> 
 def replenishment_factor(
     geometry: float, lubrication: Lubrication, product: float, diameters: tuple[float, float]
 ) -> float:
-    """phi_rs = exp(-K_rs nu n (d + D) sqrt(K_Z/(2 (D - d)))), what displaced oil that is not yet
-    back leaves of the rolling moment [-].
+    """phi_rs = exp(-K_rs nu n (d + D) sqrt(K_Z/(2 (D - d)))), which displaced oil that is not yet
+    back
+    leaves of the rolling moment.
 
-    geometry: K_Z [-]; product: of speed and kinematic viscosity [m^2/s^2]; diameters: bore and
-    outside diameter [m].
+    Parameters
+    ----------
+    geometry : float
+        K_Z [-]
+    lubrication : Lubrication
+        the way the oil comes to the bearing
+    product : float
+        of speed and kinematic viscosity [m^2/s^2]
+    diameters : tuple[float, float]
+        bore and outside diameter [m]
+
+    Returns
+    -------
+    float
+        phi_rs [-]
     """
     bore, outside = (diameter / MILLIMETRE for diameter in diameters)
     slenderness = sqrt(geometry / (2.0 * (outside - bore)))
@@ -224,13 +307,37 @@ def replenishment_factor(
 
 
 def geometry_factor(kind: Series) -> float:
-    """K_Z of a kind of bearing [-]."""
+    """K_Z of a kind of bearing.
+
+    Parameters
+    ----------
+    kind : Series
+        deep groove or angular contact
+
+    Returns
+    -------
+    float
+        K_Z [-]
+    """
     return float(library_data(DATA)[kind.value]["K_Z"])
 
 
 def boundary_share(speed: float, viscosity: float, mean_diameter: float) -> float:
-    """phi_bl = exp(-2.6e-8 (n nu)^1.4 d_m), share of boundary friction [-]; [rad/s], [m^2/s],
-    [m].
+    """phi_bl = exp(-2.6e-8 (n nu)^1.4 d_m), fraction of boundary friction.
+
+    Parameters
+    ----------
+    speed : float
+        of the rotating ring [rad/s]
+    viscosity : float
+        kinematic [m^2/s]
+    mean_diameter : float
+        d_m [m]
+
+    Returns
+    -------
+    float
+        phi_bl [-]
     """
     product = from_si("viscosity_mm2_s", abs(speed) / RPM * viscosity)
     return exp(-2.6e-8 * product**1.4 * mean_diameter / MILLIMETRE)
@@ -243,17 +350,49 @@ def sliding_friction(
     full_film: float,
     boundary: float = BOUNDARY_FRICTION,
 ) -> float:
-    """mu_sl = phi_bl mu_bl + (1 - phi_bl) mu_EHL [-]; [rad/s], [m^2/s], [m]."""
+    """mu_sl = phi_bl mu_bl + (1 - phi_bl) mu_EHL.
+
+    Parameters
+    ----------
+    speed : float
+        of the rotating ring [rad/s]
+    viscosity : float
+        kinematic [m^2/s]
+    mean_diameter : float
+        d_m [m]
+    full_film : float
+        mu_EHL [-]
+    boundary : float, default BOUNDARY_FRICTION
+        mu_bl [-]
+
+    Returns
+    -------
+    float
+        mu_sl [-]
+    """
     share = boundary_share(speed, viscosity, mean_diameter)
     return share * boundary + (1.0 - share) * full_film
 
 
 def sliding_as_printed(bearing: SkfBearing, operation: SkfOperation) -> float:
     """M_sl of a deep groove bearing with a slip of a paper: half of the radial part, added to the
-    axial one [N m].
+    axial
+    one.
 
     For comparison with its tables alone. The formula combines the loads under one root and takes
     the whole radial part.
+
+    Parameters
+    ----------
+    bearing : SkfBearing
+        dimensions and constants
+    operation : SkfOperation
+        loads, speed and oil
+
+    Returns
+    -------
+    float
+        moment [N m]
     """
     moment = 0.0
     if operation.axial_load:
@@ -321,8 +460,17 @@ def _drag(bearing: SkfBearing, operation: SkfOperation, n: float, nu: float) -> 
 
 
 def drag_factor(level: float) -> float:
-    """V_M at an oil level over the mean diameter [-], linear between points digitised by a third
-    party (unverified).
+    """V_M, linear between points digitised by a third party (unverified).
+
+    Parameters
+    ----------
+    level : float
+        oil level over the mean diameter [-]
+
+    Returns
+    -------
+    float
+        V_M [-]
     """
     drag = library_data(DATA)["drag"]
     return float(np.interp(level, drag["level"], drag["V_M"]))

@@ -11,24 +11,25 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
-from ehl import ContactSolution
 from ehl.oil.lubricant import Lubricant
 
 from ..contacts.contact import BearingContact
-from ..friction.asperities import asperity_share
+from ..films.asperities import asperity_share
+from ..films.film import Films
+from ..films.operating import (
+    OilAtInlets,
+    flooded_films,
+    least_lambda,
+    mean_fraction,
+    of_driven_balls,
+    supplied_films,
+)
 from ..friction.resistance import churning_power, contact_rolling_power
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.starved_films import (
-    StarvedFilm,
-    least_lambda,
-    mean_share,
-    of_driven_balls,
-    starved_films,
-)
 from ..supply.supply import InletFilm, Supply, cavity_volume, oil_fraction
 from .inputs import FrictionInput
 from .models import cage_and_drag
-from .sliding import pure_rolling_line_torque, sliding_contacts
+from .paper_models import pure_rolling_line_torque, sliding_contacts
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,39 +67,64 @@ def starved_torque(
     lubricant: Lubricant,
     friction: FrictionInput,
     supply: Supply | InletFilm,
-    solutions: Sequence[ContactSolution | None] | None = None,
+    films: Films | None = None,
 ) -> StarvedTorque:
-    """Friction torque of a bearing at a supply [N m].
+    """Friction torque of a bearing at a supply.
 
-    `friction`: its `roughness` [m] and `boundary` [-] give the asperities' part, `coefficient` or
-    mu_EHL that of the films, its `oil_fraction` [-] counts with an `InletFilm`; `solutions`:
-    flooded films, those of formulas where one is missing. ValueError without a roughness, at
-    rest, or where a flooded film is not known.
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Equilibrium of the bearing.
+    contacts : sequence of BearingContact
+        Its contacts.
+    lubricant : Lubricant
+        The oil.
+    friction : FrictionInput
+        Its `roughness` [m] and `boundary` [-] give the asperities' part, `coefficient` or mu_EHL
+        that of the films, its `oil_fraction` [-] counts with an `InletFilm`.
+    supply : Supply or InletFilm
+        Oil at the inlets.
+    films : sequence of ContactFilm or None, optional
+        Films as computed; those of formulas where one is missing.
+
+    Returns
+    -------
+    StarvedTorque
+        [N m].
+
+    Raises
+    ------
+    ValueError
+        Without a roughness, at rest, or where a flooded film is not known.
     """
     speed = solution.operation.shaft_speed
     if friction.roughness is None:
         raise ValueError("roughness is needed for the torque over the supply")
     if speed == 0.0:
         raise ValueError("the rings do not turn against each other")
-    films = starved_films(contacts, supply, solution.bearing.balls, friction.roughness, solutions)
+    known = films or (None,) * len(contacts)
+    oil = OilAtInlets(oil=supply, balls=solution.bearing.balls)
+    supplied = supplied_films(contacts, known, oil, friction.asperities)
     if any(
-        film is None and c.conditions is not None for film, c in zip(films, contacts, strict=True)
+        film is None and c.conditions is not None
+        for film, c in zip(supplied, contacts, strict=True)
     ):
         raise ValueError("needs films: no formula has those of an oil without pressure-viscosity")
     if isinstance(supply, InletFilm):
         fraction = friction.oil_fraction or 0.0
     else:
         fraction = oil_fraction(supply, cavity_volume(solution.bearing))
-    parts = _of_films(solution, contacts, friction, films)
-    ample = _of_films(solution, contacts, friction, [film and film.flooded for film in films])
+    parts = _of_films(solution, contacts, friction, supplied)
+    flooded = supplied_films(contacts, flooded_films(known), None, friction.asperities)
+    ample = _of_films(solution, contacts, friction, flooded)
     cage = cage_and_drag(solution, lubricant, friction, speed)["cage"]
     drag = churning_power(solution, lubricant.density, fraction) / speed
-    driven = of_driven_balls(solution, contacts, films)
+    driven = of_driven_balls(solution, contacts, supplied)
     return StarvedTorque(
         **parts._asdict(),
         cage=cage,
         drag=drag,
-        film_share=mean_share(driven),
+        film_share=mean_fraction(driven),
         lambda_least=least_lambda(driven),
         oil_fraction=fraction,
         flooded=sum(ample) + cage + drag,
@@ -109,7 +135,7 @@ def _of_films(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     friction: FrictionInput,
-    films: Sequence[StarvedFilm | None],
+    films: Films,
 ) -> _OfFilms:
     """Rolling resistance, and the lines of pure rolling as films and asperities share them."""
     speed = solution.operation.shaft_speed
@@ -117,7 +143,7 @@ def _of_films(
     rolling = film = asperity = 0.0
     pairs = list(zip(contacts, films, strict=True))
     for contact, one in pairs:
-        share = 1.0 if one is None else one.rolling_share
+        share = 1.0 if one is None else one.supply.rolling_moment
         rolling += share * contact_rolling_power(contact) / speed
     loaded = [one for contact, one in pairs if contact.hertz is not None]
     for one, lines in zip(loaded, sliding_contacts(solution, contacts), strict=True):

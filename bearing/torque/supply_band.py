@@ -5,20 +5,20 @@ jet by an estimate. A flow therefore gives a band, not a number.
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
-
-from ehl import ContactSolution
+from dataclasses import dataclass
 
 from ..contacts.contact import BearingContact
-from ..quasistatic.solution import QuasistaticSolution
-from ..supply.starved_films import (
-    StarvedFilm,
+from ..films.asperities import Asperities
+from ..films.film import Films
+from ..films.operating import (
+    OilAtInlets,
     least_lambda,
-    mean_share,
+    mean_fraction,
     of_driven_balls,
-    starved_films,
+    supplied_films,
 )
-from ..supply.supply import InletFilm, Supply, supplied_shares
+from ..quasistatic.solution import QuasistaticSolution
+from ..supply.supply import InletFilm, Supply
 
 Total = Callable[[Supply | InletFilm], float | None]  # torque at a supply [N m]
 
@@ -57,55 +57,45 @@ def supply_band(
     contacts: Sequence[BearingContact],
     supply: Supply,
     total: Total,
-    roughness: tuple[float, float] | None = None,
-    solutions: Sequence[ContactSolution | None] | None = None,
+    films: Films,
+    asperities: Asperities | None = None,
 ) -> SupplyBand | None:
-    """Films and torque at both ends of the captured share [-]; None where no ball that both races
-    load has a film.
+    """Films, by the law of starvation, and torque at both ends of the captured share of a flow.
 
-    `roughness`: root mean square of inner race and balls, outer race and balls [m]; `solutions`:
-    flooded films, or films with the flooded ones beside; formulas where one is missing.
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Equilibrium of the bearing.
+    contacts : sequence of BearingContact
+        Its contacts.
+    supply : Supply
+        Flow of oil.
+    total : callable
+        Torque of the bearing at a supply [N m]; None where it has none.
+    films : sequence of ContactFilm or None
+        As computed; formulas where one is missing.
+    asperities : Asperities, optional
+        Give the roughness of races and balls.
+
+    Returns
+    -------
+    SupplyBand or None
+        None where no ball that both races load has a film.
     """
     ends = []
     for end in supply.band:
-        films = _films(contacts, end, solution.bearing.balls, roughness, solutions)
-        driven = of_driven_balls(solution, contacts, films)
+        oil = OilAtInlets(oil=end, balls=solution.bearing.balls, as_solved=False)
+        supplied = supplied_films(contacts, films, oil, asperities)
+        driven = of_driven_balls(solution, contacts, supplied)
         if not driven:
             return None
         ends.append(
             SupplyEnd(
                 track_share=end.track_share,
-                film_share=mean_share(driven),
-                film_share_least=min(film.share for film in driven),
+                film_share=mean_fraction(driven),
+                film_share_least=min(film.supply.central for film in driven),
                 lambda_least=least_lambda(driven),
                 total=total(end),
             )
         )
     return SupplyBand(low=ends[0], high=ends[1])
-
-
-def _films(
-    contacts: Sequence[BearingContact],
-    end: Supply,
-    balls: int,
-    roughness: tuple[float, float] | None,
-    solutions: Sequence[ContactSolution | None] | None,
-) -> list[StarvedFilm | None]:
-    """Films at one end by the law of starvation, also where they were solved behind the layer of
-    another share.
-    """
-    films: list[StarvedFilm | None] = []
-    known = starved_films(contacts, end, balls, roughness, solutions)
-    for contact, film, solution in zip(
-        contacts, known, solutions or [None] * len(contacts), strict=True
-    ):
-        if film is not None and solution is not None and solution.supply is not None:
-            shares = supplied_shares(contact, film.flooded_central, end, balls)
-            film = replace(
-                film,
-                share=shares.central.value,
-                minimum_share=shares.minimum.value,
-                rolling_share=shares.rolling_moment.value,
-            )
-        films.append(film)
-    return films

@@ -11,10 +11,10 @@ from ehl.options import SolverOptions
 from ehl.traction.response.normal import NormalResponse, highest_frequency, normal_response
 
 from ..contacts.contact import BearingContact
+from ..films.operating import OilAtInlets, supplied_films
 from ..friction.asperities import Asperities
 from ..geometry import Array, Race, contact_modulus, reduced_radii
 from ..quasistatic.solution import QuasistaticSolution
-from ..supply.starved_films import starved_films
 from ..supply.supply import AMPLE, InletFilm, Supply
 from .arrays import ContactLawTable
 
@@ -90,9 +90,10 @@ def film_shares(
     shares = {}
     for race in Race:
         contact = heaviest(contacts, race)
-        (film,) = starved_films([contact], supply or AMPLE, balls)
+        oil = OilAtInlets(oil=supply or AMPLE, balls=balls)
+        (film,) = supplied_films([contact], [None], oil)
         if film is not None:
-            shares[race] = 1.0 - asperities.share(contact, film.central)
+            shares[race] = 1.0 - asperities.share(contact, film.central.value)
     return shares
 
 

@@ -24,6 +24,7 @@ from ..format.traction import require_fitting_tables, resisted_traction
 from ..runs.bearing import run_case
 from ..runs.contact import run_contact
 from ..runs.dynamics import run_dynamics
+from ..runs.equilibrium import Equilibria
 from ..runs.films import Solve
 from ..runs.output_lock import scratch_folder
 from ..runs.slip import run_slip
@@ -35,7 +36,11 @@ Computed = tuple[dict[str, Any], dict[str, bytes]]  # summary, files by suffix
 
 
 def compute(
-    case: Case | ContactCase, task: Task, tables: Path | None, solve: Solve | None
+    case: Case | ContactCase,
+    task: Task,
+    tables: Path | None,
+    solve: Solve | None,
+    equilibria: Equilibria | None = None,
 ) -> Computed:
     """Compute one point: its summary, and its files by suffix.
 
@@ -49,6 +54,8 @@ def compute(
         File of traction tables where the point needs them; None otherwise.
     solve : Solve | None
         Solver of one film in place of the film model's own.
+    equilibria : Equilibria, optional
+        Equilibria of the points before.
 
     Returns
     -------
@@ -64,8 +71,8 @@ def compute(
     if task.compute == "table":
         return _table(case, task)
     if task.compute == "torque":
-        return _torque(case, tables)
-    return _with_fields(run_case(case, 1, None, solve), task)
+        return _torque(case, tables, equilibria)
+    return _with_fields(run_case(case, 1, None, solve, equilibria=equilibria), task)
 
 
 def _with_fields(results: BearingResults | ContactResults, task: Task) -> Computed:
@@ -99,13 +106,14 @@ def _table(case: Case, task: Task) -> Computed:
         return traction_summary(results), {".zip": path.read_bytes()}
 
 
-def _torque(case: Case, path: Path | None) -> Computed:
+def _torque(case: Case, path: Path | None, equilibria: Equilibria | None) -> Computed:
     """Equilibrium, life and torque by every model; integrated by tables or the law of the case."""
     if path is None:
-        return summary(run_case(replace(case, film_maps="none"), 1)), {}
+        case = replace(case, film_maps="none")
+        return summary(run_case(case, 1, equilibria=equilibria)), {}
     assert case.rheology is not None  # of every bearing case
     tables = tables_once(str(path))(case.lubricant, case.rheology)
-    results, notes = torque_by_tables(case, tables)
+    results, notes = torque_by_tables(case, tables, equilibria)
     document = summary(results)
     warnings = [
         f"not converged: traction table, {race.value} race: {table.message}"
@@ -117,7 +125,9 @@ def _torque(case: Case, path: Path | None) -> Computed:
     return document, {}
 
 
-def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[str, ...]]:
+def torque_by_tables(
+    case: Case, tables: Tables, equilibria: Equilibria | None = None
+) -> tuple[BearingResults, tuple[str, ...]]:
     """Run a bearing without films, the friction of balls on races from traction tables.
 
     The result is that of `run_case` with `[friction] traction = "table"`.
@@ -128,6 +138,8 @@ def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[
         The bearing.
     tables : Tables
         Traction tables of both races.
+    equilibria : Equilibria, optional
+        Equilibria of the points before.
 
     Returns
     -------
@@ -146,7 +158,8 @@ def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[
     require_fitting_tables(tables, "the traction table", case.bearing, *oil, case.films.solids)
     source = LawTraction(laws=dict(tables))
     traction = resisted_traction(source, case.friction, case.bearing, case.lubricant, case.inlet)
-    results = run_case(replace(case, film_maps="none", traction=traction), 1)
+    case = replace(case, film_maps="none", traction=traction)
+    results = run_case(case, 1, equilibria=equilibria)
     return results, () if results.torque is None else _notes(results.contacts, tables)
 
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from postprocess.batch.records import FAILED, Record, record_of
 
 from ..format.case import case_of_document
+from ..runs.equilibrium import Equilibria
 from .compute import Computed, compute
 from .keys import digest, value_in
 from .limits import limited
@@ -122,13 +123,19 @@ def _computed(task: Task, folder: Path | None, content: bytes | None) -> Compute
         tables = _temporary_folder() / tables.name
         if not tables.exists():
             write_file(tables, content)
-    return compute(case_of_document(task.document), task, tables, shared)
+    return compute(case_of_document(task.document), task, tables, shared, _equilibria())
 
 
 @lru_cache(maxsize=4)
 def _contacts(folder: Path) -> ContactCache:
     """The contacts of a batch, which all its points have in common."""
     return ContactCache(folder)
+
+
+@cache
+def _equilibria() -> Equilibria:
+    """Equilibria of this process, which points that differ in oil or surfaces have in common."""
+    return Equilibria()
 
 
 @cache

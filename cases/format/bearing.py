@@ -6,7 +6,7 @@ from dataclasses import replace
 from math import acos, asin, cos, degrees, floor, hypot, pi, radians
 from typing import Annotated
 
-from bearing.friction.asperities import LoadSharing, Spectrum
+from bearing.films.asperities import LoadSharing, Spectrum
 from bearing.geometry import ANGULAR_CONTACT, Bearing, BearingType, contact_angle_to_clearance
 from bearing.library.catalogue import CLEARANCE_CLASSES, clearance_class
 from bearing.library.tolerances import TOLERANCE_CLASSES

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import create_model
 
-from bearing.friction.asperities import LoadSharing
+from bearing.films.asperities import LoadSharing
 from bearing.friction.resistance import Cage
 from bearing.library.bearings import named_designation
 from bearing.library.catalogue import nearest_series
@@ -68,7 +68,8 @@ class FrictionTable(LawTable):
     """Friction torque; every key may be left out, and leaves out the models that need it."""
 
     models: Literal["main", "all"] = described(
-        "main: integrated, skf, palmgren and coulomb; all: those of single papers, too", "main"
+        "main: integrated, skf, palmgren, coulomb; all: those of single papers are computed, too",
+        "main",
     )
     lubrication: Annotated[str, OneOf(Lubrication)] = described(
         "how the oil comes to the bearing, for SKF's model and Palmgren's", "low oil bath"

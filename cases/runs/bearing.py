@@ -9,8 +9,9 @@ from typing import Any, NamedTuple
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.contacts import contact_conditions
 from bearing.contacts.finite_bodies import FiniteBodies, finite_bodies, with_finite_bodies
-from bearing.friction.formula_films import FormulaFilm, formula_film
-from bearing.friction.running_films import RunningFilms
+from bearing.films.film import ContactFilm, Films
+from bearing.films.formula import formula_film
+from bearing.films.operating import solved_films
 from bearing.friction.sources import FilmTraction, LawTraction
 from bearing.geometry import Array
 from bearing.quasistatic.solution import QuasistaticSolution
@@ -19,8 +20,7 @@ from bearing.rating.life import bearing_life
 from bearing.rating.load_rating import static_rating
 from bearing.rating.reference_speed import reference_speed
 from bearing.torque.breakdown import INTEGRATED, TorqueBreakdown, torque_breakdown
-from bearing.torque.films_torque import films_as_they_run, films_torque
-from bearing.torque.integrated import law_torque
+from bearing.torque.integrated import bearing_films, films_torque, law_torque
 from bearing.torque.shear_torque import SolvedShear
 from ehl import ContactSolution
 from postprocess.bearing.results import BearingResults
@@ -29,15 +29,15 @@ from ..format.case import Case
 from ..format.contact import FilmModel
 from ..format.operation import SELF_HEATED
 from ..version import version
-from .equilibrium import case_equilibrium
+from .equilibrium import Equilibria, case_equilibrium
 from .films import Progress, Solve, film_plan, film_solver, solve_contacts, wanted_contacts
 from .heating import (
     WARM_TOLERANCE,
     Printed,
     at_its_balance,
     at_its_temperature,
+    case_conductances,
     conducts,
-    film_conductances,
     lost_balance,
     self_heated,
 )
@@ -69,6 +69,7 @@ def run_case(
     progress: Progress | None = None,
     solve: Solve | None = None,
     filmed: Filmed | None = None,
+    equilibria: Equilibria | None = None,
 ) -> BearingResults:
     """Solve the bearing and the film of its contacts; `Interrupted` on Ctrl-C, with the results
     of the finished contacts.
@@ -84,12 +85,15 @@ def run_case(
     filmed : callable, optional
         Called with the results as far as films go, before friction; not where the torque decides
         the temperature, and with it the films.
+    equilibria : Equilibria, optional
+        Those that are solved already, of other points of a batch; takes up that of the case.
     """
     notify = progress or (lambda done, total, state: None)
-    how = (workers, notify, solve)
+    equilibria = equilibria or Equilibria()
+    how = (workers, notify, solve, equilibria)
     if case.file.operation.temperature != SELF_HEATED:
         return _run(case, *how, filmed)
-    warmed = at_its_temperature(case)
+    warmed = at_its_temperature(case, equilibria=equilibria)
     if case.films.model is FilmModel.THERMAL:
         warmed = _by_rough_films(case, warmed, how)
     for _ in range(WARM_ROUNDS):
@@ -106,7 +110,7 @@ def run_case(
 
 
 def _by_rough_films(
-    case: Case, warmed: Case, how: tuple[int | None, Progress, Solve | None]
+    case: Case, warmed: Case, how: tuple[int | None, Progress, Solve | None, Equilibria]
 ) -> Case:
     """The case at the temperature of the torque of films on a rough mesh, whose heat takes a
     quarter of the time; as it was where these have no balance.
@@ -136,8 +140,8 @@ def _in_balance(results: BearingResults, case: Case) -> BearingResults:
         return replace(results, heating=replace(heating, balance=balance, note=note))
     state = results.quasistatic
     contacts = results.contacts
-    running = _running(case, state, contacts, results.films, results.torque)
-    printed = _printed(case, results.torque, running, (state, contacts, results.conductances))
+    operating = _operating(case, state, contacts, results.films, results.torque)
+    printed = _printed(case, results.torque, operating, (state, contacts, results.conductances))
     assert printed is not None
     return replace(results, heating=at_its_balance(heating, case, printed))
 
@@ -146,14 +150,10 @@ class _Films(NamedTuple):
     """Films of the contacts, solved ones and those of formulas in place of some."""
 
     solutions: tuple[ContactSolution | None, ...]
-    formulas: tuple[FormulaFilm | None, ...]
+    formulas: tuple[ContactFilm | None, ...]  # at contacts that are not solved
+    films: tuple[ContactFilm | None, ...]  # as computed; None where one did not converge
     interrupted: bool
     messages: tuple[str, ...]
-
-    @property
-    def known(self) -> tuple[ContactSolution | FormulaFilm | None, ...]:
-        """The one or the other of each contact."""
-        return tuple(a or b for a, b in zip(self.solutions, self.formulas, strict=True))
 
 
 def _run(
@@ -161,6 +161,7 @@ def _run(
     workers: int | None,
     notify: Progress,
     solve: Solve | None,
+    equilibria: Equilibria,
     filmed: Filmed | None = None,
 ) -> BearingResults:
     """As `run_case`, at the temperature of the case."""
@@ -168,9 +169,9 @@ def _run(
     start = perf_counter()
     case = _prepared(case, workers, notify, solve)
     try:
-        state = case_equilibrium(case)
+        state = case_equilibrium(case, equilibria)
         contacts, bodies = _contacts(case, state, notify)
-        cycle = solve_load_cases(case, notify)
+        cycle = solve_load_cases(case, notify, equilibria)
     except KeyboardInterrupt:
         raise Interrupted(None) from None
     timing = {"quasistatic": perf_counter() - start}
@@ -237,7 +238,9 @@ def _films(
     )
     if state.converged and case.films.model is FilmModel.NEWTONIAN and case.inlet_layer is None:
         formulas = fill_from_atlas(contacts, wanted, formulas)
-    return _Films(solutions, formulas, interrupted, messages)
+    solved = solved_films(contacts, solutions)
+    films = tuple(a or b for a, b in zip(solved, formulas, strict=True))
+    return _Films(solutions, formulas, films, interrupted, messages)
 
 
 def _prepared(case: Case, workers: int | None, notify: Progress, solve: Solve | None) -> Case:
@@ -307,9 +310,9 @@ def _friction(
     timing["strength"] = perf_counter() - start - timing["torque"]
     if case.heating is not None:
         notify(0, 1, "self-heating")
-    running = _running(case, state, contacts, films.known, torque)
-    conductances = film_conductances(case, state, contacts, running)
-    printed = _printed(case, torque, running, (state, contacts, conductances))
+    operating = _operating(case, state, contacts, films.films, torque)
+    conductances = case_conductances(case, state, contacts, operating)
+    printed = _printed(case, torque, operating, (state, contacts, conductances))
     heating = self_heated(case, printed) if state.converged else None
     return {
         "tractions": tractions,
@@ -317,41 +320,41 @@ def _friction(
         "heating": heating,
         "tensions": tensions,
         "conductances": conductances,
-        **beside_supply(case, state, contacts, films.known, torque),
+        **beside_supply(case, state, contacts, films.films, torque),
     }
 
 
-def _running(
+def _operating(
     case: Case,
     state: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: Sequence[ContactSolution | FormulaFilm | None],
+    films: Films,
     torque: TorqueBreakdown | None,
-) -> RunningFilms | None:
-    """Films as they run, those of the torque where it has them; None where heat is not known."""
+) -> Films | None:
+    """Operating films, those of the torque where it has them; None where heat is not known."""
     if case.friction is None or not state.converged or not (case.heating or conducts(case)):
         return None
     if torque is not None and torque.shear is not None and torque.shear.films:
         return torque.shear.films
-    return films_as_they_run(state, contacts, films, case.friction, case.inlet)
+    return bearing_films(state, contacts, films, case.friction, case.inlet)
 
 
 def _printed(
     case: Case,
     torque: TorqueBreakdown | None,
-    running: RunningFilms | None,
+    operating: Films | None,
     known: tuple[QuasistaticSolution, Sequence[BearingContact], Array | None],
 ) -> Printed | None:
-    """The total with its films as they run [N m]; None where there is none. `known`: equilibrium,
+    """The total with its operating films [N m]; None where there is none. `known`: equilibrium,
     contacts and conductances of films [W/K].
     """
     if torque is None or torque.total is None:
         return None
     state, contacts, conductances = known
     seal = torque.models[INTEGRATED].components.get("seal", 0.0)
-    running = None if case.heating is None else running
+    operating = None if case.heating is None else operating
     balance = None if torque.shear is None else torque.shear.balance
-    return Printed(state, contacts, torque.total, seal, running, balance, conductances)
+    return Printed(state, contacts, torque.total, seal, operating, balance, conductances)
 
 
 def _torque(
@@ -369,7 +372,7 @@ def _torque(
         case.lubricant,
         case.friction,
         shear=shear,
-        solutions=films.solutions,
+        films=films.films,
         inlet=case.inlet,
     )
 
@@ -396,5 +399,5 @@ def _film_shear(
     if case.rheology is None or case.friction is None:
         return None
     return films_torque(
-        state, contacts, films.known, case.friction, case.inlet, case.rheology, case.lubricant
+        state, contacts, films.films, case.friction, case.inlet, case.rheology, case.lubricant
     )

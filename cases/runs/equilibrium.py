@@ -1,8 +1,8 @@
 """Equilibrium of a case: under a hypothesis on the balls, or in traction equilibrium."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import fields, replace
-from functools import lru_cache, partial
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -17,7 +17,7 @@ from bearing.rows import SINGLE, Row
 from ..format.case import Case
 from .traction_films import with_workers
 
-MOST_KEPT = 1000  # equilibria of a process, some 10 kB each
+MOST_STORED = 1000  # equilibria, some 10 kB each
 ANY_TEMPERATURE = 293.15  # of all operations that have one equilibrium [K]
 
 
@@ -37,28 +37,52 @@ def without_traction_equilibrium(model: QuasistaticModel) -> QuasistaticModel:
     return replace(model, ball_kinematics=BallKinematics.HALF_AND_HALF)
 
 
-def case_equilibrium(case: Case) -> QuasistaticSolution:
+class Equilibria:
+    """Equilibria under a hypothesis on the balls, each solved once for all cases that have it.
+
+    Temperature has no effect on them but through the bearing's clearance, nor have oil and
+    surfaces: points of a batch that differ in these have one.
+    """
+
+    def __init__(self) -> None:
+        self._solved: dict[tuple[Any, ...], QuasistaticSolution] = {}
+
+    def of(
+        self, bearing: Bearing, operation: Operation, model: QuasistaticModel, rows: Sequence[Row]
+    ) -> QuasistaticSolution:
+        """The equilibrium of a bearing, with arrays of its own; arguments as of
+        `solve_quasistatic`, SI.
+        """
+        mechanical = replace(operation, temperature=ANY_TEMPERATURE)
+        key = (bearing, mechanical, model, tuple(rows))
+        if key not in self._solved:
+            if len(self._solved) >= MOST_STORED:
+                del self._solved[next(iter(self._solved))]
+            self._solved[key] = solve_quasistatic(bearing, mechanical, model, rows=tuple(rows))
+        solved = self._solved[key]
+        return replace(solved, operation=operation, **_own_arrays(solved))
+
+
+def case_equilibrium(case: Case, equilibria: Equilibria | None = None) -> QuasistaticSolution:
     """Loads, angles and motion of the balls of a case.
 
-    Cases with one equilibrium, as points of a batch that differ in oil or surfaces, have it solved
-    once by each process.
+    Parameters
+    ----------
+    case : Case
+        A bearing case.
+    equilibria : Equilibria, optional
+        Those that are solved already; takes up that of the case.
+
+    Returns
+    -------
+    QuasistaticSolution
+        Nothing else refers to its arrays.
     """
     rows = case.rows or SINGLE
     if case.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
         return equilibrium_solver(case)(case.bearing, case.operation, case.model, rows=rows)
-    mechanical = replace(case.operation, temperature=ANY_TEMPERATURE)
-    known = _equilibrium(case.bearing, mechanical, case.model, tuple(rows))
-    return replace(known, operation=case.operation, **_own_arrays(known))
-
-
-@lru_cache(maxsize=MOST_KEPT)
-def _equilibrium(
-    bearing: Bearing, operation: Operation, model: QuasistaticModel, rows: tuple[Row, ...]
-) -> QuasistaticSolution:
-    """The equilibrium under a hypothesis on the balls, on which temperature has no effect but
-    through the bearing's clearance.
-    """
-    return solve_quasistatic(bearing, operation, model, rows=rows)
+    solved = equilibria or Equilibria()
+    return solved.of(case.bearing, case.operation, case.model, rows)
 
 
 def _own_arrays(solution: QuasistaticSolution) -> dict[str, Any]:

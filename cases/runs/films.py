@@ -7,10 +7,15 @@ from math import degrees, isclose
 from typing import NamedTuple
 
 from bearing.contacts.contact import BearingContact
-from bearing.friction.resolvable import CELLS_BY_POINTS, CELLS_BY_TOLERANCE, resolvable, too_thick
+from bearing.films.formula import (
+    CELLS_BY_POINTS,
+    CELLS_BY_TOLERANCE,
+    formula_films,
+    resolvable,
+    too_thick,
+)
 from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.supply.starved_films import starved_films
-from bearing.supply.supply import AMPLE, Supply, inlet_layer
+from bearing.supply.supply import Supply, inlet_layer
 from ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
 from ehl.multigrid.threads import cores, film_threads
 from ehl.oil.inlet_layer import InletLayer
@@ -87,9 +92,9 @@ def inlet_layers(
         return [given] * len(contacts)
     balls = state.bearing.balls
     layers: list[InletLayer | None] = []
-    for contact, film in zip(contacts, starved_films(contacts, AMPLE, balls), strict=True):
+    for contact, film in zip(contacts, formula_films(contacts), strict=True):
         layer = 0.0
-        if film is not None:
+        if film is not None and film.conditions.lubricant.piezoviscous:
             layer = inlet_layer(contact, film.flooded_central, given, balls)
         # equal contacts have equal layers, to rounding of their loads
         layers.append(InletLayer(thickness=(rounded(layer),)) if layer > 0.0 else None)

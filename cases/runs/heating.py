@@ -9,11 +9,15 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from bearing.contacts.contact import BearingContact
-from bearing.contacts.last import LastOf
+from bearing.films.film import Films
 from bearing.friction.balance import BalancedFriction
-from bearing.friction.running_films import RunningFilm, RunningFilms
 from bearing.geometry import Array
-from bearing.heating.films_heat import FilmsHeat, formula_conductances, running_conductances
+from bearing.heating.films_heat import (
+    FilmsHeat,
+    OperatingState,
+    film_conductances,
+    formula_conductances,
+)
 from bearing.heating.friction_heat import FrictionHeat, heat_of_torque
 from bearing.heating.heat_state import FrictionModel, SelfHeatingProblem, heat_state
 from bearing.heating.network import NODES
@@ -30,7 +34,7 @@ from ..format.contact import FilmModel
 from ..format.fields import rounded
 from ..format.fits import HeatingInput, part_temperatures
 from ..format.operation import SELF_HEATED
-from .equilibrium import case_equilibrium, without_traction_equilibrium
+from .equilibrium import Equilibria, case_equilibrium, without_traction_equilibrium
 
 Contacts = Sequence[BearingContact]
 WARM_TOLERANCE = 0.1  # of the temperature that the torque of a run asks for [K]
@@ -40,24 +44,38 @@ class Printed(NamedTuple):
     """The total of a run [N m] with its part of contact seals, and the equilibrium it is of."""
 
     state: QuasistaticSolution
-    contacts: Contacts
+    contacts: tuple[BearingContact, ...]
     total: float
     seal: float
-    films: Sequence[RunningFilm | None] | None = None  # of the contacts, as they run
+    films: Films | None = None  # operating films of the contacts
     balance: BalancedFriction | None = None  # of the balls on these films
-    conductance: Array | None = None  # through these films, `film_conductances` [W/K]
+    conductance: Array | None = None  # through these films, `case_conductances` [W/K]
 
 
-def at_its_temperature(case: Case, heating: SelfHeatingSolution | None = None) -> Case:
+def at_its_temperature(
+    case: Case, heating: SelfHeatingSolution | None = None, equilibria: Equilibria | None = None
+) -> Case:
     """The case at the temperature that its bearing warms itself to, where it asks for that: oil
     and films, and with fits or temperatures the parts and the clearance as well.
 
-    `heating`: the balance, where it is known. Without one the case stays at
-    `operation.temperature_C`, with a warning.
+    Parameters
+    ----------
+    case : Case
+        A bearing case.
+    heating : SelfHeatingSolution, optional
+        The balance of heat; computed with films without a solve if left out. Where there is none,
+        the case stays at `operation.temperature_C`, with a warning.
+    equilibria : Equilibria, optional
+        Those that are solved already.
+
+    Returns
+    -------
+    Case
+        The same object where its temperature is given.
     """
     if case.file.operation.temperature != SELF_HEATED:
         return case
-    heating = heating or self_heated(case, judged=False)
+    heating = heating or self_heated(case, judged=False, equilibria=equilibria)
     if heating is None or heating.balance is None or not heating.converged:
         why = "nothing turns" if heating is None else heating.note
         note = f"operation.temperature: not self-heated, {why}; temperature_C is taken"
@@ -103,14 +121,33 @@ def _warmed_document(document: dict[str, Any]) -> dict[str, Any]:
 
 
 def self_heated(
-    case: Case, printed: Printed | None = None, *, judged: bool = True
+    case: Case,
+    printed: Printed | None = None,
+    *,
+    judged: bool = True,
+    equilibria: Equilibria | None = None,
 ) -> SelfHeatingSolution | None:
-    """Temperatures that the parts of the case's bearing warm themselves to [K]; None where it is
-    not asked for. `judged`: whether also how stable they are.
+    """Temperatures that the parts of the case's bearing warm themselves to.
 
     Balls in traction equilibrium are taken as half and half: loads hardly depend on it. The
     integrated torque is that of films of formulas at each temperature, in the proportion to the
     printed total that it has where that was computed; likewise the conductances of the contacts.
+
+    Parameters
+    ----------
+    case : Case
+        A bearing case.
+    printed : Printed, optional
+        The torque of a run.
+    judged : bool
+        Whether it is wanted how stable they are.
+    equilibria : Equilibria, optional
+        Those that are solved already.
+
+    Returns
+    -------
+    SelfHeatingSolution or None
+        None where it is not asked for.
     """
     given = case.heating
     if given is None or case.operation.inner_speed == case.operation.outer_speed:
@@ -118,7 +155,7 @@ def self_heated(
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # the search looks beyond the range of the oil's data
         try:
-            problem = heating_problem(case, given, printed, ends=judged)
+            problem = heating_problem(case, given, printed, ends=judged, equilibria=equilibria)
         except ValueError as error:
             return SelfHeatingSolution(
                 model=given.model, around=given.around, balance=None, note=str(error)
@@ -133,10 +170,33 @@ def self_heated(
 
 
 def heating_problem(
-    case: Case, given: HeatingInput, printed: Printed | None, *, ends: bool = True
+    case: Case,
+    given: HeatingInput,
+    printed: Printed | None,
+    *,
+    ends: bool = True,
+    equilibria: Equilibria | None = None,
 ) -> SelfHeatingProblem:
-    """The case as the search for temperatures takes it; `ends`: whether their ranges are wanted,
-    for which the ends of conductances are needed.
+    """The case as the search for temperatures takes it.
+
+    Parameters
+    ----------
+    case : Case
+        A bearing case.
+    given : HeatingInput
+        What heats and cools the bearing.
+    printed : Printed or None
+        The torque of a run.
+    ends : bool
+        Whether the ranges of the temperatures are wanted, for which the ends of conductances are
+        needed.
+    equilibria : Equilibria, optional
+        Those that are solved already.
+
+    Returns
+    -------
+    SelfHeatingProblem
+        Input of the search.
     """
     assert case.friction is not None  # of every bearing case
     return SelfHeatingProblem(
@@ -151,24 +211,26 @@ def heating_problem(
         rows=case.rows or SINGLE,
         oil_share=case.friction.oil_share(case.bearing),
         hottest=given.hottest,
-        **_begun_at(case, given, printed),
+        **_begun_at(case, given, printed, equilibria),
     )
 
 
-def _begun_at(case: Case, given: HeatingInput, printed: Printed | None) -> dict[str, Any]:
+def _begun_at(
+    case: Case, given: HeatingInput, printed: Printed | None, equilibria: Equilibria | None
+) -> dict[str, Any]:
     """Where the search begins: at the equilibrium of the case where temperature leaves that as it
-    is, so that a process solves it once; at that of a run, whose contacts count where they are not
+    is; at that of a run, whose contacts count where they are not
     those of finite bodies. A run at the temperature that was found for it only asks whether that
     is one.
     """
     if printed is None:
         same = given.reference is None and without_traction_equilibrium(case.model) is case.model
-        return {"start": case_equilibrium(case)} if same else {}
+        return {"start": case_equilibrium(case, equilibria)} if same else {}
     own = not case.file.ehl.finite_bodies
     warmed = case.document["operation"].get("temperature") == SELF_HEATED
     return {
         "start": printed.state,
-        "contacts": tuple(printed.contacts) if own else (),
+        "contacts": printed.contacts if own else (),
         "enough": WARM_TOLERANCE if warmed and given.model == INTEGRATED else 0.0,
     }
 
@@ -209,22 +271,17 @@ def _friction_model(
     if printed is None:
         films = FilmsHeat(friction=case.friction, ends=ends)
         return partial(_formula_heat, case, given, films)
-    objects = (printed.contacts, printed.state, case.lubricant, case.friction)
-    films = _LAST.of(objects, lambda: _printed_heat(case, given, printed))
-    by_formulas = partial(_formula_heat, case, given, replace(films))
+    by_formulas = partial(_formula_heat, case, given, _printed_heat(case, given, printed))
     found = by_formulas(printed.state, printed.contacts, case.lubricant)
     factor = (printed.total - printed.seal) / found.torque
     ratio = np.ones(2)
     if printed.films is not None:
         solved = printed.conductance
         if solved is None:
-            solved = running_conductances(printed.state, printed.contacts, printed.films)
+            solved = film_conductances(printed.state, printed.contacts, printed.films)
         sums = solved[0].sum(axis=0), found.conductance[0].sum(axis=0)
         ratio = np.where(sums[1] > 0.0, sums[0] / np.maximum(sums[1], 1e-300), 1.0)
     return partial(_scaled_heat, by_formulas, factor, printed.seal, ratio)
-
-
-_LAST: LastOf[FilmsHeat] = LastOf()
 
 
 def _printed_heat(case: Case, given: HeatingInput, printed: Printed) -> FilmsHeat:
@@ -236,13 +293,17 @@ def _printed_heat(case: Case, given: HeatingInput, printed: Printed) -> FilmsHea
     oil = case.lubricant
     inlet = _inlet(case, printed.state, oil)
     films = printed.films
-    if films is not None and any(film is not None and not film.unsolved for film in films):
+    if films is not None and any(film is not None and film.field is not None for film in films):
         films = None
     films = films if inlet == case.inlet else None
     rheology = given.rheology(oil)
     same = films is not None and rheology == case.rheology
-    balance = printed.balance if same else None
-    begun.heat(printed.state, printed.contacts, oil, rheology, inlet, (films, balance))
+    computed = OperatingState(
+        films=films,
+        balance=printed.balance if same else None,
+        conductances=None if films is None else printed.conductance,
+    )
+    begun.heat(printed.state, printed.contacts, oil, rheology, inlet, computed)
     return begun
 
 
@@ -304,15 +365,15 @@ def conducts(case: Case) -> bool:
     return case.lubricant.thermal is not None and known
 
 
-def film_conductances(
+def case_conductances(
     case: Case,
     state: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    running: RunningFilms | None,
+    operating: Films | None,
 ) -> Array | None:
     """Of heat through the films of all contacts [W/K]; None where heat properties of oil or bodies
     are not known.
     """
-    if running is None or not conducts(case):
+    if operating is None or not conducts(case):
         return None
-    return running_conductances(state, contacts, running)
+    return film_conductances(state, contacts, operating)

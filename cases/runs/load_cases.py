@@ -9,10 +9,10 @@ from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.duty_cycle import DutyCycle, LoadCase, duty_cycle
 from bearing.rating.life import bearing_life
 from bearing.torque.breakdown import torque_breakdown
-from bearing.torque.films_torque import films_torque
+from bearing.torque.integrated import films_torque
 
 from ..format.case import Case, LoadCaseInput, new_notes
-from .equilibrium import case_equilibrium, without_traction_equilibrium
+from .equilibrium import Equilibria, case_equilibrium, without_traction_equilibrium
 from .films import Progress
 from .heating import at_its_temperature
 
@@ -22,7 +22,9 @@ HALF_AND_HALF = (
 )
 
 
-def solve_load_cases(case: Case, notify: Progress) -> DutyCycle | None:
+def solve_load_cases(
+    case: Case, notify: Progress, equilibria: Equilibria | None = None
+) -> DutyCycle | None:
     """Life, torque and energy over the duty cycle of a case; None where it has none.
 
     Every state has its own equilibrium, clearance and oil; its torque is that of films of
@@ -30,21 +32,22 @@ def solve_load_cases(case: Case, notify: Progress) -> DutyCycle | None:
     """
     if not case.load_cases:
         return None
+    equilibria = equilibria or Equilibria()
     solved = []
     for number, state in enumerate(case.load_cases):
         notify(number, len(case.load_cases), "load cases")
-        solved.append(_load_case(state, case.warnings))
+        solved.append(_load_case(state, case.warnings, equilibria))
     return duty_cycle(case.bearing, solved)
 
 
-def _load_case(state: LoadCaseInput, known: tuple[str, ...]) -> LoadCase:
+def _load_case(state: LoadCaseInput, known: tuple[str, ...], equilibria: Equilibria) -> LoadCase:
     """One state, with the messages that are not `known`, those of [operation]."""
-    case = at_its_temperature(state.case)
+    case = at_its_temperature(state.case, equilibria=equilibria)
     messages = new_notes(case.warnings, known)
     if case.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
         case = replace(case, model=without_traction_equilibrium(case.model))
         messages.append(HALF_AND_HALF)
-    solution = case_equilibrium(case)
+    solution = case_equilibrium(case, equilibria)
     if not solution.converged:
         messages.append(f"equilibrium not converged: {solution.message}")
     contacts = contact_conditions(solution, case.lubricant)

@@ -8,6 +8,9 @@ from rich.console import Group
 from rich.text import Text
 
 from bearing.contacts.contact import BearingContact
+from bearing.films.film import ContactFilm
+from bearing.films.formula import atlas_film
+from bearing.films.operating import operating_films
 
 from ..contact.atlas import MODEL, SOURCE, THIN_LAYER, AtlasRecord, atlas_values
 from ..files import plain_document
@@ -16,7 +19,7 @@ from ..results import Results
 from ..table import number_table
 from ..text import NOTHING, number, value_with_error
 from .contacts import CONTACT_QUANTITY
-from .film_heat import HEAT_QUANTITIES, HeatedFilms, heat_messages, heated_atlas_films
+from .film_heat import HEAT_QUANTITIES, film_values, heat_messages
 from .results import balls_text
 
 DRY = (
@@ -39,9 +42,10 @@ class BearingAtlasRecord(AtlasRecord):
         return self.contact.load > 0.0
 
     @property
-    def heated(self) -> HeatedFilms:
-        """The films with the heat of the inlet, and without [m]."""
-        return heated_atlas_films(self.contact, self.in_lengths)
+    def operating(self) -> ContactFilm | None:
+        """The operating film; None without films of the atlas."""
+        film = atlas_film(self.contact, self.in_lengths)
+        return operating_films([self.contact], [film])[0]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -74,15 +78,15 @@ def atlas_bearing_summary(results: AtlasBearingResults) -> dict[str, Any]:
 
 def _values(record: BearingAtlasRecord) -> dict[str, Any]:
     dry = values_of(record, [CONTACT_QUANTITY[key] for key in DRY])
-    heated = {} if record.films is None else record.heated.keys
+    films = {} if record.films is None else film_values(record.operating)
     beside = values_of(record, HEAT_QUANTITIES)
-    return {**dry, **atlas_values(record), **heated, **beside, "note": record.reason}
+    return {**dry, **atlas_values(record), **films, **beside, "note": record.reason}
 
 
 def _messages(results: AtlasBearingResults) -> Iterator[str]:
     """What the films are, and why some are null."""
     yield MODEL.replace("isothermal, ", "")
-    yield from heat_messages([record.heated for record in results.records])
+    yield from heat_messages([record.operating for record in results.records])
     if any(not record.loaded for record in results.records):
         yield "contacts: all but the load null where loaded is false"
     for (race, reason), balls in results.refusals.items():

@@ -6,19 +6,17 @@ from math import hypot, isfinite
 from typing import Any
 
 from bearing.contacts.contact import BearingContact
-from bearing.contacts.film_heat import solved_with_heat
 from bearing.contacts.stress import ContactStress, contact_stresses
 from bearing.contacts.surface_tension import SurfaceTension, edge_tension
-from bearing.friction.formula_films import FormulaFilm
-from bearing.friction.resolvable import too_thick
+from bearing.films.film import ContactFilm, FilmOrigin
+from bearing.films.formula import too_thick
 from bearing.heating.conductances import Conductance
 from bearing.studies.slip import HIRANO_CAVEAT, HIRANO_LIMIT
-from bearing.supply.starved_films import StarvedFilm
 from ehl.units import to_si
 
 from ..contact.quantities import ALL_FILM_QUANTITIES, FILM_QUANTITIES, FilmRecord, formula_films
 from ..quantities import by_key, quantities, values_of
-from .film_heat import HEAT_QUANTITIES, NO_FILM, NO_FILMS, HeatedFilms, heat_messages
+from .film_heat import HEAT_QUANTITIES, NO_FILM, film_values, heat_messages
 from .finite_bodies import shoulder_messages
 from .quantities import CONTACT_CONDUCTANCE
 from .results import BearingResults, balls_text
@@ -33,13 +31,12 @@ class ContactRecord(FilmRecord):
 
     contact: BearingContact
     stress: ContactStress | None
-    starved: StarvedFilm | None
+    starved: ContactFilm | None  # operating film at the supply
     surface: dict[str, float] | None
     edge_tension: float | None  # of the dry contact without friction [Pa]
     tension: SurfaceTension | None  # under the film's pressure and shear
-    formula: FormulaFilm | None = None  # in place of a film that the mesh does not resolve
     conductance: Conductance | None = None  # of heat, through the film
-    heated: HeatedFilms = NO_FILMS
+    operating: ContactFilm | None = None
 
     @property
     def loaded(self) -> bool:
@@ -49,8 +46,8 @@ class ContactRecord(FilmRecord):
     @property
     def lambda_ratio(self) -> float | None:
         """Minimum film over the rms roughness of race and ball together [-]."""
-        minimum = self.heated.minimum
-        return lambda_ratio(self.contact, minimum and minimum[0], self.surface)
+        minimum = None if self.operating is None else self.operating.minimum
+        return lambda_ratio(self.contact, minimum and minimum.value, self.surface)
 
     @property
     def kappa(self) -> float | None:
@@ -63,14 +60,17 @@ class ContactRecord(FilmRecord):
         behind [-]; None if not resolved.
         """
         film = self.film
-        minimum = self.heated.minimum
-        if film is None or not (film.converged and film.resolved) or minimum is None:
+        operating = self.operating
+        if film is None or not (film.converged and film.resolved):
             return None
-        value, error, _ = minimum
+        if operating is None or operating.minimum is None:
+            return None
+        minimum = operating.minimum
         share = 1.0
-        if self.starved is not None and film.supply is None:
-            share = self.starved.minimum / self.starved.flooded.minimum
-        moved = share * max(0.0, value + end * error)
+        if self.starved is not None and self.starved.minimum and film.supply is None:
+            flooded = min(minimum.value, operating.central.value)
+            share = self.starved.minimum.value / flooded
+        moved = share * max(0.0, minimum.value + end * minimum.error)
         ratio = lambda_ratio(self.contact, moved, self.surface)
         exponent = (self.surface or {}).get("kappa_exponent")
         return None if ratio is None or exponent is None else float(ratio**exponent)
@@ -125,9 +125,9 @@ CONTACT_QUANTITIES = (  # columns of contacts.csv
     *quantities(
         "starved.",
         NOT_STARVED,
-        ("starved_film_share", "share of the flooded film", "share"),
-        ("starved_film_central_um", "starved central film", "central"),
-        ("starved_film_minimum_um", "starved minimum film", "minimum"),
+        ("starved_film_share", "share of the flooded film", "supply.central"),
+        ("starved_film_central_um", "starved central film", "central.value"),
+        ("starved_film_minimum_um", "starved minimum film", "minimum.value"),
     ),
     *quantities("", NOT_STARVED, "starved_lambda_ratio"),
     *CONTACT_CONDUCTANCE,
@@ -216,7 +216,6 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
     tensions = results.tensions or (None,) * count
     starved = torque.films if torque is not None and torque.films else (None,) * count
     tractions = results.tractions or (None,) * count
-    formulas = results.formula_films or (None,) * count
     stresses = contact_stresses(results.quasistatic, results.contacts)
     return [
         ContactRecord(
@@ -230,9 +229,8 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
             surface=results.case.get("surface"),
             edge_tension=edge_tension(results.quasistatic.bearing, contact),
             tension=tensions[i],
-            formula=formulas[i],
             conductance=results.conductance(i),
-            heated=results.heated[i],
+            operating=results.operating[i],
         )
         for i, contact in enumerate(results.contacts)
     ]
@@ -242,7 +240,7 @@ def at_supply(record: ContactRecord) -> dict[str, str]:
     """Keys of the films as a supply leaves them, by those of the flooded ones; none where the film
     stands behind its layer, or all is flooded.
     """
-    scarce = record.starved is not None and record.starved.share < 1.0
+    scarce = record.starved is not None and record.starved.supply.central < 1.0
     behind = record.film is not None and record.film.supply is not None
     return AT_SUPPLY if scarce and not behind else {}
 
@@ -254,20 +252,13 @@ def contact_values(record: ContactRecord) -> dict[str, Any]:
     by_formula = to_si("film_um", formulas[LAMBDA_FORMULA])
     return {
         **values_of(record, ALL_QUANTITIES),
-        **record.heated.keys,
-        "film_origin": _origin(record),
+        **film_values(record.operating),
+        "film_origin": None if record.operating is None else record.operating.origin.value,
         "lambda_ratio_formula": lambda_ratio(record.contact, by_formula, record.surface),
         "film_formulas_um": formulas,
         "domain": None if film is None else list(film.domain),
         "points": None if film is None else list(film.P.shape),
     }
-
-
-def _origin(record: ContactRecord) -> str | None:
-    """Whether a film is solved, of the film atlas or that of a formula; None without."""
-    if record.formula is not None:
-        return "atlas" if record.formula.atlas else "formula"
-    return None if record.film is None or not record.film.converged else "solved"
 
 
 def combined_roughness(race: str, surface: dict[str, float]) -> float:
@@ -289,7 +280,9 @@ def lambda_ratio(
 def contact_messages(results: BearingResults) -> Iterator[str]:
     """Contacts without a film, stresses at shoulders, and ratios that are null."""
     yield from _absent_films(results)
-    yield from heat_messages(_of_formulas(results))
+    yield from heat_messages(
+        [film for film in results.operating if film is not None and not film.solved_with_heat]
+    )
     if any(c.conditions is None for c in results.contacts):
         yield (
             "contacts: Hertz, speed and formula values null where a contact carries no load or no "
@@ -299,21 +292,12 @@ def contact_messages(results: BearingResults) -> Iterator[str]:
     yield from _ratio_messages(results)
 
 
-def _of_formulas(results: BearingResults) -> list[HeatedFilms]:
-    """Films with heat [m] that were not solved with it."""
-    return [
-        heated
-        for heated, film in zip(results.heated, results.films, strict=True)
-        if isinstance(film, FormulaFilm) or not solved_with_heat(film)
-    ]
-
-
 def _absent_films(results: BearingResults) -> Iterator[str]:
     """Why contacts have no film, race by race."""
     complete = results.quasistatic.converged and not results.interrupted
     absent: dict[tuple[str, str], list[str]] = {}
-    formulas = results.formula_films or (None,) * len(results.contacts)
-    for contact, solution in zip(results.contacts, results.films, strict=True):
+    films = results.operating
+    for contact, film, solution in zip(results.contacts, films, results.solutions, strict=True):
         reason = contact.note or (
             "neither asked for by [ehl] film_maps nor in the film atlas"
             if results.formula_films
@@ -321,20 +305,22 @@ def _absent_films(results: BearingResults) -> Iterator[str]:
         )
         if contact.conditions is not None and too_thick(contact.conditions):
             reason = "too light a contact for its speed: by formula the film is beyond 2 % of R_x"
-        if contact.conditions is None or (solution is None and complete):
+        absent_film = film is None and solution is None
+        if contact.conditions is None or (absent_film and complete):
             absent.setdefault((contact.race.value, reason), []).append(str(contact.ball))
     for (race, reason), balls in absent.items():
         yield f"{race} race, {balls_text(balls)}: film null, {reason}"
     if absent:
         yield f"contacts: residual and mass_imbalance null where {NO_FILM}"
-    both = [(c, one) for c, one in zip(results.contacts, formulas, strict=True) if one is not None]
-    if of_atlas := sum(one.atlas for _, one in both):
+    pairs = zip(results.contacts, films, strict=True)
+    origins = [(contact, film.origin) for contact, film in pairs if film is not None]
+    if of_atlas := sum(origin is FilmOrigin.ATLAS for _, origin in origins):
         yield (
             f"contacts: films of the film atlas (film_origin) at {of_atlas} contacts whose films "
             "[ehl] film_maps does not ask for: not solved, with the atlas's error bars; they have "
             "no maps"
         )
-    if scaled := [contact for contact, one in both if not one.atlas]:
+    if scaled := [contact for contact, origin in origins if origin is FilmOrigin.FORMULA]:
         places = ", ".join(f"{contact.ball} {contact.race.value}" for contact in scaled)
         yield (
             f"contacts: films of formulas (film_origin) at ball {places}, which the mesh does not "

@@ -6,14 +6,14 @@ from math import degrees
 from typing import Any
 
 from bearing.contacts.contact import BearingContact
-from bearing.contacts.film_heat import NO_HEAT, heat_beside
 from bearing.contacts.finite_bodies import FiniteBodies
 from bearing.contacts.surface_tension import SurfaceTension
 from bearing.contacts.traction import ContactTraction
+from bearing.films.decay import FilmDecay
+from bearing.films.film import NO_HEAT, ContactFilm, first_same, heated_solution
+from bearing.films.operating import operating_films, solved_films
 from bearing.fits.clearance import ClearanceBudget
 from bearing.fits.ring_strength import Strength
-from bearing.friction.formula_films import FormulaFilm
-from bearing.friction.unsolved_film import heated_solution
 from bearing.geometry import Array
 from bearing.heating.conductances import Conductance
 from bearing.heating.self_heating import SelfHeatingSolution
@@ -21,7 +21,6 @@ from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.duty_cycle import DutyCycle
 from bearing.rating.frequencies import Frequencies
 from bearing.rating.life import LifeRating
-from bearing.supply.decay import FilmDecay
 from bearing.supply.oil_balance import GrooveOil
 from bearing.torque.breakdown import TorqueBreakdown
 from bearing.torque.rolling_extent import RollingExtent, rolling_extent, rolling_moments
@@ -34,7 +33,6 @@ from ehl.units import from_si, notebook_html
 from ..contact.quantities import oil_permittivity
 from ..results import FILMS, OTHERS, Results
 from ..text import listed
-from .film_heat import HeatedFilms, film_bars, heated_films
 
 
 @dataclass(frozen=True, kw_only=True)  # without slots, which would keep no cached property
@@ -46,8 +44,8 @@ class BearingResults(Results):
     contacts: tuple[BearingContact, ...]  # ball by ball, inner race then outer
     solutions: tuple[ContactSolution | None, ...]  # of the contacts; equal ones share an object
     frequencies: Frequencies
-    # of contacts that the mesh does not resolve, None for the others; empty is None for all
-    formula_films: tuple[FormulaFilm | None, ...] = ()
+    # of the film atlas or of formulas, at contacts that are not solved; empty is None for all
+    formula_films: tuple[ContactFilm | None, ...] = ()
     interrupted: bool = False  # before all films were computed
     torque: TorqueBreakdown | None = None  # None without an equilibrium
     tractions: tuple[ContactTraction | None, ...] = ()  # of the contacts; empty is None for all
@@ -70,15 +68,18 @@ class BearingResults(Results):
     reference_speed: float | None = None  # ISO 15312 [rad/s]; None: not known
 
     @cached_property
-    def films(self) -> tuple[ContactSolution | FormulaFilm | None, ...]:
-        """Of the contacts, solved ones or those of formulas in their place."""
+    def films(self) -> tuple[ContactFilm | None, ...]:
+        """Films of the contacts as computed: those of the solutions that converged, of the film
+        atlas or of formulas.
+        """
+        solved = solved_films(self.contacts, self.solutions)
         formulas = self.formula_films or (None,) * len(self.solutions)
-        return tuple(a or b for a, b in zip(self.solutions, formulas, strict=True))
+        return tuple(a or b for a, b in zip(solved, formulas, strict=True))
 
     @cached_property
-    def heated(self) -> tuple[HeatedFilms, ...]:
-        """Films of the contacts with heat [m]."""
-        return tuple(map(heated_films, self.contacts, self.films))
+    def operating(self) -> tuple[ContactFilm | None, ...]:
+        """Operating films of the contacts, with the supply that they were computed with."""
+        return operating_films(self.contacts, self.films, box_inlet=True)
 
     @cached_property
     def rolling_moments(self) -> tuple[RollingMoment | None, ...]:
@@ -94,11 +95,12 @@ class BearingResults(Results):
         """
         permittivity = oil_permittivity(self.case)
         found: dict[int, FilmInstruments | None] = {}
-        for contact, film in zip(self.contacts, self.solutions, strict=True):
-            if film is not None and id(film) not in found:
-                left = heat_beside(contact, film) if film.converged else NO_HEAT
-                found[id(film)] = film_instruments(heated_solution(film, left), permittivity)
-        return tuple(found.get(id(film)) for film in self.solutions)
+        first = first_same(self.solutions)
+        for number, solution, film in zip(first, self.solutions, self.operating, strict=True):
+            if solution is not None and number not in found:
+                left = NO_HEAT if film is None or film.solved_with_heat else film.heat
+                found[number] = film_instruments(heated_solution(solution, left), permittivity)
+        return tuple(found.get(number) for number in first)
 
     @cached_property
     def rolling_extent(self) -> RollingExtent | None:
@@ -155,7 +157,8 @@ class BearingResults(Results):
             "modified_rating_life_h": life,
             **self._facts(),
         }
-        films = [film_bars(*one) for one in zip(self.contacts, self.films, strict=True)]
+        central = [film and film.central for film in self.operating]
+        minimum = [film and film.minimum for film in self.operating]
         columns: dict[str, Any] = {
             "ball": [str(contact.ball) for contact in self.contacts],
             "azimuth_deg": [contact.azimuth for contact in self.contacts],
@@ -163,8 +166,8 @@ class BearingResults(Results):
             "load_N": [contact.load for contact in self.contacts],
             "angle_deg": [contact.contact_angle for contact in self.contacts],
             "Hertz_GPa": [c.hertz.pressure if c.hertz else None for c in self.contacts],
-            "central_film_um": [central and central[:2] for central, _ in films],
-            "minimum_film_um": [minimum and minimum[:2] for _, minimum in films],
+            "central_film_um": [film and (film.value, film.error) for film in central],
+            "minimum_film_um": [film and (film.value, film.error) for film in minimum],
         }
         return notebook_html(self.title or "Bearing", facts, columns)
 

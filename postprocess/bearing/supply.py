@@ -2,11 +2,12 @@
 films after the supply stops.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from math import isfinite
 from typing import Any
 
-from bearing.supply.starved_films import StarvedFilm, of_driven_balls
+from bearing.films.film import ContactFilm, FilmOrigin, Films
+from bearing.films.operating import of_driven_balls
 
 from ..netcdf.groups import Group, Variables
 from ..quantities import values_of
@@ -27,8 +28,8 @@ def supply_block(results: BearingResults) -> dict[str, Any]:
     beside = results.supply_torque
     ratios = [film.lambda_ratio for film in films if isfinite(film.lambda_ratio)]
     values = (
-        sum(film.share for film in films) / len(films) if films else None,
-        min((film.share for film in films), default=None),
+        sum(film.supply.central for film in films) / len(films) if films else None,
+        min((film.supply.central for film in films), default=None),
         min(ratios, default=None),
         None if starved is None else starved.oil_fraction,
         None if beside is None else beside.scarce,
@@ -90,7 +91,7 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
         yield "supply.oil_fraction: null as the model starved"
     if results.supply_torque is None or results.supply_torque.scarce is None:
         yield "supply.torque_N_mm, ..._low_, ..._high_, flooded_...: null without torque of films"
-    if films and all(film.share > 1.0 - FLOOD_MARGIN for film in films):
+    if films and all(film.supply.central > 1.0 - FLOOD_MARGIN for film in films):
         yield f"supply: ample, every contact keeps its flooded film to {FLOOD_MARGIN:.1%}"
 
 
@@ -162,14 +163,12 @@ def _layer_messages(results: BearingResults) -> Iterator[str]:
         yield f"contacts.meniscus_position: null, the layer floods the box ({', '.join(ahead)})"
 
 
-def _outside_message(
-    films: Sequence[StarvedFilm | None], results: BearingResults
-) -> Iterator[str]:
+def _outside_message(films: Films, results: BearingResults) -> Iterator[str]:
     """Contacts that the law of starvation was not solved for."""
     names = [
         f"ball {contact.ball} {contact.race.value}"
         for contact, film in zip(results.contacts, films, strict=True)
-        if film is not None and not film.inside
+        if film is not None and not film.supply.inside
     ]
     if names:
         yield (
@@ -184,8 +183,8 @@ def _whose_layer(results: BearingResults) -> str:
     return "it"
 
 
-def _origin(films: list[StarvedFilm]) -> str:
-    solved = sum(film.solved for film in films)
+def _origin(films: list[ContactFilm]) -> str:
+    solved = sum(film.origin is FilmOrigin.SOLVED for film in films)
     if solved == len(films):
         return "solved"
     return f"solved for {solved}, else formulas" if solved else "of formulas"
@@ -258,7 +257,7 @@ def supply_rows(results: BearingResults) -> dict[str, str]:
     films = _driven(results)
     if not films:
         return {}
-    mean = sum(film.share for film in films) / len(films)
+    mean = sum(film.supply.central for film in films) / len(films)
     least = min(film.lambda_ratio for film in films)
     text = f"{supply_kind(results)}: loaded films {100.0 * mean:.3g} % of flooded"
     band = results.supply_band
@@ -267,7 +266,7 @@ def supply_rows(results: BearingResults) -> dict[str, str]:
     return {"oil supply": text + (f", smallest λ {least:.3g}" if isfinite(least) else "")}
 
 
-def _driven(results: BearingResults) -> list[StarvedFilm]:
+def _driven(results: BearingResults) -> list[ContactFilm]:
     """Films of the balls that both races load; none where the oil is not scarce."""
     torque = results.torque
     if torque is None or not torque.films:

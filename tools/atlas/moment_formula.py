@@ -12,8 +12,7 @@ from math import log
 import numpy as np
 from scipy.optimize import least_squares
 
-from bearing.contacts.formula_moment import SLOPE, START, WIDTH, flooded_moment, moment_unit
-from bearing.contacts.heavy_moment import rolling_moment as heavy_moment
+from bearing.films.moment import SLOPE, START, WIDTH, flooded_moment, heavy_moment, moment_unit
 from ehl import Lubricant, atlas_films
 from ehl.scaling import scale_contact
 from ehl.traction.atlas.films import NotInAtlasError

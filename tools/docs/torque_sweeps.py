@@ -96,7 +96,8 @@ def torque_sweep(
         if not solution.converged:
             continue
         oil = study.oil(temperature)
-        breakdown = torque_breakdown(solution, contact_conditions(solution, oil), oil, study.friction)
+        friction = replace(study.friction, all_models=True)
+        breakdown = torque_breakdown(solution, contact_conditions(solution, oil), oil, friction)
         for name, model in breakdown.models.items():
             if model.total is not None:
                 totals.setdefault(name, np.full(shape, np.nan))[place] = model.total

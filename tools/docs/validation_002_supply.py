@@ -29,9 +29,9 @@ from validation_002_torque import (
     supplied,
 )
 
-from bearing.supply.decay import film_decay
+from bearing.films.decay import film_decay
+from bearing.films.operating import OilAtInlets, supplied_films
 from bearing.supply.oil_balance import groove_area, retained_time
-from bearing.supply.starved_films import starved_films
 from bearing.supply.supply import AMPLE, InletFilm, Supply, cavity_volume, oil_fraction
 from cases.format.case import case_of_document
 from cases.runs.bearing import run_case
@@ -314,7 +314,8 @@ def draw_decay() -> None:
         figure = Figure(figsize=(0.75 * PAGE_WIDTH, 2.8))
         axes = figure.subplots()
         state, contacts = solved(SPEEDS[0], LOADS[-1])
-        films = starved_films(contacts, AMPLE, SUPPLIED.bearing.balls, FRICTION.roughness)
+        oil = OilAtInlets(oil=AMPLE, balls=SUPPLIED.bearing.balls)
+        films = supplied_films(contacts, [None] * len(contacts), oil, FRICTION.asperities)
         for loss, colour in ((0.0, INNER_COLOUR), (0.001, "#5a8f5a"), (0.05, OUTER_COLOUR)):
             supply = Supply(flow=1.0, track_share=1.0, residence_time=0.0, loss=loss)
             decay = film_decay(state, contacts, films, 36000.0, supply)

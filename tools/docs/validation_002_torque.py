@@ -17,14 +17,13 @@ from matplotlib.figure import Figure
 from printed import printed
 
 from bearing import contact_conditions, load_material, solve_quasistatic
-from bearing.friction.formula_films import formula_film
+from bearing.films.formula import formula_films
+from bearing.films.operating import OilAtInlets, least_lambda, mean_fraction, of_driven_balls, supplied_films
 from bearing.heating.self_heating import SelfHeatingSolution
 from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.supply.starved_films import least_lambda, mean_share, of_driven_balls, starved_films
 from bearing.supply.supply import InletFilm, Supply
 from bearing.torque.breakdown import torque_breakdown
-from bearing.torque.films_torque import films_as_they_run
-from bearing.torque.integrated import solved_shear
+from bearing.torque.integrated import bearing_films, solved_shear
 from cases import load_case
 from cases.batch.shared.tables import case_of_document
 from cases.batch.sweep import read_sweep
@@ -79,20 +78,21 @@ def supplied_case(speed: float, load: float) -> tuple[Case, QuasistaticSolution,
     case = case_of_document({**document, "operation": {**document["operation"], **operation}})
     state = case_equilibrium(case)
     contacts = contact_conditions(state, case.lubricant)
-    return case, state, contacts, [formula_film(contact) for contact in contacts]
+    return case, state, contacts, formula_films(contacts)
 
 
 def supplied(speed: float, load: float, supply: Supply | InletFilm, **changes: object) -> SupplyPoint:
     """The recommended torque at a supply, with changes of the case's friction."""
     case, state, contacts, films = supplied_case(speed, load)
     friction = replace(case.friction, supply=supply, **changes)
-    running = films_as_they_run(state, contacts, films, friction, case.inlet)
+    running = bearing_films(state, contacts, films, friction, case.inlet)
     resistance = friction.resistance(case.bearing, case.lubricant)
     torque = solved_shear(state, contacts, running, case.rheology, resistance, bound=False).torque
-    left = of_driven_balls(state, contacts, starved_films(contacts, supply, case.bearing.balls, friction.roughness))
+    oil = OilAtInlets(oil=supply, balls=case.bearing.balls)
+    left = of_driven_balls(state, contacts, supplied_films(contacts, films, oil, friction.asperities))
     parts = {name: torque.parts[name] for name in ("cage", "rolling", "asperity", "drag")}
     parts["film"] = torque.total - sum(parts.values())
-    return SupplyPoint(torque.total, parts, mean_share(left), least_lambda(left))
+    return SupplyPoint(torque.total, parts, mean_fraction(left), least_lambda(left))
 
 
 @cache

@@ -17,7 +17,7 @@ from bearing.friction.coulomb import balanced_friction
 from bearing.friction.law import BallTraction
 from bearing.friction.sources import CoulombTraction
 from bearing.torque.breakdown import torque_breakdown
-from bearing.torque.sliding import sliding_contacts
+from bearing.torque.paper_models import sliding_contacts
 from cases import Case, load_case
 
 DOCS = Path(__file__).parents[2] / "docs"

@@ -28,7 +28,7 @@ from ehl.traction.table.table import TableRange
 
 from ...format.case import Case, ContactCase, case_of_document
 from ...format.traction import require_fitting_tables, tables_of_file
-from ...runs.equilibrium import case_equilibrium, without_traction_equilibrium
+from ...runs.equilibrium import Equilibria, case_equilibrium, without_traction_equilibrium
 from ...runs.films import Progress
 from ...runs.interrupt import print_message
 from ...runs.traction_table import asked_films, films_of_atlas
@@ -275,9 +275,10 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
     """
     cases = [_bearing_case(point) for point in sweep.points if point.tables == name]
     states = []
+    equilibria = Equilibria()
     for k, case in enumerate(cases):
         progress(k, len(cases), "loads of the points, for traction tables")
-        states.append(case_equilibrium(_without_films(case)))
+        states.append(case_equilibrium(_without_films(case), equilibria))
     states = [state for state in states if state.converged]
     if not states:
         raise ValueError("no point that shares them has an equilibrium")

@@ -7,8 +7,8 @@ from time import perf_counter
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.contacts import contact_conditions
 from bearing.contacts.finite_bodies import finite_bodies, with_finite_bodies
-from bearing.friction.formula_films import FormulaFilm, formula_films
-from bearing.friction.resolvable import too_thick
+from bearing.films.film import ContactFilm, FilmOrigin, Films
+from bearing.films.formula import formula_films, too_thick
 from bearing.quasistatic.solver import solve_quasistatic
 from bearing.rows import SINGLE
 from ehl import ContactConditions, atlas_films
@@ -76,10 +76,8 @@ def run_atlas_bearing(case: Case, name: str) -> AtlasBearingResults:
 
 
 def fill_from_atlas(
-    contacts: Sequence[BearingContact],
-    wanted: Sequence[ContactConditions | None],
-    films: Sequence[FormulaFilm | None],
-) -> tuple[FormulaFilm | None, ...]:
+    contacts: Sequence[BearingContact], wanted: Sequence[ContactConditions | None], films: Films
+) -> tuple[ContactFilm | None, ...]:
     """Films in place of solved ones, with those of the atlas at the contacts whose films were not
     asked for and that it covers.
     """
@@ -92,7 +90,8 @@ def fill_from_atlas(
         for contact, own, film in zip(contacts, wanted, films, strict=True)
     ]
     of_atlas = [
-        film if film is not None and film.atlas else None for film in formula_films(places)
+        film if film is not None and film.origin is FilmOrigin.ATLAS else None
+        for film in formula_films(places)
     ]
     return tuple(film or own for film, own in zip(films, of_atlas, strict=True))
 

@@ -6,22 +6,18 @@ from collections.abc import Sequence
 from typing import Any
 
 from bearing.contacts.contact import BearingContact
-from bearing.friction.formula_films import FormulaFilm
+from bearing.films.decay import film_decay
+from bearing.films.film import Films
+from bearing.films.operating import OilAtInlets, supplied_films
 from bearing.friction.sources import FilmTraction
 from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.supply.decay import film_decay
 from bearing.supply.oil_balance import GrooveOil, groove_oil
-from bearing.supply.starved_films import starved_films
 from bearing.supply.supply import AMPLE, InletFilm, Supply
 from bearing.torque.breakdown import INTEGRATED, TorqueBreakdown
-from bearing.torque.films_torque import films_as_they_run
-from bearing.torque.integrated import solved_shear
+from bearing.torque.integrated import bearing_films, solved_shear
 from bearing.torque.supply_band import SupplyTorque, Total, supply_band
-from ehl import ContactSolution
 
 from ...format.case import Case
-
-Films = Sequence[ContactSolution | FormulaFilm | None]
 
 
 def beside_supply(
@@ -37,18 +33,19 @@ def beside_supply(
     friction = case.friction
     if friction is None or torque is None or state.operation.shaft_speed == 0.0:
         return {}
-    rough = friction.roughness
-    solved = [film if isinstance(film, ContactSolution) else None for film in films]
     total = _total_at(case, state, contacts, films, torque)
     found: dict[str, Any] = {}
     if friction.supply is not None:
         found["supply_torque"] = SupplyTorque(scarce=total(friction.supply), flooded=total(AMPLE))
     if isinstance(friction.supply, Supply):
-        found["supply_band"] = supply_band(state, contacts, friction.supply, total, rough, solved)
+        found["supply_band"] = supply_band(
+            state, contacts, friction.supply, total, films, friction.asperities
+        )
         found["groove_oil"] = _groove_oil(case, friction.supply)
     duration = case.file.friction.si()["supply_decay"]
     if duration is not None:
-        ample = starved_films(contacts, AMPLE, state.bearing.balls, rough, solved)
+        oil = OilAtInlets(oil=AMPLE, balls=state.bearing.balls)
+        ample = supplied_films(contacts, films, oil, friction.asperities)
         found["decay"] = film_decay(state, contacts, ample, duration, friction.supply)
     return found
 
@@ -61,7 +58,7 @@ def _groove_oil(case: Case, supply: Supply) -> GrooveOil | None:
 
 
 def _integrated(case: Case, torque: TorqueBreakdown) -> float | None:
-    """The torque of the films as they run [N m]; None where a friction law stands for them."""
+    """The torque of the operating films [N m]; None where a friction law stands for them."""
     by_films = case.traction is None or isinstance(case.traction.source, FilmTraction)
     return torque.models[INTEGRATED].total if by_films else None
 
@@ -87,9 +84,9 @@ def _total_at(
         if supply == friction.scarce:
             return known
         at = friction.at_supply(supply, state.bearing)
-        running = films_as_they_run(state, contacts, films, at, case.inlet)
+        operating = bearing_films(state, contacts, films, at, case.inlet)
         resistance = at.resistance(state.bearing, case.lubricant)
-        shear = solved_shear(state, contacts, running, rheology, resistance, bound=False)
+        shear = solved_shear(state, contacts, operating, rheology, resistance, bound=False)
         return shear.torque.total + seal
 
     return total

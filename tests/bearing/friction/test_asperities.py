@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import quad
 
 from bearing import Operation, contact_conditions, solve_quasistatic
-from bearing.friction.asperities import Asperities, LoadSharing, Spectrum, five_halves_integral, zhou_hoeprich_share
+from bearing.films.asperities import Asperities, LoadSharing, Spectrum, five_halves_integral, zhou_hoeprich_share
 from ehl import Lubricant
 from ehl.conditions import moes_groups
 

@@ -22,7 +22,7 @@ from bearing import (
 from bearing.contacts.motion import ball_speeds
 from bearing.friction import balance
 from bearing.friction.coulomb import Ellipses, balanced_friction, coulomb_dissipation, line_dissipation
-from bearing.torque.pure_rolling_lines import rolling_lines
+from bearing.torque.paper_models import rolling_lines
 from ehl import Lubricant
 
 from ...reference.coulomb import coulomb_dissipation_twin as reference

@@ -8,8 +8,8 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from bearing.contacts.film_numbers import film_numbers
 from bearing.contacts.hertz import hertz_contacts
+from bearing.films.formula import formula_values
 from bearing.library.lubricants import library_lubricant
 from cases import load_case, run_case
 from cases.format.case import case_of_document
@@ -29,7 +29,7 @@ def numbers(conditions):
     c = conditions
     arrays = (np.array([value]) for value in (c.load, c.radius_x, c.radius_y, c.reduced_modulus))
     hertz = hertz_contacts(*arrays)[0]
-    return film_numbers(conditions, (hertz.semi_axis_y, hertz.semi_axis_x))
+    return formula_values(conditions, (hertz.semi_axis_y, hertz.semi_axis_x))
 
 
 def test_films_go_on_without_a_step_beyond_the_atlas():

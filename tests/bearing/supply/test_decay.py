@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 
 from bearing import Operation, contact_conditions, solve_quasistatic
-from bearing.supply.decay import film_decay
+from bearing.films.asperities import Asperities
+from bearing.films.decay import film_decay
+from bearing.films.operating import OilAtInlets, supplied_films
 from bearing.supply.oil_balance import OilBalance, groove_area, retained_time
 from bearing.supply.side_flow import side_flow_integral
-from bearing.supply.starved_films import starved_films
 from bearing.supply.supply import AMPLE, InletFilm, Supply
 from ehl import Lubricant
 
@@ -21,10 +22,16 @@ ML_MIN = 1e-6 / 60.0  # [m^3/s]
 HOURS = 3600.0  # [s]
 
 
+def starved_films(contacts, supply):
+    """Films of formulas at a supply."""
+    rough = Asperities(inner_roughness=0.2e-6, outer_roughness=0.2e-6, boundary=0.12)
+    return supplied_films(contacts, [None] * len(contacts), OilAtInlets(oil=supply, balls=9), rough)
+
+
 def loaded(bearings, force, speed=5000.0):
     state = solve_quasistatic(bearings.b6208, Operation(inner_speed=speed * bearings.rpm, force=force))
     contacts = contact_conditions(state, OIL)
-    return state, contacts, starved_films(contacts, AMPLE, 9, (0.2e-6, 0.2e-6))
+    return state, contacts, starved_films(contacts, AMPLE)
 
 
 @pytest.fixture(scope="module")
@@ -82,10 +89,10 @@ def test_start_is_what_the_supply_gives(axial):
     state, contacts, films = axial
     for supply in (Supply(flow=0.6 * ML_MIN, track_share=0.5, residence_time=20.0, loss=0.05), InletFilm(layer=0.1e-6)):
         decay = film_decay(state, contacts, films, 1.0, supply)
-        steady = starved_films(contacts, supply, 9)
+        steady = starved_films(contacts, supply)
         own = next(film for film, c in zip(steady, contacts, strict=True) if c is decay.contact)
         # a layer given counts without the side flow inside the contact, films without heat
-        assert decay.film[0] == pytest.approx(own.share * own.flooded_central, rel=2e-4)
+        assert decay.film[0] == pytest.approx(own.supply.central * own.flooded_central, rel=2e-4)
 
 
 def test_nothing_to_follow(axial):

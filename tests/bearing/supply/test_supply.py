@@ -10,11 +10,10 @@ import numpy as np
 import pytest
 
 from bearing import Operation, contact_conditions, solve_quasistatic
-from bearing.contacts.film_heat import film_heat
-from bearing.contacts.film_numbers import film_numbers
-from bearing.friction.asperities import asperity_share
+from bearing.films.asperities import Asperities, asperity_share
+from bearing.films.formula import formula_values
+from bearing.films.operating import OilAtInlets, film_heat, least_lambda, mean_fraction, of_driven_balls, supplied_films
 from bearing.heating.heat_balance import HIGHEST_TEMPERATURE, Cooling, heat_balance
-from bearing.supply.starved_films import least_lambda, mean_share, of_driven_balls, starved_films
 from bearing.supply.supply import InletFilm, Supply, cavity_volume, compression, oil_fraction, supplied_shares
 from bearing.supply.track import Track, steady_share
 from ehl import Lubricant, ViscosityLaw
@@ -62,6 +61,13 @@ def test_steady_film_at_the_ends(exponent):
     assert many / few == pytest.approx(2.0 ** (1.0 / (exponent + 1.0)), rel=1e-2)  # r^(g + 1)/g = added
 
 
+def starved_films(contacts, supply, balls, roughness=(0.0, 0.0)):
+    """Films of formulas at a supply."""
+    rough = Asperities(inner_roughness=roughness[0], outer_roughness=roughness[1], boundary=0.12)
+    oil = OilAtInlets(oil=supply, balls=balls)
+    return supplied_films(contacts, [None] * len(contacts), oil, rough)
+
+
 def test_films_of_a_bearing_over_the_supply(bearings):
     state = solve_quasistatic(bearings.b6208, Operation(inner_speed=5000 * bearings.rpm, force=(0.0, 900.0, 0.0)))
     contacts = contact_conditions(state, OIL)
@@ -69,7 +75,7 @@ def test_films_of_a_bearing_over_the_supply(bearings):
     films = [starved_films(contacts, replace(supply, flow=f * ML_MIN), 9) for f in (0.2, 1.0, 5.0, 1e7)]
     lubricated = [c.conditions is not None for c in contacts]
     assert [film is not None for film in films[0]] == lubricated
-    shares = np.array([[film.share for film in row if film is not None] for row in films])
+    shares = np.array([[film.supply.central for film in row if film is not None] for row in films])
     assert np.all(np.diff(shares, axis=0) > 0.0)
     assert shares[-1] == pytest.approx(1.0)
     alone = [supplied_shares(c, 1e-6, supply, 9) for c in contacts if c.conditions is None]
@@ -90,37 +96,40 @@ def test_a_layer_at_the_inlets_starves_every_contact_by_its_own_film(radial):
     thin = starved_films(contacts, InletFilm(layer=1e-9), 9)
     lubricated = [i for i, c in enumerate(contacts) if c.conditions is not None]
     assert [film is not None for film in films] == [i in lubricated for i in range(len(contacts))]
-    assert len({round(films[i].share, 6) for i in lubricated}) > 1
+    assert len({round(films[i].supply.central, 6) for i in lubricated}) > 1
     for i in lubricated:
         own = contacts[i].conditions
         hertz = contacts[i].hertz
-        flooded = film_numbers(own, (hertz.semi_axis_y, hertz.semi_axis_x)).central
+        flooded = formula_values(own, (hertz.semi_axis_y, hertz.semi_axis_x)).central
         packed = compression(hertz.pressure, OIL)
         shares = starvation_shares(*moes_groups(own), own.radius_x / own.radius_y, 0.3e-6 / (packed * flooded))
-        assert films[i].share == pytest.approx(shares.central.value, rel=1e-3)
-        assert films[i].rolling_share == pytest.approx(shares.rolling_moment.value, abs=2e-3)
+        assert films[i].supply.central == pytest.approx(shares.central.value, rel=1e-3)
+        assert films[i].supply.rolling_moment == pytest.approx(shares.rolling_moment.value, abs=2e-3)
         heat = film_heat(contacts[i]).value
         assert heat < 1.0
-        assert films[i].heat == pytest.approx(heat ** films[i].rolling_share, rel=1e-12)
-        assert films[i].central == pytest.approx(films[i].heat * films[i].share * flooded, rel=1e-12)
-        assert films[i].minimum <= films[i].central
+        assert films[i].heat.value == pytest.approx(heat ** films[i].supply.rolling_moment, rel=1e-12)
+        assert films[i].central.value == pytest.approx(films[i].gap_fraction * flooded, rel=1e-12)
+        assert films[i].gap_fraction == pytest.approx(films[i].heat.value * films[i].supply.central, rel=1e-12)
+        assert films[i].minimum.value <= films[i].central.value
         rough = 0.2e-6 if contacts[i].race.value == "inner" else 0.1e-6
-        assert films[i].lambda_ratio == pytest.approx(films[i].minimum / rough, rel=1e-12)
-        assert thin[i].central == pytest.approx(1e-9 / packed, rel=0.02)
+        assert films[i].lambda_ratio == pytest.approx(films[i].minimum.value / rough, rel=1e-12)
+        assert thin[i].central.value == pytest.approx(1e-9 / packed, rel=0.02)
         assert thin[i].lambda_ratio == np.inf
 
 
 def test_ample_oil_leaves_the_flooded_films_to_the_last_digit(radial):
     state, contacts = radial
     films = [film for film in starved_films(contacts, InletFilm(layer=1e-3), 9) if film is not None]
-    assert all(film.share == 1.0 and film.central == film.flooded_heat * film.flooded_central for film in films)
+    assert all(
+        film.supply.central == 1.0 and film.central.value == film.heat.value * film.flooded_central for film in films
+    )
     scarce = starved_films(contacts, InletFilm(layer=0.2e-6), 9, (0.2e-6, 0.2e-6))
     driven = of_driven_balls(state, contacts, scarce)
     loaded = int((state.inner_load > 0.0).sum())
     assert len(driven) == 2 * loaded < len([film for film in scarce if film is not None])
-    assert 0.0 < mean_share(driven) < 1.0
+    assert 0.0 < mean_fraction(driven) < 1.0
     assert least_lambda(driven) == min(film.lambda_ratio for film in driven)
-    assert (mean_share([]), least_lambda([])) == (1.0, np.inf)
+    assert (mean_fraction([]), least_lambda([])) == (1.0, np.inf)
 
 
 def test_an_oil_without_pressure_viscosity_has_no_formula(radial):

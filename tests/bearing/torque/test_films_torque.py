@@ -8,9 +8,9 @@ import pytest
 from bearing import BallKinematics, Operation, contact_conditions, solve_quasistatic
 from bearing.friction.resistance import Cage
 from bearing.operation import QuasistaticModel
-from bearing.torque.films_torque import films_torque
 from bearing.torque.inlet import InletFactors, inlet_factors
 from bearing.torque.inputs import FrictionInput
+from bearing.torque.integrated import films_torque
 from bearing.torque.skf import Lubrication
 from ehl import Lubricant
 from ehl.oil.rheology import Rheology, ShearLaw

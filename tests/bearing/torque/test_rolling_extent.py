@@ -9,11 +9,11 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import Operation, contact_conditions, solve_quasistatic
-from bearing.contacts.film_heat import NO_HEAT
 from bearing.contacts.motion import ball_speeds, motion_map
 from bearing.contacts.traction import contact_traction
+from bearing.films.film import NO_HEAT
+from bearing.films.operating import operating_films, solved_films
 from bearing.friction.films import film_law, sheared_films
-from bearing.friction.running_films import running_films
 from bearing.torque.integrated import integrated_torque
 from bearing.torque.rolling_extent import rolling_extent, rolling_moments
 from ehl import Lubricant, SolverOptions, solve_contact
@@ -62,15 +62,16 @@ def test_integrated_torque_has_the_oil_up_to_its_meniscus(rolling):
     state, tractions, films = rolling
     found = rolling_extent(state, tractions, films)
     contacts = [c for c in contact_conditions(state, OIL) if c.ball in (1, 4)]
-    running = running_films(contacts, films)
+    running = operating_films(contacts, solved_films(contacts, films))
     assert found.within_extent == pytest.approx(rolling_part(state, contacts, running), rel=1e-9)
     # strips prolong the box beyond its outlet, whose corners carry 1e-5 of the moment
     own = Cavitation.FULL_WIDTH
     boxes = [
         film
-        and run._replace(
+        and replace(
+            run,
             flooded_moment=by_balance(film)
-            - integrate_traction(film, t.kinematics, Rheology(), cavitation=own).hydrodynamic_moment
+            - integrate_traction(film, t.kinematics, Rheology(), cavitation=own).hydrodynamic_moment,
         )
         for run, t, film in zip(running, tractions, films, strict=True)
     ]
@@ -84,7 +85,7 @@ def test_integrated_torque_has_the_oil_up_to_its_meniscus(rolling):
 @pytest.fixture
 def no_inlet_heat(monkeypatch):
     """Films of the friction as they were solved."""
-    monkeypatch.setattr("bearing.friction.running_films.film_heat", lambda contact: NO_HEAT)
+    monkeypatch.setattr("bearing.films.operating.film_heat", lambda contact: NO_HEAT)
 
 
 def test_twice_the_layer_adds_what_is_said(rolling):
@@ -101,7 +102,7 @@ def test_balls_balance_with_the_moment_of_the_torque(rolling, bearings):
     """A film law pulls with the same rolling moment as the traction of its contact."""
     state, tractions, films = rolling
     contacts = [c for c in contact_conditions(state, OIL) if c.ball in (1, 4)]
-    law = film_law(state, contacts, running_films(contacts, films), Rheology())
+    law = film_law(state, contacts, operating_films(contacts, solved_films(contacts, films)), Rheology())
     for n, traction in enumerate(tractions):
         if traction is not None:
             k = traction.kinematics
@@ -144,7 +145,7 @@ def test_balance_and_torque_sum_the_same_nodes(rolling, monkeypatch):
         monkeypatch.setattr(f"{module}.TRACTION_POINTS", 33)
     state, _, films = rolling
     contacts = [c for c in contact_conditions(state, OIL) if c.ball in (1, 4)]
-    law = film_law(state, contacts, running_films(contacts, films), Rheology())
+    law = film_law(state, contacts, operating_films(contacts, solved_films(contacts, films)), Rheology())
     for number, (contact, film) in enumerate(zip(contacts, films, strict=True)):
         if film is None:
             continue

@@ -10,12 +10,12 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import Operation, contact_conditions, solve_quasistatic
+from bearing.films.asperities import Asperities
+from bearing.films.operating import operating_films, solved_films, with_formulas
 from bearing.friction import balance as balancing
 from bearing.friction import cage
-from bearing.friction.asperities import Asperities
 from bearing.friction.films import film_balance, film_law
 from bearing.friction.resistance import NO_RESISTANCE, Cage, resistance_of
-from bearing.friction.running_films import running_films
 from bearing.torque.integrated import solved_shear
 from bearing.torque.shear_torque import POWER_TOLERANCE, SolvedShear
 from ehl import Lubricant, SolverOptions, solve_contact
@@ -42,7 +42,7 @@ def light(bearings):
     state = solve_quasistatic(bearings.b6208, Operation(inner_speed=10000.0 * bearings.rpm, force=(0.0, 400.0, 0.0)))
     contacts = contact_conditions(state, OIL)
     assert (state.inner_load == 0.0).sum() == 6
-    return state, contacts, running_films(contacts, films_of(contacts)), EYRING
+    return state, contacts, operating_films(contacts, solved_films(contacts, films_of(contacts))), EYRING
 
 
 def test_power_balances_where_the_cage_takes_balls_along(light):
@@ -53,8 +53,8 @@ def test_power_balances_where_the_cage_takes_balls_along(light):
         state.bearing, OIL.viscosity, OIL.density, 0.02,
     )  # fmt: skip
     for resistance, asperities in ((NO_RESISTANCE, ROUGH), (land, None)):
-        solved = [film and film.film for film in films]
-        running = running_films(contacts, solved, asperities, (0.6, 1.0))
+        solved = solved_films(contacts, [film and film.field for film in films])
+        running = operating_films(contacts, solved, asperities=asperities, rolling_factor=0.6)
         shear = solved_shear(state, contacts, running, rheology, resistance)
         assert shear.closed and not shear.note
         assert shear.torque.imbalance == pytest.approx(0.0, abs=1e-8)
@@ -68,14 +68,15 @@ def test_power_balances_where_the_cage_takes_balls_along(light):
 def test_inlet_heating_counts_once_in_each_contact(light, monkeypatch):
     """Films not solved with heat lose rolling moment by the factor for them, those that were do not."""
     _, contacts, films, _ = light
-    solved = [film and film.film for film in films]
-    cold = running_films(contacts, solved, factors=(0.9, 0.6))
-    assert [film.rolling_factor for film in cold if film is not None] == pytest.approx([0.54] * 12)
-    monkeypatch.setattr("bearing.friction.running_films.solved_with_heat", lambda film: True)
-    hot = running_films(contacts, [solved[0], *[None] * (len(solved) - 1)], factors=(0.9, 0.6))
+    factors = {"rolling_factor": 0.9, "unheated_factor": 0.6}
+    solved = solved_films(contacts, [film and film.field for film in films])
+    cold = operating_films(contacts, solved, **factors)
+    assert [film.rolling_fraction for film in cold if film is not None] == pytest.approx([0.54] * 12)
+    monkeypatch.setattr("bearing.films.film.solved_with_heat", lambda film: True)
+    hot = operating_films(contacts, with_formulas(contacts, [solved[0], *[None] * (len(solved) - 1)]), **factors)
     assert hot[0] is not None
-    assert hot[0].rolling_factor == pytest.approx(0.9)
-    assert [film.rolling_factor for film in hot[1:] if film is not None] == pytest.approx([0.54] * 11)
+    assert hot[0].rolling_fraction == pytest.approx(0.9)
+    assert [film.rolling_fraction for film in hot[1:] if film is not None] == pytest.approx([0.54] * 11)
 
 
 def test_push_is_that_of_the_motion_found_from_a_law_nearby_too(light):

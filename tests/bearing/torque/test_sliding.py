@@ -17,25 +17,19 @@ from bearing import (
     contact_conditions,
     solve_quasistatic,
 )
-from bearing.friction.resistance import (
-    Cage,
-    churning_power,
-    hysteresis_torque,
-    land_power,
-    pocket_power,
-    rolling_moment,
-)
-from bearing.torque.pure_rolling_lines import rolling_lines
-from bearing.torque.skf import Series, SkfBearing, SkfOperation, skf_constants, skf_torque
-from bearing.torque.sliding import (
+from bearing.films.moment import heavy_moment
+from bearing.friction.resistance import Cage, churning_power, hysteresis_torque, land_power, pocket_power
+from bearing.torque.models import spent_powers
+from bearing.torque.paper_models import (
     SlidingContact,
     houpert_torque,
     kakuta_torque,
     pure_rolling_line_torque,
+    rolling_lines,
     sliding_contacts,
-    spent_powers,
     spin_moment,
 )
+from bearing.torque.skf import Series, SkfBearing, SkfOperation, skf_constants, skf_torque
 from ehl import ContactConditions, Lubricant
 
 from ...reference.coulomb import coulomb_power, coulomb_torque
@@ -187,7 +181,7 @@ def test_rolling_moment_of_the_oil():
     )
     u = 0.0261 / (226e9 * 0.01)
     expected = 2.0 * 1.8 * (2.0 * 1e-4 / 0.01) * (2.0 * u) ** 0.75 * 226e9 * 1e-6
-    assert rolling_moment(c, 1e-4, 1e-4) == pytest.approx(expected, rel=1e-12)
+    assert heavy_moment(c, 1e-4, 1e-4) == pytest.approx(expected, rel=1e-12)
 
 
 def test_hysteresis_is_the_moment_of_the_pressure_ahead():

@@ -21,7 +21,7 @@ def oil(temperature):
 
 @pytest.fixture(scope="module")
 def study(bearings):
-    friction = FrictionInput(series="62", static_rating=19e3, coefficient=0.05)
+    friction = FrictionInput(series="62", static_rating=19e3, coefficient=0.05, all_models=True)
     operation = Operation(inner_speed=1.0)
     return TorqueStudy(
         bearing=bearings.b6208, operation=operation, model=QuasistaticModel(), oil=oil, friction=friction

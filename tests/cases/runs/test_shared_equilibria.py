@@ -12,7 +12,7 @@ from bearing.quasistatic.solver import solve_quasistatic
 from bearing.rows import SINGLE
 from cases.format.case import case_of_document
 from cases.runs import equilibrium
-from cases.runs.equilibrium import case_equilibrium
+from cases.runs.equilibrium import Equilibria, case_equilibrium
 
 
 def as_run(name):
@@ -49,7 +49,7 @@ def solved(monkeypatch):
 
 
 def test_oil_and_temperature_leave_one_equilibrium(solved):
-    case = as_run("6206_combined_1000N")
+    case, equilibria = as_run("6206_combined_1000N"), Equilibria()
     others = [
         case,
         changed(case, "lubricant", kinematic_viscosity_mm2_s=77.0),
@@ -58,12 +58,12 @@ def test_oil_and_temperature_leave_one_equilibrium(solved):
     ]
     for other in others:
         own = solve_quasistatic(other.bearing, other.operation, other.model, rows=other.rows or SINGLE)
-        assert_same(case_equilibrium(other), own)
+        assert_same(case_equilibrium(other, equilibria), own)
     assert len(solved) == 1
 
 
 def test_loads_speeds_and_sizes_have_their_own(solved):
-    case = as_run("6206_combined_1000N")
+    case, equilibria = as_run("6206_combined_1000N"), Equilibria()
     others = [
         case,
         changed(case, "operation", inner_speed_rpm=1234.0),
@@ -71,7 +71,7 @@ def test_loads_speeds_and_sizes_have_their_own(solved):
         changed(case, "bearing", inner_groove_radius_mm=5.0),
         changed(case, "model", ball_kinematics="inner race control"),
     ]
-    first = [case_equilibrium(other) for other in others]
+    first = [case_equilibrium(other, equilibria) for other in others]
     assert len(solved) == len(others)
     assert len({solution.inner_load.tobytes() for solution in first}) >= 4
 
@@ -79,7 +79,8 @@ def test_loads_speeds_and_sizes_have_their_own(solved):
 def test_temperature_counts_where_it_changes_the_clearance(solved):
     case = as_run("7008_back_to_back")
     warm = changed(case, "operation", temperature_C=90.0)
-    cold, hot = case_equilibrium(case), case_equilibrium(warm)
+    equilibria = Equilibria()
+    cold, hot = case_equilibrium(case, equilibria), case_equilibrium(warm, equilibria)
     assert len(solved) == (1 if case.bearing == warm.bearing else 2)
     assert hot.operation.temperature - cold.operation.temperature == pytest.approx(
         warm.operation.temperature - case.operation.temperature
@@ -87,9 +88,9 @@ def test_temperature_counts_where_it_changes_the_clearance(solved):
 
 
 def test_nobody_changes_what_others_get(solved):
-    case = as_run("6206_combined_1000N")
-    first = case_equilibrium(case)
+    case, equilibria = as_run("6206_combined_1000N"), Equilibria()
+    first = case_equilibrium(case, equilibria)
     untouched = dataclasses.replace(first, inner_load=first.inner_load.copy())
     first.inner_load[:] = -1.0
-    assert_same(case_equilibrium(case), untouched)
+    assert_same(case_equilibrium(case, equilibria), untouched)
     assert len(solved) == 1

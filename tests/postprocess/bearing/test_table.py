@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from rich.console import Console
 
-from bearing.contacts.film_heat import NO_HEAT
+from bearing.films.film import NO_HEAT
 from bearing.torque.models import summed
 from postprocess.bearing.ratings import film_row
 from postprocess.bearing.strength import probability_text
@@ -50,8 +50,7 @@ def test_an_angle_of_zero_has_no_sign(bearing_results):
 @pytest.fixture
 def bearing_results(bearing_results, monkeypatch):
     """Without the heat of the inlets, whose spread widens all bars."""
-    monkeypatch.setattr("postprocess.bearing.film_heat.film_heat", lambda contact: NO_HEAT)
-    monkeypatch.setattr("postprocess.bearing.film_heat.heat_beside", lambda contact, film: NO_HEAT)
+    monkeypatch.setattr("bearing.films.operating.film_heat", lambda contact: NO_HEAT)
     return bearing_results
 
 

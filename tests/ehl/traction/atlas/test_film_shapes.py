@@ -9,11 +9,10 @@ import numpy as np
 import pytest
 
 import ehl
-from bearing.contacts.film_numbers import film_numbers_of
+from bearing.films.formula import formula_values_of, hertz_size, plain_film
 from bearing.friction._kernels import film_frictions
 from bearing.friction.film_nodes import ShearedFilm, joined_nodes, unsolved_nodes
 from bearing.friction.films import MIN_SLIDING
-from bearing.friction.unsolved_film import UnsolvedFilm, hertz_size
 from ehl.oil.rheology import Rheology, ShearLaw, contact_rheology
 from ehl.solution import MEAN_PRESSURE_RATIO
 from ehl.traction.atlas.fields import contact_fields
@@ -42,7 +41,7 @@ def frictions(contacts, films, moved):
     """By the nodes that balls are balanced on, of contacts with central films [m] at a motion each."""
     sizes = [hertz_size(own) for own in contacts]
     places = [
-        ShearedFilm(UnsolvedFilm(conditions=own, central=film, minimum=None, size=size), CURVATURE, size[1])
+        ShearedFilm(plain_film(own, film), CURVATURE, size[1])
         for own, film, size in zip(contacts, films, sizes, strict=True)
     ]
     own, block = unsolved_nodes(places, SHEAR, None)
@@ -136,7 +135,7 @@ def test_friction_has_no_step_where_tables_end_or_meet(changed, step):
     loads = np.geomspace(0.05, 5e4, 3000)
     contacts = [contact(load, **changed) for load in loads]
     moved = np.array([[0.05 * own.entrainment_speed, 0.0, 0.0, 0.0] for own in contacts])
-    films = film_numbers_of([(own, hertz_size(own)[1::-1]) for own in contacts])
+    films = formula_values_of([(own, hertz_size(own)[1::-1]) for own in contacts])
     share = -frictions(contacts, [own.central for own in films], moved)[:, 0] / loads
     steps = np.diff(np.log(share))
     assert np.abs(steps).max() < 0.05 and np.abs(np.diff(steps)).max() < step

@@ -31,9 +31,10 @@ from ehl.closed_form.starvation import starvation_exponent
 
 from ..contacts.contact import BearingContact
 from ..quasistatic.solution import QuasistaticSolution
-from .starved_films import StarvedFilm, of_driven_balls
-from .supply import InletFilm, Supply, contact_track, inlet_layer
-from .track import Track
+from ..supply.supply import InletFilm, Supply, contact_track, inlet_layer
+from ..supply.track import Track
+from .film import Films
+from .operating import of_driven_balls
 
 Array = NDArray[np.float64]
 
@@ -95,15 +96,29 @@ class FilmDecay:
 def film_decay(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    films: Sequence[StarvedFilm | None],
+    films: Films,
     duration: float,
     supply: Supply | InletFilm | None = None,
 ) -> FilmDecay | None:
-    """Film over so long a time [s] after the supply has stopped; None where no ball that both
-    races load has a film, or there is none to begin with.
+    """Film over a time after the supply has stopped.
 
-    `films`: of them the flooded ones count; `supply`: gives the layer at the start, None: flooded;
-    the `loss` of a flow goes on.
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Equilibrium of the bearing.
+    contacts : sequence of BearingContact
+        Its contacts.
+    films : sequence of ContactFilm or None
+        Of the contacts; the flooded ones and the roughness count.
+    duration : float
+        End of the time [s].
+    supply : Supply or InletFilm, optional
+        Gives the layer at the start, None: flooded; the `loss` of a flow goes on.
+
+    Returns
+    -------
+    FilmDecay or None
+        None where no ball that both races load has a film, or there is none to begin with.
     """
     bearing = solution.bearing
     driven = of_driven_balls(solution, contacts, films)

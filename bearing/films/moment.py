@@ -14,10 +14,10 @@ f fitted to the film atlas (`SLOPE`, `START`, `WIDTH`).
 
 from math import pi, sqrt
 
+import scipy
+
 from ehl.conditions import ContactConditions
 from ehl.traction.kapitza import kapitza_moment
-
-from .heavy_moment import rolling_moment
 
 # s and t over Rx/Ry, linear [-]: fitted to the film atlas at 400 contacts, M 1 to 3000, L 5 to 29,
 # Rx/Ry 0.02 to 1, layers of 50, 100 and 400 um (`tools/atlas/moment_formula.py`); w to solved
@@ -30,12 +30,25 @@ WIDTH = 0.06
 def flooded_moment(
     conditions: ContactConditions, semi_axis_y: float, semi_axis_x: float, film: float
 ) -> float:
-    """Moment that resists rolling [N m] of a central film, with the Hertz semi-axes across and
-    along rolling [m].
+    """Moment that resists rolling, of a central film.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        Of the contact.
+    semi_axis_y, semi_axis_x : float
+        Hertz' semi-axes across and along rolling [m].
+    film : float
+        Central film [m].
+
+    Returns
+    -------
+    float
+        Moment [N m].
     """
     kapitza = kapitza_moment(conditions, film)
     unit = moment_unit(conditions)
-    heavy = rolling_moment(conditions, semi_axis_y, semi_axis_x) / unit
+    heavy = heavy_moment(conditions, semi_axis_y, semi_axis_x) / unit
     return kapitza + unit * _beyond(heavy, conditions.radius_x / conditions.radius_y)
 
 
@@ -46,8 +59,47 @@ def _beyond(heavy: float, ratio: float) -> float:
 
 
 def moment_unit(conditions: ContactConditions) -> float:
-    """M_0 [N m]."""
+    """M_0 of a contact.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        Of the contact.
+
+    Returns
+    -------
+    float
+        Moment [N m].
+    """
     c = conditions
     ratio = c.radius_x / c.radius_y
     shape = (3.0 + 2.0 * ratio) * sqrt(ratio)
     return 24.0 * pi * c.lubricant.viscosity * c.entrainment_speed * c.radius_x**2 / shape
+
+
+def heavy_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_x: float) -> float:
+    """Moment that resists rolling in a heavily loaded contact, Biboulet and Houpert (2010),
+    elastohydrodynamic limit; its power is the moment times the rolling speed u_m/Rx.
+
+    Twice t = 1.8 beta^(-1/4) (2 a_y/Rx) (2 U)^(3/4) E' Rx^3, beta = (4/pi) E(m)/(1 + Rx/Ry), m = 1
+    - (a_x/a_y)^2. t is Rx times the force that the pressure flow pulls one body with; both are
+    pulled (checked against solved contacts).
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        Of the contact.
+    semi_axis_y, semi_axis_x : float
+        Hertz' semi-axes across and along rolling [m].
+
+    Returns
+    -------
+    float
+        Moment [N m].
+    """
+    c = conditions
+    speed = c.lubricant.viscosity * c.entrainment_speed / (c.reduced_modulus * c.radius_x)
+    shape = min(semi_axis_x, semi_axis_y) / max(semi_axis_x, semi_axis_y)
+    beta = 4.0 / pi * float(scipy.special.ellipe(1.0 - shape**2)) / (1.0 + c.radius_x / c.radius_y)
+    width = 2.0 * semi_axis_y / c.radius_x
+    return 3.6 * beta**-0.25 * width * (2.0 * speed) ** 0.75 * c.reduced_modulus * c.radius_x**3

@@ -49,7 +49,18 @@ class Spectrum:
     hurst: float = 0.8  # exponent, that of many ground and lapped surfaces; assumed [-]
 
     def left(self, contact: BearingContact) -> float:
-        """Share of the rms roughness that the film of a contact leaves [-]."""
+        """Fraction of the rms roughness that the film of a contact leaves.
+
+        Parameters
+        ----------
+        contact : BearingContact
+            contact of a bearing
+
+        Returns
+        -------
+        float
+            fraction [-]
+        """
         if contact.conditions is None or contact.hertz is None:
             return 1.0
         load, lubricant = moes_groups(contact.conditions)
@@ -78,10 +89,37 @@ class Asperities:
     density: float = 0.05
     slope: float = 0.01
 
+    def roughness(self, race: Race) -> float:
+        """Root mean square roughness of a race and the balls together.
+
+        Parameters
+        ----------
+        race : Race
+            inner or outer race
+
+        Returns
+        -------
+        float
+            roughness [m]
+        """
+        return self.inner_roughness if race is Race.INNER else self.outer_roughness
+
     def share(self, contact: BearingContact, film: float) -> float:
-        """Part of a contact's load that they carry, by its central film [m], in [-]."""
-        inner = contact.race is Race.INNER
-        roughness = self.inner_roughness if inner else self.outer_roughness
+        """Fraction of a contact's load that asperities carry.
+
+        Parameters
+        ----------
+        contact : BearingContact
+            contact of a bearing
+        film : float
+            its central film [m]
+
+        Returns
+        -------
+        float
+            fraction of the load [-]
+        """
+        roughness = self.roughness(contact.race)
         if self.spectrum is not None:
             roughness *= self.spectrum.left(contact)
         if roughness <= 0.0:
@@ -107,8 +145,22 @@ class Asperities:
 
 
 def asperity_share(lambda_ratio: float) -> float:
-    """xi = 1 - erf(lambda): share of the load on asperities, from the film over the rms roughness
-    [-].
+    """Fraction of the load on asperities, xi = 1 - erf(lambda), Arana et al. (2019).
+
+    Parameters
+    ----------
+    lambda_ratio : float
+        film over the rms roughness [-]
+
+    Returns
+    -------
+    float
+        fraction of the load [-]
+
+    Raises
+    ------
+    ValueError
+        if the ratio is negative
     """
     if lambda_ratio < 0.0:
         raise ValueError(f"lambda_ratio must not be negative, got {lambda_ratio!r}")
@@ -116,8 +168,22 @@ def asperity_share(lambda_ratio: float) -> float:
 
 
 def zhou_hoeprich_share(lambda_ratio: float) -> float:
-    """exp(-B lambda^C): share of the load on asperities of raceways, from the central film over
-    the rms roughness [-].
+    """Fraction of the load on asperities of raceways, exp(-B lambda^C), Zhou and Hoeprich.
+
+    Parameters
+    ----------
+    lambda_ratio : float
+        central film over the rms roughness [-]
+
+    Returns
+    -------
+    float
+        fraction of the load [-]
+
+    Raises
+    ------
+    ValueError
+        if the ratio is negative
     """
     if lambda_ratio < 0.0:
         raise ValueError(f"lambda_ratio must not be negative, got {lambda_ratio!r}")
@@ -126,8 +192,18 @@ def zhou_hoeprich_share(lambda_ratio: float) -> float:
 
 
 def five_halves_integral(height: float) -> float:
-    """F_5/2(h), the integral of (s - h)^(5/2) under the standard normal density from h on [-], by
-    the parabolic cylinder function: Gamma(7/2)/sqrt(2 pi) exp(-h^2/4) D_-7/2(h).
+    """F_5/2(h), the integral of (s - h)^(5/2) under the standard normal density from h on, by the
+    parabolic cylinder function: Gamma(7/2)/sqrt(2 pi) exp(-h^2/4) D_-7/2(h).
+
+    Parameters
+    ----------
+    height : float
+        h, distance of the planes over the roughness [-]
+
+    Returns
+    -------
+    float
+        value of the integral [-]
     """
     value, _ = scipy.special.pbdv(-3.5, height)
     return float(gamma(3.5) / sqrt(2.0 * pi) * exp(-0.25 * height**2) * value)

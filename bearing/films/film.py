@@ -1,0 +1,252 @@
+"""Film of one contact: the one type that tables, torque, life, heat and pictures read.
+
+A film is computed flooded or behind a layer of oil: solved, of the film atlas, or of a formula.
+The operating film (`operating`) is the same type with the fractions that the oil supply, the heat
+of the inlet and asperities leave of it.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from enum import Enum
+from math import hypot, inf, isfinite
+from typing import NamedTuple
+
+import numpy as np
+
+from ehl.closed_form.inlet_heat import HeatShare
+from ehl.conditions import ContactConditions
+from ehl.solution import ContactSolution, FilmValue
+
+# of Hertz' pressure, from which on a node counts to the contact, whose gap goes with the film;
+# ahead of it the gap is that of the bodies [-]
+CONTACT_PRESSURE = 0.01
+NO_HEAT = HeatShare(1.0, 1.0, 1.0)
+
+
+class FilmOrigin(Enum):
+    """Source of a film."""
+
+    SOLVED = "solved"
+    ATLAS = "atlas"
+    FORMULA = "formula"
+
+
+class EllipseSize(NamedTuple):
+    """Hertz' ellipse of the conditions of a film."""
+
+    semi_axis_x: float  # along rolling [m]
+    semi_axis_y: float  # across rolling [m]
+    pressure: float  # Hertz' [Pa]
+
+
+class FilmThickness(NamedTuple):
+    """Thickness of a film and the parts of its error."""
+
+    value: float  # [m]
+    # of mesh and box of a solved film, of the atlas, or of the formula [m]
+    computed: float = 0.0
+    heat: float = 0.0  # by the range of the heat of the inlet [m]
+    supply: float = 0.0  # by the law of starvation [m]; not estimated yet
+
+    @property
+    def error(self) -> float:
+        """All parts together [m]."""
+        return hypot(self.computed, self.heat, self.supply)
+
+    @property
+    def relative_error(self) -> float:
+        """The error over the film [-]; zero of no film, infinite where the error is not known."""
+        if not self.value > 0.0:
+            return 0.0
+        relative = self.error / self.value
+        return relative if isfinite(relative) else inf
+
+
+class SupplyFractions(NamedTuple):
+    """What the oil at the inlet leaves of a flooded film [-]."""
+
+    central: float = 1.0
+    minimum: float = 1.0
+    rolling_moment: float = 1.0  # of the box of the contact
+    inside: bool = True  # whether the law of starvation was solved for such a contact
+
+
+FLOODED = SupplyFractions()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True, eq=False)
+class ContactFilm:
+    """Film of one contact; as computed it has no fraction but that of the layer it was solved
+    behind.
+
+    Its rolling moment is that of the oil up to the meniscus; what the layer leaves of the moment
+    in the box, which results report, is among the `supply` fractions.
+    """
+
+    conditions: ContactConditions
+    size: EllipseSize
+    origin: FilmOrigin
+    # pressure and gap where the film was solved, or scaled to a solved one; None: those of the
+    # film atlas
+    field: ContactSolution | None = None
+    central: FilmThickness
+    minimum: FilmThickness | None = None  # None where no formula has it
+    # without the heat of the inlet, at the supply that the film was computed with; None where
+    # there is no such film
+    isothermal_central: float | None = None  # [m]
+    isothermal_minimum: float | None = None  # [m]
+    flooded_central: float  # without limit of the supply, as computed [m]
+    flooded_moment: float = 0.0  # that resists rolling, flooded and isothermal [N m]
+    heat: HeatShare = NO_HEAT  # of the isothermal film that the heat of the inlet leaves [-]
+    supply: SupplyFractions = FLOODED
+    gap_fraction: float = 1.0  # of the gap in the contact that supply and heat leave [-]
+    rolling_fraction: float = 1.0  # of the rolling moment that supply and inlet leave [-]
+    asperity_load: float = 0.0  # fraction of the load on asperities [-]
+    flooded_asperity_load: float = 0.0  # the same of the flooded film as computed [-]
+    boundary_friction: float = 0.0  # of asperities, mu_b [-]
+    roughness: float = 0.0  # rms of race and ball together, zero where not given [m]
+
+    @property
+    def solved_with_heat(self) -> bool:
+        """Whether the film was solved with heat."""
+        return self.origin is FilmOrigin.SOLVED and solved_with_heat(self.field)
+
+    @property
+    def scaled(self) -> bool:
+        """Whether a formula was scaled to a solved film of the same contact."""
+        return self.origin is not FilmOrigin.SOLVED and self.field is not None
+
+    @property
+    def behind_layer(self) -> bool:
+        """Whether the film was solved behind a layer of oil."""
+        return self.field is not None and self.field.supply is not None
+
+    @property
+    def gap(self) -> float:
+        """In the contact [m], of a film without a field; around it the gap is
+        `flooded_central`.
+        """
+        return self.gap_fraction * self.flooded_central
+
+    @property
+    def rolling_moment(self) -> float:
+        """Moment that resists rolling [N m]."""
+        return self.rolling_fraction * self.flooded_moment
+
+    @property
+    def lambda_ratio(self) -> float:
+        """Minimum film over the roughness [-]; infinite without one of them."""
+        if self.minimum is None or self.roughness <= 0.0:
+            return inf
+        return self.minimum.value / self.roughness
+
+    @property
+    def flooded_field(self) -> ContactSolution | None:
+        """The field without limit of the supply."""
+        if self.field is None or self.field.supply is None:
+            return self.field
+        return self.field.supply.flooded
+
+    @property
+    def operating_field(self) -> ContactSolution | None:
+        """The field with the gap that supply and heat leave; None without a field."""
+        return None if self.field is None else with_gap(self.field, self.gap_fraction)
+
+    def flooded(self) -> "ContactFilm":
+        """The film with the whole rolling moment [N m], in the flooded gap as computed."""
+        return replace(
+            self,
+            field=self.flooded_field,
+            gap_fraction=1.0,
+            rolling_fraction=1.0,
+            asperity_load=self.flooded_asperity_load,
+        )
+
+
+Films = Sequence[ContactFilm | None]  # of the contacts of a bearing
+
+
+def solved_with_heat(film: ContactSolution | None) -> bool:
+    """Whether a film was solved with heat.
+
+    Parameters
+    ----------
+    film : ContactSolution or None
+        Solved film of a contact.
+
+    Returns
+    -------
+    bool
+        True where its state has temperatures; False without a film.
+    """
+    return film is not None and film.state is not None and film.state.temperature is not None
+
+
+def with_gap(film: ContactSolution, fraction: float) -> ContactSolution:
+    """A solved film whose gap in the contact is a fraction of its own.
+
+    Parameters
+    ----------
+    film : ContactSolution
+        Solved film of a contact.
+    fraction : float
+        Of the gap where the pressure exceeds `CONTACT_PRESSURE` [-].
+
+    Returns
+    -------
+    ContactSolution
+        The same pressure with the other gap.
+    """
+    if fraction == 1.0:
+        return film
+    inside = film.P > CONTACT_PRESSURE
+    return replace(film, H=np.where(inside, fraction * film.H, film.H))
+
+
+def heated_solution(film: ContactSolution, heat: HeatShare) -> ContactSolution:
+    """A solved film with the fraction of it that the heat of its inlet leaves.
+
+    Parameters
+    ----------
+    film : ContactSolution
+        Solved film of a contact, without heat.
+    heat : HeatShare
+        Fraction and its range [-]; the range enters the error bars.
+
+    Returns
+    -------
+    ContactSolution
+        The film with heat; the same object where nothing is lost.
+    """
+    if heat.value == 1.0:
+        return film
+    return replace(
+        with_gap(film, heat.value),
+        film_central_dimensionless=_heated(film.film_central_dimensionless, heat),
+        film_minimum_dimensionless=_heated(film.film_minimum_dimensionless, heat),
+    )
+
+
+def _heated(film: FilmValue, heat: HeatShare) -> FilmValue:
+    return FilmValue(
+        value=heat.value * film.value,
+        uncertainty=hypot(heat.value * film.uncertainty, heat.uncertainty * film.value),
+        finest=heat.value * film.finest,
+    )
+
+
+def first_same(objects: Sequence[object]) -> list[int]:
+    """Position of the first that is the same object, for each of a sequence.
+
+    Parameters
+    ----------
+    objects : sequence
+        Any objects, for example films that equal contacts have in common.
+
+    Returns
+    -------
+    list of int
+        As long as the sequence.
+    """
+    first: dict[int, int] = {}
+    return [first.setdefault(id(one), number) for number, one in enumerate(objects)]

@@ -1,0 +1,463 @@
+"""Films as the bearing runs: what oil supply, heat of the inlet and asperities leave of them.
+
+A film is computed flooded or behind a layer, isothermal or with heat. What is not in it comes as a
+fraction of its part of the friction: inlet shear heating on the gap that shears, SKF's factors of
+it and of replenishment on the rolling moment, starvation on both, asperities on the load that the
+oil carries.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import inf
+
+import numpy as np
+
+from ehl.closed_form.inlet_heat import HeatShare, inlet_heat
+from ehl.closed_form.starvation import FLOODED as FLOODED_SHARES
+from ehl.solution import ContactSolution
+from ehl.traction.rolling_moment import rolling_moment
+
+from ..contacts.contact import BearingContact
+from ..quasistatic.solution import QuasistaticSolution
+from ..supply.supply import InletFilm, Supply, supplied_shares
+from .asperities import Asperities
+from .film import (
+    FLOODED,
+    NO_HEAT,
+    ContactFilm,
+    FilmOrigin,
+    Films,
+    FilmThickness,
+    SupplyFractions,
+    first_same,
+    solved_with_heat,
+)
+from .formula import formula_films, formula_values, hertz_size
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class OilAtInlets:
+    """Oil that the contacts of a bearing get."""
+
+    oil: Supply | InletFilm
+    balls: int  # in one row [-]
+    # films that were solved behind layers are those of this oil, and stay as they were solved
+    as_solved: bool = True
+
+
+def film_heat(contact: BearingContact) -> HeatShare:
+    """Fraction of the flooded, isothermal film of a contact that the heat of its inlet leaves.
+
+    Parameters
+    ----------
+    contact : BearingContact
+        Contact of a bearing.
+
+    Returns
+    -------
+    HeatShare
+        Fraction and range [-]; 1 of a contact that carries no load or entrains no oil.
+    """
+    if contact.conditions is None or contact.hertz is None:
+        return NO_HEAT
+    return inlet_heat(contact.conditions, contact.hertz.pressure)
+
+
+def solved_films(
+    contacts: Sequence[BearingContact], solutions: Sequence[ContactSolution | None]
+) -> tuple[ContactFilm | None, ...]:
+    """Films of contacts as they were solved.
+
+    Parameters
+    ----------
+    contacts : sequence of BearingContact
+        Contacts of a bearing.
+    solutions : sequence of ContactSolution or None
+        Of the contacts; equal contacts may share an object.
+
+    Returns
+    -------
+    tuple of ContactFilm or None
+        None where nothing was solved, or the solution did not converge.
+    """
+    films: list[ContactFilm | None] = []
+    moments: dict[int, tuple[float, float]] = {}
+    for contact, solution, first in zip(contacts, solutions, first_same(solutions), strict=True):
+        if solution is None or not solution.converged or contact.conditions is None:
+            films.append(None)
+            continue
+        if first not in moments:
+            moments[first] = _moments(solution)
+        films.append(_solved(contact, solution, *moments[first]))
+    return tuple(films)
+
+
+def _moments(solution: ContactSolution) -> tuple[float, float]:
+    """Flooded rolling moment [N m], and the fraction of it that a layer leaves [-]."""
+    if solution.supply is None:
+        return rolling_moment(solution).value, 1.0
+    flooded = rolling_moment(solution.supply.flooded).value
+    return flooded, rolling_moment(solution).value / flooded
+
+
+def _solved(
+    contact: BearingContact, solution: ContactSolution, moment: float, fraction: float
+) -> ContactFilm:
+    """One of `solved_films` by its flooded moment [N m] and what is left of it [-]."""
+    assert contact.conditions is not None
+    flooded = solution if solution.supply is None else solution.supply.flooded
+    central = FilmThickness(
+        _length(solution.film_central), _length(solution.film_central_uncertainty)
+    )
+    minimum = FilmThickness(
+        _length(solution.film_minimum), _length(solution.film_minimum_uncertainty)
+    )
+    film = ContactFilm(
+        conditions=contact.conditions,
+        size=hertz_size(contact.conditions, contact.hertz),
+        origin=FilmOrigin.SOLVED,
+        field=solution,
+        central=central,
+        minimum=minimum,
+        isothermal_central=central.value,
+        isothermal_minimum=minimum.value,
+        flooded_central=_length(flooded.film_central),
+        flooded_moment=moment,
+        rolling_fraction=fraction,
+        supply=_layer_fractions(solution),
+    )
+    return _with_isothermal(film, contact) if solved_with_heat(solution) else film
+
+
+def _length(film: float | None) -> float:
+    """A film of a solution with lengths that converged [m]."""
+    assert film is not None
+    return film
+
+
+def _layer_fractions(solution: ContactSolution) -> SupplyFractions:
+    """What the layer that a film was solved behind leaves of the flooded one."""
+    layer = solution.supply
+    if layer is None:
+        return FLOODED
+    return SupplyFractions(
+        central=solution.film_central_dimensionless.value / layer.flooded_central.value,
+        minimum=solution.film_minimum_dimensionless.value / layer.flooded_minimum.value,
+        rolling_moment=layer.rolling_moment_ratio,
+        inside=layer.law is None or layer.law.inside,
+    )
+
+
+def _with_isothermal(film: ContactFilm, contact: BearingContact) -> ContactFilm:
+    """A film that was solved with heat, with the isothermal one of the film atlas or formulas."""
+    if contact.hertz is None:
+        return replace(film, isothermal_central=None, isothermal_minimum=None)
+    values = formula_values(
+        film.conditions, (contact.hertz.semi_axis_y, contact.hertz.semi_axis_x)
+    )
+    fraction = film.central.value / values.central
+    assert film.field is not None
+    bar = film.field.film_central_dimensionless.relative_uncertainty
+    return replace(
+        film,
+        isothermal_central=values.central,
+        isothermal_minimum=None
+        if values.ratio is None
+        else min(values.ratio, 1.0) * values.central,
+        heat=HeatShare(fraction, fraction * (1.0 - bar), fraction * (1.0 + bar)),
+    )
+
+
+def with_formulas(
+    contacts: Sequence[BearingContact], films: Films
+) -> tuple[ContactFilm | None, ...]:
+    """Films of contacts, those of the film atlas or of formulas where there is none.
+
+    Parameters
+    ----------
+    contacts : sequence of BearingContact
+        Contacts of a bearing.
+    films : sequence of ContactFilm or None
+        Films of the contacts, as computed.
+
+    Returns
+    -------
+    tuple of ContactFilm or None
+        None where a contact carries no load or entrains no oil.
+    """
+    missing = [
+        contact if film is None else None for contact, film in zip(contacts, films, strict=True)
+    ]
+    return tuple(
+        film or formula for film, formula in zip(films, formula_films(missing), strict=True)
+    )
+
+
+def operating_films(
+    contacts: Sequence[BearingContact],
+    films: Films,
+    *,
+    supply: OilAtInlets | None = None,
+    asperities: Asperities | None = None,
+    rolling_factor: float = 1.0,
+    unheated_factor: float = 1.0,
+    box_inlet: bool = False,
+) -> tuple[ContactFilm | None, ...]:
+    """Films of contacts as the bearing runs.
+
+    Parameters
+    ----------
+    contacts : sequence of BearingContact
+        Contacts of a bearing.
+    films : sequence of ContactFilm or None
+        Films of the contacts as computed.
+    supply : OilAtInlets, optional
+        Oil that flooded films get, and those solved behind the layers of another supply, by the
+        law of starvation; None: films as they are.
+    asperities : Asperities, optional
+        Which carry part of the load where the films are thin; None: full films.
+    rolling_factor : float
+        That inlet heating and replenishment leave of the rolling moment [-].
+    unheated_factor : float
+        The same, more, of films that are not solved with heat [-].
+    box_inlet : bool
+        Whether the heat of the inlet of a film behind a layer follows the rolling moment of the
+        box, as results report it; else that of the oil up to the meniscus, as friction takes it.
+
+    Returns
+    -------
+    tuple of ContactFilm or None
+        None where there is no film.
+    """
+    left = (rolling_factor, rolling_factor * unheated_factor)
+    return tuple(
+        None if film is None else _operating(film, contact, supply, asperities, left, box_inlet)
+        for contact, film in zip(contacts, films, strict=True)
+    )
+
+
+def _operating(
+    film: ContactFilm,
+    contact: BearingContact,
+    supply: OilAtInlets | None,
+    asperities: Asperities | None,
+    factors: tuple[float, float],
+    box_inlet: bool,
+) -> ContactFilm:
+    """One of `operating_films`; factors of the rolling moment of films solved with heat, and of
+    others [-].
+    """
+    # 1. oil at the inlet
+    if supply is not None:
+        film = _at_supply(film, contact, supply)
+    # 2. heat of the inlet
+    with_heat = film.solved_with_heat
+    heat = film.heat
+    central = film.central
+    minimum = film.minimum
+    gap = film.gap_fraction
+    if not with_heat:
+        inlet = film.supply.rolling_moment if box_inlet else film.rolling_fraction
+        heat = film_heat(contact).at(inlet)
+        central = _heated(central, heat)
+        minimum = None if minimum is None else _heated(minimum, heat)
+        gap = heat.value * gap
+    # 3. asperities
+    loads = (0.0, 0.0)
+    boundary = roughness = 0.0
+    if asperities is not None:
+        loads = tuple(asperities.share(contact, h) for h in (central.value, film.flooded_central))
+        boundary = asperities.boundary
+        roughness = asperities.roughness(contact.race)
+    return replace(
+        film,
+        central=central,
+        minimum=minimum,
+        heat=heat,
+        gap_fraction=gap,
+        rolling_fraction=factors[0 if with_heat else 1] * film.rolling_fraction,
+        asperity_load=loads[0],
+        flooded_asperity_load=loads[1],
+        boundary_friction=boundary,
+        roughness=roughness,
+    )
+
+
+def _heated(film: FilmThickness, heat: HeatShare) -> FilmThickness:
+    """A film with the heat of its inlet."""
+    return FilmThickness(
+        value=heat.value * film.value,
+        computed=heat.value * film.computed,
+        heat=heat.uncertainty * film.value,
+        supply=heat.value * film.supply,
+    )
+
+
+def _at_supply(film: ContactFilm, contact: BearingContact, supply: OilAtInlets) -> ContactFilm:
+    """What a supply leaves of a flooded film, or makes of one behind a layer of another supply, by
+    what the flooded film of that was.
+    """
+    before = film.supply
+    layered = film.behind_layer
+    if layered and (supply.as_solved or not before.rolling_moment > 0.0):
+        return film
+    shares = supplied_shares(contact, film.flooded_central, supply.oil, supply.balls)
+    if shares == FLOODED_SHARES and layered:
+        return _without_layer(film)
+    left = SupplyFractions(
+        central=shares.central.value,
+        minimum=shares.minimum.value,
+        rolling_moment=shares.rolling_moment.value,
+        inside=shares.inside,
+    )
+    fraction = left.central / before.central
+    central = _scaled(film.central, fraction * film.central.value)
+    minimum = None
+    if film.minimum is not None:
+        least = left.minimum / before.minimum * film.minimum.value
+        minimum = _scaled(film.minimum, min(least, central.value))
+    return replace(
+        film,
+        central=central,
+        minimum=minimum,
+        supply=left,
+        gap_fraction=fraction * film.gap_fraction,
+        rolling_fraction=left.rolling_moment / before.rolling_moment * film.rolling_fraction,
+    )
+
+
+def _scaled(film: FilmThickness, value: float) -> FilmThickness:
+    """A film of another thickness [m] with the relative error of its own."""
+    ratio = value / film.value if film.value > 0.0 else 0.0
+    return FilmThickness(value, ratio * film.computed, ratio * film.heat, ratio * film.supply)
+
+
+def _without_layer(film: ContactFilm) -> ContactFilm:
+    """The flooded film of one that was solved behind a layer."""
+    flooded = film.flooded_field
+    assert flooded is not None
+    central = FilmThickness(
+        _length(flooded.film_central), _length(flooded.film_central_uncertainty)
+    )
+    minimum = FilmThickness(
+        _length(flooded.film_minimum), _length(flooded.film_minimum_uncertainty)
+    )
+    return replace(
+        film,
+        field=flooded,
+        central=central,
+        minimum=minimum,
+        supply=FLOODED,
+        gap_fraction=1.0,
+        rolling_fraction=1.0,
+    )
+
+
+def flooded_films(films: Films) -> tuple[ContactFilm | None, ...]:
+    """Films of contacts without the layers that they were solved behind.
+
+    Parameters
+    ----------
+    films : sequence of ContactFilm or None
+        As computed.
+
+    Returns
+    -------
+    tuple of ContactFilm or None
+        Flooded films, in the same boxes.
+    """
+    return tuple(
+        _without_layer(film) if film is not None and film.behind_layer else film for film in films
+    )
+
+
+def supplied_films(
+    contacts: Sequence[BearingContact],
+    films: Films,
+    supply: OilAtInlets | None,
+    asperities: Asperities | None = None,
+) -> tuple[ContactFilm | None, ...]:
+    """Films of contacts at a supply of oil, as results report them.
+
+    Parameters
+    ----------
+    contacts : sequence of BearingContact
+        Contacts of a bearing.
+    films : sequence of ContactFilm or None
+        As computed; where there is none, those of the film atlas or of formulas.
+    supply : OilAtInlets or None
+        Oil at the inlets; None: as much as the films were computed with.
+    asperities : Asperities, optional
+        Give the roughness, and with it the lambda ratio.
+
+    Returns
+    -------
+    tuple of ContactFilm or None
+        None where no oil is entrained or no flooded film is known: no formula has the minimum film
+        of an oil without pressure-viscosity.
+    """
+    known = with_formulas(contacts, [None if film and film.scaled else film for film in films])
+    known = tuple(
+        film
+        if film is not None
+        and (film.origin is FilmOrigin.SOLVED or film.conditions.lubricant.piezoviscous)
+        else None
+        for film in known
+    )
+    return operating_films(contacts, known, supply=supply, asperities=asperities, box_inlet=True)
+
+
+def of_driven_balls(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact], films: Films
+) -> list[ContactFilm]:
+    """Films of the balls that both races load.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Equilibrium of the bearing.
+    contacts : sequence of BearingContact
+        Its contacts.
+    films : sequence of ContactFilm or None
+        Of the contacts.
+
+    Returns
+    -------
+    list of ContactFilm
+        Those that there are.
+    """
+    pairs = zip(films, contacts, strict=True)
+    load = solution.inner_load
+    return [film for film, contact in pairs if film is not None and load[contact.ball - 1] > 0.0]
+
+
+def mean_fraction(films: Sequence[ContactFilm]) -> float:
+    """Mean fraction of the flooded central film that a supply leaves.
+
+    Parameters
+    ----------
+    films : sequence of ContactFilm
+        At the supply.
+
+    Returns
+    -------
+    float
+        Fraction [-]; 1 of none.
+    """
+    return float(np.mean([film.supply.central for film in films])) if films else 1.0
+
+
+def least_lambda(films: Sequence[ContactFilm]) -> float:
+    """Smallest lambda ratio of films.
+
+    Parameters
+    ----------
+    films : sequence of ContactFilm
+        Operating films.
+
+    Returns
+    -------
+    float
+        Ratio [-]; infinite of none.
+    """
+    return min((film.lambda_ratio for film in films), default=inf)
