@@ -12,7 +12,7 @@ from ehl.traction.response.normal import NormalResponse, highest_frequency, norm
 
 from ..contacts.contact import BearingContact
 from ..films.operating import OilAtInlets, supplied_films
-from ..friction.asperities import Asperities
+from ..films.asperities import Asperities
 from ..geometry import Array, Race, contact_modulus, reduced_radii
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.supply import AMPLE, InletFilm, Supply

@@ -1,4 +1,4 @@
-"""What a point computes: its summary as plain JSON, and files to keep."""
+"""Results of a point: its summary as plain JSON, and its files."""
 
 from collections.abc import Sequence
 from dataclasses import replace

@@ -64,7 +64,7 @@ def _time_limit(seconds: float | None) -> Iterator[None]:
 
 @contextmanager
 def _memory_limit(gigabytes: float | None) -> Iterator[None]:
-    """Of the address space, beside what is taken when the point begins; on Linux."""
+    """Limit the address space beyond its size at the start of the point; on Linux."""
     if gigabytes is None or not sys.platform.startswith("linux"):
         yield
         return

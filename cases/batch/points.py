@@ -68,7 +68,7 @@ class Sweep:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Limits:
-    """What one point may take on a worker."""
+    """Limits of one point on a worker."""
 
     seconds: float | None = None  # [s]
     memory: float | None = None  # beside what the program itself takes [GB]
@@ -79,7 +79,9 @@ NO_LIMITS = Limits()
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Task:
-    """What a worker computes; `folder` is None where it cannot reach the folder of the batch."""
+    """One point for a worker; `folder` is None where the worker cannot reach the folder of the
+    batch.
+    """
 
     key: str
     document: dict[str, Any]
@@ -103,5 +105,5 @@ class PointResult:
 
     @property
     def status(self) -> str:
-        """What became of the point."""
+        """Status of the point: done, failed or lost."""
         return self.record.status

@@ -103,7 +103,7 @@ class Stored:
 
 
 def _converged(record: Record) -> bool:
-    """Whether a point was computed and everything in it converged."""
+    """Tell whether a point was computed and everything in it converged."""
     if record.status != DONE:
         return False
     count = len(record.numbers) // 9
@@ -113,7 +113,7 @@ def _converged(record: Record) -> bool:
 
 @lru_cache(maxsize=1024)
 def _converged_index(layout: str) -> int:
-    """Where a point says whether it converged, among its numbers."""
+    """Index of `converged` among the numbers of a point."""
     return [name for part in json.loads(layout) for name in part].index("converged")
 
 

@@ -105,7 +105,7 @@ def remove_unfinished(directory: Path) -> None:
 
 
 def _own_files(directory: Path) -> Iterator[Path]:
-    """What stands where files of a batch belong."""
+    """Files and folders in the place of files of the batch."""
     names = (SWEEP_FILE, SUMMARY, TABLE, DATA, PARQUET, DIGESTS)
     yield from (directory / name for name in names)
     yield from directory.glob(PATTERN)

@@ -171,8 +171,8 @@ def _document(documents: PointDocuments, variation: Variation, *, torque: bool) 
 
 
 def _may_share_contacts(blocks: Sequence[Sequence[Variation]], keys: tuple[str, ...]) -> bool:
-    """Whether contacts may be equal in several points: where values repeat, as those of all balls
-    without load at one speed, or keys vary that leave the contacts as they are.
+    """Tell whether contacts may be equal in several points: where values repeat, as those of all
+    balls without load at one speed, or keys vary that leave the contacts unchanged.
     """
     repeated = any(len(block) > 1 and not isinstance(block, Sampled) for block in blocks)
     return repeated or any(key.partition(".")[0] in WITHOUT_CONTACTS for key in keys)
@@ -360,7 +360,7 @@ def _checked_indices(plan: Plan, compute: str) -> Sequence[int]:
 
 
 def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[CaseProblem]:
-    """Whether what is to be computed can be computed of this case."""
+    """A problem where the quantity cannot be computed of this case."""
     wrong = None
     if not isinstance(case, Case):
         wrong = "the case is a single contact" if file.compute != "run" else None

@@ -87,7 +87,7 @@ def compute_point(task: Task, tables: bytes | None = None) -> PointResult:
 
 
 def _beyond_memory(task: Task) -> str:
-    """What a point says that asked for more memory than there is."""
+    """Message of a point that needs more memory than there is."""
     if task.limits.memory is None:
         return "MemoryError: the machine has no more memory for this point"
     return f"MemoryError: the point needs more than its {task.limits.memory:g} GB of memory"
@@ -140,7 +140,7 @@ def _equilibria() -> Equilibria:
 
 @cache
 def _temporary_folder() -> Path:
-    """Of this process, for tables sent to a worker of a cluster."""
+    """Folder of this process for tables sent to a worker of a cluster."""
     folder = Path(tempfile.mkdtemp(prefix="oilfilm-tables-"))
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     return folder

@@ -60,7 +60,7 @@ PointMemory = Annotated[
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Wanted:
-    """What is written beside the results, and where they are computed."""
+    """Further files that are written, and the workers that compute."""
 
     workers: int | None
     scheduler: str | None

@@ -1,4 +1,4 @@
-"""What long work will cost, told before it begins; estimates within a factor of two or so."""
+"""Estimated time of long work, announced before it begins; within a factor of two or so."""
 
 from __future__ import annotations
 
@@ -197,7 +197,7 @@ def dynamics_cost(case: Case) -> tuple[str, float]:
 
 
 def _one_ball(case: Case, table: DynamicsTable) -> bool:
-    """Whether a simulation most likely solves one ball: thrust alone throughout."""
+    """Tell whether a simulation most likely solves one ball: thrust alone throughout."""
     across = any(case.operation.force[1:]) or any(table.gravity_m_s2[1:])
     plain = table.load_table_N is None and table.moment_table_N_mm is None
     return (

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class Listing(StrEnum):
-    """What `oilfilm list` shows."""
+    """Kinds of names that `oilfilm list` prints."""
 
     CASES = "cases"
     SWEEPS = "sweeps"
@@ -289,7 +289,7 @@ def listing(kind: str) -> dict[str, str]:
 
 
 def _plugins() -> dict[str, str]:
-    """What other distributions bring, and what is wrong with it."""
+    """Oils that other distributions bring, and their faults."""
     from bearing.library.plugins import KINDS, plugins
 
     found: dict[str, str] = {}

@@ -129,7 +129,7 @@ def optimisation_table(found: OptimisationResult) -> Group:
 
 
 def _gain(gain: dict[str, Any]) -> str:
-    """What is gained, and how far it is known."""
+    """The improvement and its error, in words."""
     shown = f"{gain['goal']}: {gain['case']:.4g} to {gain['best']:.4g} by {gain['design']}"
     if gain["error"] is None:
         return shown

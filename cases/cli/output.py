@@ -1,4 +1,4 @@
-"""What the commands that compute share: where results go, how they are written and reported."""
+"""Output of the commands that compute: directories, files and messages."""
 
 from __future__ import annotations
 
@@ -251,7 +251,7 @@ def print_notes(messages: Iterable[str]) -> None:
 
 
 def _of_failure(message: str) -> bool:
-    """Whether a message belongs to what did not converge."""
+    """Tell whether a message belongs to a part that did not converge."""
     return "not converged" in message or message.startswith(
         ("equilibrium of", "no film was computed")
     )

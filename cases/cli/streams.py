@@ -34,8 +34,8 @@ def drop_output() -> None:
 
 
 def output_is_written() -> bool:
-    """Whether standard output took everything; a message if its disk is full, none if its reader
-    has seen enough.
+    """Tell whether standard output took everything; a message if its disk is full, none if its
+    reader has ended.
     """
     try:
         sys.stdout.flush()

@@ -1,4 +1,4 @@
-"""What a command shows: progress, messages, results, exit codes."""
+"""Exit codes, error messages, and printing of results."""
 
 from __future__ import annotations
 
@@ -133,7 +133,9 @@ def _print_errors(messages: Iterable[str]) -> None:
 
 
 def _is_of_an_interrupt(error: BaseException | None) -> bool:
-    """Whether an interrupt led to the error, as where a compiled library takes it for its own."""
+    """Tell whether an interrupt led to the error, as where a compiled library takes it for its
+    own.
+    """
     while error is not None and not isinstance(error, KeyboardInterrupt):
         error = error.__cause__ or error.__context__
     return error is not None

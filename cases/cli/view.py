@@ -17,7 +17,7 @@ from .terminal import FAILED, guarded
 
 
 class Quantity(StrEnum):
-    """What the colours of the view show."""
+    """Quantities that the colours of the view show."""
 
     FILM = "film"
     PRESSURE = "pressure"

@@ -45,7 +45,7 @@ from .traction import ball_traction
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AnyCase:
-    """What every case has, SI."""
+    """Fields of every case, SI."""
 
     title: str
     source: str
@@ -310,7 +310,7 @@ def _bearing_case(file: BearingFile) -> Case:
 
 
 def _has_traction(file: BearingFile, assumptions: QuasistaticModel) -> bool:
-    """Whether the motion of the balls, or the case by name, takes friction of balls on races."""
+    """Tell whether the motion of the balls or the case by name takes friction on races."""
     balanced = assumptions.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
     return balanced or file.friction.traction is not None
 
@@ -330,7 +330,7 @@ def _inlet_layer(file: BearingFile, torque: FrictionInput) -> InletLayer | Suppl
 
 
 def _starvation(file: BearingFile) -> contacts.Starvation | None:
-    """What oil at the inlets of a bearing does to its films; None without."""
+    """Effect of the oil at the inlets of a bearing on its films; None without."""
     if file.lubricant.inlet_film_um is None:
         given = file.ehl.starvation
         return None if given is None else contacts.Starvation(given)
@@ -340,7 +340,7 @@ def _starvation(file: BearingFile) -> contacts.Starvation | None:
 
 
 def _friction(file: BearingFile, delivered: Bearing) -> FrictionInput:
-    """What the friction models take."""
+    """Inputs of the friction models."""
     return friction(
         file.friction,
         file.bearing,
@@ -354,7 +354,7 @@ def _friction(file: BearingFile, delivered: Bearing) -> FrictionInput:
 def _inlet(
     file: BearingFile, bearing: Bearing, oil: Lubricant, friction: FrictionInput
 ) -> InletFactors:
-    """What inlet heating and replenishment leave of the rolling moment [-]."""
+    """Factors of inlet heating and replenishment on the rolling moment [-]."""
     speed = abs(operation(file.operation).shaft_speed)
     supplied = friction.supply is not None and not friction.flooded
     return inlet_factors(
@@ -386,7 +386,7 @@ def _warn(file: BearingFile) -> None:
 
 
 def _grease_text(name: str) -> str:
-    """What films mean that are computed for the base oil of a grease."""
+    """Meaning of films that are computed for the base oil of a grease."""
     grease = load_grease(name)
     fresh_low, fresh_high = grease.fresh_film
     aged_low, aged_high = grease.aged_film

@@ -43,7 +43,7 @@ class FilmModel(Enum):
 
 
 class Starvation(Enum):
-    """What a layer at the inlet does to the film."""
+    """Effect of a layer at the inlet on the film."""
 
     SOLVED = "solved"
     TABULATED = "tabulated"

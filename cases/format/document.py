@@ -56,7 +56,7 @@ SWEEP_TABLES = ("sweep", "combinations", "latin_hypercube")
 
 
 class CaseFile(Table):
-    """What every case file holds."""
+    """Keys of every case file."""
 
     schema_version: int = between(1, 1, "version of this format", ...)
     title: str = described("one line for tables and plots", "")
@@ -78,7 +78,7 @@ class CaseFile(Table):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What was read in another way than it is written."""
+        """Notes on keys that were read in another way than they are written."""
         return self._notes
 
 
@@ -110,7 +110,7 @@ class BearingFile(CaseFile):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Those on keys, and that two laws of friction are named."""
+        """Notes on keys, and on two laws of friction that differ."""
         law = self.friction.traction
         if self.dynamics is None or law in (None, "films", self.dynamics.friction):
             return self._notes

@@ -126,7 +126,9 @@ def case_films(
 
 
 def _conductivity_note(body: Material) -> str:
-    """What the library says of a body's conductivity, where it is wide or the case goes beyond."""
+    """A note on a body's conductivity, where its range in the library is wide or the case is
+    outside.
+    """
     key = "thermal_conductivity_W_m_K"
     data = material_data(body.name).get(key) if body.name in list_materials() else None
     k = body.thermal_conductivity

@@ -423,7 +423,7 @@ REFERENCE = to_si("reference_C", TemperaturesTable.model_fields["reference_C"].d
 
 @dataclass(frozen=True, kw_only=True)
 class HeatingInput:
-    """What the heat balance takes beyond the bearing and its operation, SI."""
+    """Inputs of the heat balance besides the bearing and its operation, SI."""
 
     delivered: Bearing  # with its clearance before mounting, where there are fits or temperatures
     oil: Callable[[float], Lubricant]  # at a temperature [K]

@@ -224,7 +224,7 @@ def with_catalogue(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseP
 
 
 def _of_catalogue(name: str, table: dict[str, Any]) -> dict[str, Any]:
-    """What of a catalogue entry holds beside the keys that a case gives itself.
+    """Values of a catalogue entry that are valid beside the keys of the case.
 
     Ratings and shoulders of the catalogue belong to its internal geometry: a case that changes
     that goes without.

@@ -246,7 +246,7 @@ def _layer_faults(values: CaseValues) -> Iterator[CaseProblem]:
 
 
 def _kept_flooded(values: CaseValues) -> bool:
-    """Whether the films of a bearing stay flooded untold, its torque being wanted so."""
+    """Tell whether the films of a bearing stay flooded by default, its torque being wanted so."""
     return values.get("lubricant", "supply") == "flooded"
 
 

@@ -27,7 +27,7 @@ class Design:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OptimisationResult:
-    """What an optimisation found; `front`: numbers of the designs that no other betters."""
+    """Result of an optimisation; `front`: numbers of the designs that no other betters."""
 
     study: Study
     designs: tuple[Design, ...]

@@ -53,14 +53,21 @@ class Surrogate:
 
 
 def fitted(positions: Array, values: Array, noise: Array) -> Surrogate:
-    """The process through values, each with a standard deviation `noise` in its unit.
+    """Fit the process through values with known standard deviations.
 
     Parameters
     ----------
-    places : ndarray, shape (n, keys)
-        Of the unit cube [-].
-    values, noise : ndarray, shape (n,)
-        In one unit.
+    positions : Array
+        Positions in the unit cube, shape (n, keys) [-].
+    values : Array
+        Values, shape (n,).
+    noise : Array
+        Their standard deviations in the same unit, shape (n,).
+
+    Returns
+    -------
+    Surrogate
+        The process.
     """
     mean = float(values.mean())
     scale = float(values.std()) or 1.0

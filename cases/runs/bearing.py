@@ -164,7 +164,7 @@ def _run(
     equilibria: Equilibria,
     filmed: Filmed | None = None,
 ) -> BearingResults:
-    """As `run_case`, at the temperature of the case."""
+    """Run a case at its temperature, as `run_case`."""
     notify(0, 1, "equilibrium of the bearing")
     start = perf_counter()
     case = _prepared(case, workers, notify, solve)
@@ -282,7 +282,7 @@ def _contacts(
 
 
 def _stopped_friction(*arguments: Any) -> dict[str, Any] | None:
-    """What `_friction` gives; None after Ctrl-C, so that the films are kept."""
+    """The result of `_friction`; None after Ctrl-C, so that the films are kept."""
     try:
         return interruptible(partial(_friction, *arguments))
     except KeyboardInterrupt:

@@ -74,16 +74,27 @@ def run_dynamics(
     tables: Path | None = None,
     progress: Progress | None = None,
 ) -> DynamicsResults:
-    """Simulate a case, by its `name` in messages, the history streamed to a file.
+    """Simulate a case; the history is streamed to a file.
 
     Parameters
     ----------
-    restart : Path, optional
-        File of an interrupted simulation of the same case to go on from.
-    tables : Path, optional
+    case : Case
+        The bearing.
+    name : str
+        Name of the case in messages.
+    history : Path
+        File of the history.
+    restart : Path | None, optional
+        File of an interrupted simulation of the same case to continue from.
+    tables : Path | None, optional
         Traction tables from `oilfilm table`, instead of new ones.
-    progress : callable, optional
-        Called with milliseconds done, milliseconds in all, and the time still to go.
+    progress : Progress | None, optional
+        Called with milliseconds done, milliseconds in all, and the time left.
+
+    Returns
+    -------
+    DynamicsResults
+        The simulation and its statistics.
 
     Raises
     ------
@@ -124,12 +135,23 @@ def _table(case: Case, name: str) -> DynamicsTable:
 
 
 def case_key(case: Case) -> str:
-    """The case as run in one line, by which a restart file knows it."""
+    """The case as run in one line, by which a restart file identifies it.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+
+    Returns
+    -------
+    str
+        JSON of its document.
+    """
     return json.dumps(case.document, sort_keys=True)
 
 
 def _teller(run: Simulation, notify: Progress) -> Callable[[], None]:
-    """What tells how far a simulation is, and how long it will take by its pace so far."""
+    """A function that reports the progress of a simulation and the time left."""
     began = perf_counter()
     end = run.model.options.end_time
     first = run.state.time
@@ -199,7 +221,7 @@ def _with_other_starts(case: Case, results: DynamicsResults) -> DynamicsResults:
 
 
 def _attributes(case: Case) -> dict[str, str | float]:
-    """Of the history: what it is of, and the dimensions a picture of it needs [m], [rad]."""
+    """Attributes of the history: its case, and the dimensions a picture of it needs [m], [rad]."""
     given = {"oilfilm": version(), "case": case_key(case), "title": case.title}
     dimensions = {name: getattr(case.bearing, name) for name in DIMENSIONS}
     return given | {name: float(v) for name, v in dimensions.items() if v is not None}
@@ -214,8 +236,26 @@ def _assumed(model: DynamicsModel) -> tuple[str, ...]:
 
 
 def build_model(case: Case, tables: Path | None, notify: Progress) -> DynamicsModel:
-    """Model of the simulation from a case: options, ring, cage, contact laws, friction, schedule
-    [SI].
+    """Model of the simulation: options, ring, cage, contact laws, friction, schedule.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing, with a table [dynamics].
+    tables : Path | None
+        File of traction tables; None: that of the case, or new ones.
+    notify : Progress
+        Called with steps done, steps in all, and a text, while tables are built.
+
+    Returns
+    -------
+    DynamicsModel
+        The model, SI.
+
+    Raises
+    ------
+    ValueError
+        If the case cannot be simulated.
     """
     table = case.file.dynamics
     assert table is not None  # checked before

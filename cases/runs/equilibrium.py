@@ -22,7 +22,23 @@ ANY_TEMPERATURE = 293.15  # of all operations that have one equilibrium [K]
 
 
 def equilibrium_solver(case: Case) -> Callable[..., QuasistaticSolution]:
-    """The solver that the ball kinematics of a case asks for; called as `solve_quasistatic`."""
+    """The solver for the ball kinematics of a case.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+
+    Returns
+    -------
+    Callable[..., QuasistaticSolution]
+        Function with the parameters of `solve_quasistatic`.
+
+    Raises
+    ------
+    ValueError
+        If traction equilibrium has no friction of ball on race.
+    """
     if case.model.ball_kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:
         return solve_quasistatic
     if case.traction is None:
@@ -31,7 +47,18 @@ def equilibrium_solver(case: Case) -> Callable[..., QuasistaticSolution]:
 
 
 def without_traction_equilibrium(model: QuasistaticModel) -> QuasistaticModel:
-    """Half and half in place of traction equilibrium: loads hardly depend on it."""
+    """Half and half in place of traction equilibrium: loads hardly depend on it.
+
+    Parameters
+    ----------
+    model : QuasistaticModel
+        Assumptions of the bearing model.
+
+    Returns
+    -------
+    QuasistaticModel
+        The assumptions with a hypothesis on the balls.
+    """
     if model.ball_kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:
         return model
     return replace(model, ball_kinematics=BallKinematics.HALF_AND_HALF)
@@ -50,8 +77,23 @@ class Equilibria:
     def of(
         self, bearing: Bearing, operation: Operation, model: QuasistaticModel, rows: Sequence[Row]
     ) -> QuasistaticSolution:
-        """The equilibrium of a bearing, with arrays of its own; arguments as of
-        `solve_quasistatic`, SI.
+        """The equilibrium under a hypothesis on the balls, solved once for equal inputs.
+
+        Parameters
+        ----------
+        bearing : Bearing
+            The bearing.
+        operation : Operation
+            Speeds and loads.
+        model : QuasistaticModel
+            Assumptions of the bearing model.
+        rows : Sequence[Row]
+            Rows of balls.
+
+        Returns
+        -------
+        QuasistaticSolution
+            Loads, angles and motion of the balls.
         """
         mechanical = replace(operation, temperature=ANY_TEMPERATURE)
         key = (bearing, mechanical, model, tuple(rows))

@@ -104,8 +104,21 @@ def at_its_temperature(
 
 
 def lost_balance(case: Case, heating: SelfHeatingSolution | None, warmed: Case) -> Case | None:
-    """The case at `operation.temperature_C`, with a warning, where films without a solve had a
-    balance, `warmed`, and the torque printed, with seals say, has none; else None.
+    """The case at `operation.temperature_C`, where the torque of the run has no heat balance.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    heating : SelfHeatingSolution | None
+        Heat balance of the run.
+    warmed : Case
+        The case at the balance of films without a solve.
+
+    Returns
+    -------
+    Case | None
+        The case, with a warning; None where there is a balance.
     """
     if heating is None:
         return None
@@ -218,10 +231,9 @@ def heating_problem(
 def _begun_at(
     case: Case, given: HeatingInput, printed: Printed | None, equilibria: Equilibria | None
 ) -> dict[str, Any]:
-    """Where the search begins: at the equilibrium of the case where temperature leaves that as it
-    is; at that of a run, whose contacts count where they are not
-    those of finite bodies. A run at the temperature that was found for it only asks whether that
-    is one.
+    """Start of the search: the equilibrium of the case where temperature leaves that unchanged, so
+    that a process solves it once; that of a run, whose contacts count where they are not those of
+    finite bodies. A run at the temperature of its balance only asks whether that is one.
     """
     if printed is None:
         same = given.reference is None and without_traction_equilibrium(case.model) is case.model
@@ -238,8 +250,21 @@ def _begun_at(
 def at_its_balance(
     heating: SelfHeatingSolution, case: Case, printed: Printed
 ) -> SelfHeatingSolution:
-    """The balance found, with the torque printed at the temperature of the case [N m] and the
-    temperatures that follow from its heat.
+    """The heat balance with the reported torque at the temperature of the case.
+
+    Parameters
+    ----------
+    heating : SelfHeatingSolution
+        The balance.
+    case : Case
+        The bearing at its temperature.
+    printed : Printed
+        Torque and films of the run.
+
+    Returns
+    -------
+    SelfHeatingSolution
+        The balance, with the temperatures that follow from its heat.
     """
     assert heating.balance is not None and case.heating is not None
     with warnings.catch_warnings():
@@ -308,7 +333,7 @@ def _printed_heat(case: Case, given: HeatingInput, printed: Printed) -> FilmsHea
 
 
 def _inlet(case: Case, state: QuasistaticSolution, oil: Lubricant) -> InletFactors:
-    """What inlet heating and replenishment leave of the rolling moment with an oil [-]."""
+    """Factors of inlet heating and replenishment on the rolling moment with an oil [-]."""
     assert case.friction is not None  # of every bearing case
     return inlet_factors(
         state.bearing,
@@ -328,7 +353,7 @@ def _formula_heat(
     contacts: Contacts,
     oil: Lubricant,
 ) -> FrictionHeat:
-    """Of films of formulas [W], without seals."""
+    """Heat of films of formulas [W], without seals."""
     inlet = _inlet(case, state, oil)
     return films.heat(state, contacts, oil, given.rheology(oil), inlet)
 
@@ -358,7 +383,18 @@ def _model_heat(
 
 
 def conducts(case: Case) -> bool:
-    """Whether the heat properties of oil and bodies are known."""
+    """Tell whether the heat properties of oil and bodies are known.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+
+    Returns
+    -------
+    bool
+        True if they are.
+    """
     bodies = case.bearing
     materials = (bodies.ball_material, bodies.inner_ring_material, bodies.outer_ring_material)
     known = all(m.thermal_conductivity and m.specific_heat for m in materials)
@@ -371,8 +407,23 @@ def case_conductances(
     contacts: Sequence[BearingContact],
     operating: Films | None,
 ) -> Array | None:
-    """Of heat through the films of all contacts [W/K]; None where heat properties of oil or bodies
-    are not known.
+    """Heat conductances through the films of all contacts.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    state : QuasistaticSolution
+        Its equilibrium.
+    contacts : Sequence[BearingContact]
+        Its contacts.
+    operating : Films | None
+        Films in operation.
+
+    Returns
+    -------
+    Array | None
+        Conductances [W/K]; None where heat properties of oil or bodies are not known.
     """
     if operating is None or not conducts(case):
         return None

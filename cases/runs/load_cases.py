@@ -25,10 +25,24 @@ HALF_AND_HALF = (
 def solve_load_cases(
     case: Case, notify: Progress, equilibria: Equilibria | None = None
 ) -> DutyCycle | None:
-    """Life, torque and energy over the duty cycle of a case; None where it has none.
+    """Life, torque and energy over the duty cycle of a case.
 
     Every state has its own equilibrium, clearance and oil; its torque is that of films of
     formulas.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    notify : Progress
+        Called with states done, states in all, and a text.
+    equilibria : Equilibria | None, optional
+        Equilibria solved before.
+
+    Returns
+    -------
+    DutyCycle | None
+        The duty cycle; None where the case has none.
     """
     if not case.load_cases:
         return None

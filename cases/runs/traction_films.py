@@ -47,7 +47,24 @@ def with_workers(
     progress: Progress | None = None,
     solve: Solve | None = None,
 ) -> BallTraction:
-    """The friction with its films, if it takes any, solved by so many workers [-]."""
+    """The friction, with its films solved by several workers.
+
+    Parameters
+    ----------
+    traction : BallTraction
+        Friction of balls on races.
+    workers : int | None, optional
+        Contacts solved at a time [-]; None: as many as there are cores.
+    progress : Progress | None, optional
+        Called with films done, films in all, and a text.
+    solve : Solve | None, optional
+        Solver of one film in place of the film model's own.
+
+    Returns
+    -------
+    BallTraction
+        The friction.
+    """
     if not isinstance(traction.source, FilmTraction):
         return traction
     source = traction.source
@@ -65,8 +82,21 @@ def with_workers(
 def traction_messages(
     traction: BallTraction | None, state: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> tuple[str, ...]:
-    """Where the friction of balls on races came from, and where a table was asked outside its
-    range (loads in [N]).
+    """Messages on the source of the friction of balls on races, and on contacts outside a table.
+
+    Parameters
+    ----------
+    traction : BallTraction | None
+        The friction, where there is one.
+    state : QuasistaticSolution
+        Equilibrium of the bearing.
+    contacts : Sequence[BearingContact]
+        Its contacts.
+
+    Returns
+    -------
+    tuple[str, ...]
+        The messages.
     """
     if traction is None:
         return ()
@@ -112,7 +142,26 @@ def contact_tractions(
     solutions: Sequence[ContactSolution | None],
     balanced: Sequence[ContactTraction],
 ) -> tuple[ContactTraction | None, ...]:
-    """Shear of every contact that has a film: as balanced, or at the motion of the equilibrium."""
+    """Shear of every contact that has a film: as balanced, or at the motion of the equilibrium.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    state : QuasistaticSolution
+        Its equilibrium.
+    contacts : Sequence[BearingContact]
+        Its contacts.
+    solutions : Sequence[ContactSolution | None]
+        Solved films of the contacts.
+    balanced : Sequence[ContactTraction]
+        Shear of the contacts whose balls are balanced.
+
+    Returns
+    -------
+    tuple[ContactTraction | None, ...]
+        The shear; None without a film.
+    """
     rheology = case.rheology
     if rheology is None:
         return (None,) * len(contacts)

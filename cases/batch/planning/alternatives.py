@@ -59,7 +59,7 @@ class PointDocuments:
         return document
 
     def _alternatives(self, variation: Variation) -> tuple[tuple[str, str, str], ...]:
-        """What gives way, which depends on the keys alone."""
+        """Keys that give way, which depend on the keys of the variation alone."""
         keys = (variation.block, *(setting.key for setting in variation.settings))
         if keys not in self._gone:
             self._gone[keys] = tuple(_alternatives(self.base, variation))

@@ -24,7 +24,7 @@ class Setting:
 
 @dataclass(frozen=True, slots=True)
 class Variation:
-    """What one point changes of the case."""
+    """Values by which one point differs from the case."""
 
     block: str
     settings: tuple[Setting, ...]

@@ -101,7 +101,7 @@ def distribution(setting: Setting, *, laws: bool = True) -> Distribution | CaseP
 
 
 def _is_valid(name: str, numbers: list[float]) -> bool:
-    """Whether ends are in order and spreads positive."""
+    """Tell whether ends are in order and spreads positive."""
     if name == "uniform":
         return numbers[0] < numbers[1]
     if name == "triangular":

@@ -83,6 +83,6 @@ def located_faults(
 
 
 def _meets(path: Path, problem: Path) -> bool:
-    """Whether a problem's path is that of a key, lies below it, or is a table around it."""
+    """Tell whether a problem's path is that of a key, lies below it, or is a table around it."""
     shorter = min(len(path), len(problem))
     return shorter > 0 and path[:shorter] == tuple(problem[:shorter])

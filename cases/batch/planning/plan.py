@@ -141,7 +141,7 @@ class PointName:
         return known.hexdigest()[:20]
 
     def _change(self, name: str, table: Document, before: Document) -> int:
-        """What a table adds to the sum where it differs from that of the case."""
+        """Contribution of a table to the sum where it differs from that of the case."""
         known = self.hashes[name]
         change = 0
         for key, value in table.items():

@@ -60,7 +60,7 @@ class ContactCache:
         return solution
 
     def _look(self) -> bool:
-        """Whether there is room for more."""
+        """Tell whether the cache may grow further."""
         used = sum(file.stat().st_size for file in self.folder.glob(f"*{SUFFIX}"))
         self._free = BETWEEN if used < MOST_BYTES else 0
         return self._free > 0

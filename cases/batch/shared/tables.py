@@ -204,12 +204,14 @@ def prepare_tables(
 
     Parameters
     ----------
-    keys : collection of str
+    sweep : Sweep
+        The points.
+    keys : Collection[str]
         Names of the points.
     directory : Path
-        Of the batch.
-    progress : callable
-        Called with films done, films planned so far, and a word.
+        Folder of the batch.
+    progress : Progress
+        Called with films done, films planned so far, and a text.
 
     Returns
     -------
@@ -229,7 +231,7 @@ def prepare_tables(
 
 
 def _whole(path: Path) -> bool:
-    """Whether tables are there, and can be read; damaged ones are said."""
+    """Tell whether tables exist and can be read; damaged ones are reported."""
     if not path.exists():
         return False
     try:

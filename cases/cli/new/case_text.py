@@ -275,7 +275,7 @@ def _kind(entry: Mapping[str, Any], designation: Designation | None) -> BearingK
 
 
 def _is_set(designation: Designation | None) -> bool:
-    """Whether it names two bearings side by side."""
+    """Tell whether it names two bearings side by side."""
     return designation is not None and designation.arrangement in PRELOADS
 
 

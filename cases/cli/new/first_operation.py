@@ -36,7 +36,7 @@ SUPPLY_TEMPERATURE = 40.0  # of circulating oil [C]; assumed
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FirstOperation:
-    """What the user asks of a new case; what is None is chosen."""
+    """Speed and loads that the user prescribes for a new case; None: chosen."""
 
     speed: float | None = None  # of the inner ring [r/min]
     radial_load: float | None = None  # [N]
@@ -45,7 +45,7 @@ class FirstOperation:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BearingKind:
-    """What the choice depends on, beside the entry of the catalogue."""
+    """Properties of the bearing on which the choice depends besides its catalogue entry."""
 
     angular: bool
     spindle: bool  # of a series of machine spindles

@@ -75,7 +75,7 @@ def transient(
 
 
 def _steps_folder(directory: Path) -> Path:
-    """Where the steps of a run into a directory are kept."""
+    """Folder of the checkpoints of a run into a directory."""
     return lock_output_directory(directory.with_name(f"{directory.name}_steps"))
 
 

@@ -37,7 +37,9 @@ def faults(values: CaseValues) -> Iterator[CaseProblem]:
 
 
 def _held(values: CaseValues, name: str, length: int) -> tuple[bool, ...] | None:
-    """Whether [operation] holds the ring along or about each axis; None where it is at fault."""
+    """Tell whether [operation] constrains the ring along or about each axis; None where it is
+    wrong.
+    """
     given = values.get("operation", name)
     if given is not None:
         return tuple(entry != FREE_WORD for entry in given)

@@ -99,7 +99,7 @@ class FormTable(Table):
 
 
 class SupportTable(Table):
-    """What holds the rings while the bearing vibrates."""
+    """Support of the rings while the bearing vibrates."""
 
     inner_ring: Literal["free", "held"] = described(
         "held: on a stiff spindle, where the loads put it", "free"

@@ -1,5 +1,5 @@
-"""What the oil of a bearing decides beside its torque: torque with other supplies, films after the
-supply stops.
+"""Effects of the oil supply beside the torque: torque with other supplies, films after the supply
+stops.
 """
 
 from collections.abc import Sequence
@@ -27,8 +27,25 @@ def beside_supply(
     films: Films,
     torque: TorqueBreakdown | None,
 ) -> dict[str, Any]:
-    """Torque at the supply and flooded, band of the captured share of a flow, and the films after
-    the supply has stopped, by their names in the results.
+    """Torque at the supply and flooded, band of a flow, and films after the supply has stopped.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    state : QuasistaticSolution
+        Its equilibrium.
+    contacts : Sequence[BearingContact]
+        Its contacts.
+    films : Films
+        Films of the contacts.
+    torque : TorqueBreakdown | None
+        Torque of the run.
+
+    Returns
+    -------
+    dict[str, Any]
+        Fields of the results by name.
     """
     friction = case.friction
     if friction is None or torque is None or state.operation.shaft_speed == 0.0:

@@ -31,14 +31,23 @@ class Interrupted(KeyboardInterrupt):
 def run_transient(
     case: ContactCase, name: str, folder: Path | None = None, progress: Progress | None = None
 ) -> TransientResults:
-    """Solve a contact over time, by its `name` in messages, its steps kept in a folder.
+    """Solve a contact over time; its steps are stored in a folder.
 
     Parameters
     ----------
-    folder : Path, optional
-        Where steps are kept while it runs; those of the same case that are there are gone on from.
-    progress : callable, optional
-        Called with steps done, steps in all, and the time still to go.
+    case : ContactCase
+        The contact.
+    name : str
+        Name of the case in messages.
+    folder : Path | None, optional
+        Folder of the steps while it runs; steps of the same case in it are continued.
+    progress : Progress | None, optional
+        Called with steps done, steps in all, and the time left.
+
+    Returns
+    -------
+    TransientResults
+        Films over time.
 
     Raises
     ------

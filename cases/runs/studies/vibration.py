@@ -29,10 +29,21 @@ class NotSolvedError(RuntimeError):
 
 
 def run_vibration(case: Case, name: str, progress: Progress | None = None) -> VibrationResults:
-    """Compute the vibration of a case; `name` of it in messages.
+    """Compute the vibration of a case.
 
-    progress : callable, optional
-        Called with per mille done, 1000, and a word on the state.
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    name : str
+        Name of the case in messages.
+    progress : Progress | None, optional
+        Called with per mille done, 1000, and a text.
+
+    Returns
+    -------
+    VibrationResults
+        Motion over time.
 
     Raises
     ------
@@ -107,7 +118,7 @@ def _contacts(case: Case, state: QuasistaticSolution) -> list[BearingContact]:
 
 
 def _notes(case: Case) -> Iterator[str]:
-    """What of the oil is left out."""
+    """Notes on effects of the oil that are left out."""
     if case.inlet_layer is not None:
         yield "vibration: waves enter as through flooded films; behind layers it is not known"
     elif case.friction is not None and case.friction.scarce is not None:
@@ -115,7 +126,7 @@ def _notes(case: Case) -> Iterator[str]:
 
 
 def _band(table: VibrationTable) -> tuple[float, float] | None:
-    """Of the envelope [Hz]; CaseError beyond half the sample rate."""
+    """Band of the envelope [Hz]; CaseError beyond half the sample rate."""
     if table.envelope_band_Hz is None:
         return None
     low, high = table.envelope_band_Hz
