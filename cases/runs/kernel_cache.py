@@ -89,7 +89,7 @@ def _user_cache() -> Path:
 
 
 def _writable(folder: Path) -> bool:
-    """Tell whether a file can be made; permission bits do not suffice (read-only systems, root)."""
+    """Tell whether a file can be made; permission bits may mislead (read-only systems, root)."""
     try:
         with tempfile.TemporaryFile(dir=folder):
             return True

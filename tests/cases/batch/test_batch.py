@@ -494,8 +494,8 @@ def test_contacts_of_balls_without_load_are_solved_once_for_all_loads(tmp_path, 
 def test_the_cache_is_looked_through_a_few_times_only(tmp_path, monkeypatch):
     """10 000 contacts of 100 kB are 10 looks, of which each reads the sizes of all there are."""
     looks = []
-    monkeypatch.setattr(contact_cache, "kept", lambda path: None)
-    monkeypatch.setattr(contact_cache, "keep", lambda path, thing: 100_000)
+    monkeypatch.setattr(contact_cache, "load_object", lambda path: None)
+    monkeypatch.setattr(contact_cache, "store_object", lambda path, thing: 100_000)
     monkeypatch.setattr(contact_cache, "content_key", lambda *words: f"{words[0]}")
     cache = ContactCache(tmp_path)
     plain = cache._look
@@ -644,7 +644,7 @@ def test_rate_and_time_left():
     told = []
     pace = ProgressEstimate(10, lambda *words: told.append(words))
     pace.resumed = 2
-    pace.tell()
+    pace.report()
     assert told == [(2, 10, "points")]
     pace.done = 4
     assert pace.text(8.0) == "points, 30/min, 8 s left"
