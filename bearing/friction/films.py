@@ -92,11 +92,11 @@ def film_law_balance(
     BalancedFriction
         motions, forces [N] and powers [W] of all contacts
     """
-    begun = None if near is None else _begun(solution, contacts, law, resistance, near)
+    begun = None if near is None else _continued_balance(solution, contacts, law, resistance, near)
     return begun or balance_driven_balls(solution, contacts, law, resistance)
 
 
-def _begun(
+def _continued_balance(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     law: ContactLaw,

@@ -22,7 +22,23 @@ ANY_TEMPERATURE = 293.15  # of all operations that have one equilibrium [K]
 
 
 def equilibrium_solver(case: Case) -> Callable[..., QuasistaticSolution]:
-    """The solver that the ball kinematics of a case asks for; called as `solve_quasistatic`."""
+    """The solver that the ball kinematics of a case asks for; called as `solve_quasistatic`.
+
+    Parameters
+    ----------
+    case : Case
+        a bearing case
+
+    Returns
+    -------
+    Callable[..., QuasistaticSolution]
+        solver
+
+    Raises
+    ------
+    ValueError
+        if traction equilibrium has no friction
+    """
     if case.model.ball_kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:
         return solve_quasistatic
     if case.traction is None:
@@ -31,7 +47,18 @@ def equilibrium_solver(case: Case) -> Callable[..., QuasistaticSolution]:
 
 
 def without_traction_equilibrium(model: QuasistaticModel) -> QuasistaticModel:
-    """Half and half in place of traction equilibrium: loads hardly depend on it."""
+    """Half and half in place of traction equilibrium: loads hardly depend on it.
+
+    Parameters
+    ----------
+    model : QuasistaticModel
+        assumptions of the equilibrium
+
+    Returns
+    -------
+    QuasistaticModel
+        the same object with another hypothesis
+    """
     if model.ball_kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:
         return model
     return replace(model, ball_kinematics=BallKinematics.HALF_AND_HALF)
@@ -50,8 +77,23 @@ class Equilibria:
     def of(
         self, bearing: Bearing, operation: Operation, model: QuasistaticModel, rows: Sequence[Row]
     ) -> QuasistaticSolution:
-        """The equilibrium of a bearing, with arrays of its own; arguments as of
-        `solve_quasistatic`, SI.
+        """The equilibrium of a bearing, with arrays of its own.
+
+        Parameters
+        ----------
+        bearing : Bearing
+            geometry and materials
+        operation : Operation
+            speeds, loads and temperature, SI
+        model : QuasistaticModel
+            assumptions
+        rows : Sequence[Row]
+            of balls on the inner ring
+
+        Returns
+        -------
+        QuasistaticSolution
+            solved once for all temperatures
         """
         mechanical = replace(operation, temperature=ANY_TEMPERATURE)
         key = (bearing, mechanical, model, tuple(rows))

@@ -40,8 +40,23 @@ MAY_BE_ZERO = ("entrainment_angle", "slide_roll_ratio", "lateral_slide_ratio", "
 def wanted_contacts(
     case: Case, state: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> tuple[list[ContactConditions | None], tuple[str, ...]]:
-    """Conditions of the contacts to solve, None for the others, and a message if there is no
-    equilibrium.
+    """Conditions of the contacts to solve, and a message if there is no equilibrium.
+
+    Parameters
+    ----------
+    case : Case
+        a bearing case
+    state : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        its contacts
+
+    Returns
+    -------
+    conditions
+        None for the contacts that are not solved
+    messages
+        empty with an equilibrium
     """
     if not state.converged:
         return [None] * len(contacts), ("no film was computed, since there is no equilibrium",)
@@ -64,7 +79,20 @@ class FilmPlan(NamedTuple):
 
 def film_plan(wanted: Sequence[ContactConditions | None], options: SolverOptions) -> FilmPlan:
     """Contacts whose films are solved, without those that are too light for a film and those that
-    the mesh does not resolve; behind layers all of them.
+    the
+    mesh does not resolve; behind layers all of them.
+
+    Parameters
+    ----------
+    wanted : Sequence[ContactConditions | None]
+        conditions of the contacts, None where no film is asked for
+    options : SolverOptions
+        of the solver
+
+    Returns
+    -------
+    FilmPlan
+        conditions to solve
     """
     by_tolerance = options.wanted_tolerance is not None
     cells = CELLS_BY_TOLERANCE if by_tolerance else CELLS_BY_POINTS
@@ -85,8 +113,22 @@ def film_plan(wanted: Sequence[ContactConditions | None], options: SolverOptions
 def inlet_layers(
     given: InletLayer | Supply, state: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> list[InletLayer | None]:
-    """Layer that each contact finds [m], of a flow that of its steady state by the flooded films
-    of formulas; None where nothing is lubricated, or no formula has a flooded film.
+    """Layer that each contact finds, of a flow that of its steady state by the flooded films of
+    formulas.
+
+    Parameters
+    ----------
+    given : InletLayer | Supply
+        layer [m], or flow [m^3/s]
+    state : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        its contacts
+
+    Returns
+    -------
+    list[InletLayer | None]
+        None where nothing is lubricated, or no formula has a flooded film
     """
     if isinstance(given, InletLayer):
         return [given] * len(contacts)
@@ -118,7 +160,20 @@ def _chosen_balls(case: Case, contacts: Sequence[BearingContact]) -> set[int]:
 
 
 def equal_contacts(first: ContactConditions, second: ContactConditions) -> bool:
-    """Whether two contacts are one to `EQUALITY_RTOL` relative [-]; the oil must be the same."""
+    """Equality of two contacts to `EQUALITY_RTOL` relative; the oil must be the same.
+
+    Parameters
+    ----------
+    first : ContactConditions
+        of one contact
+    second : ContactConditions
+        of the other
+
+    Returns
+    -------
+    bool
+        True where one film stands for both
+    """
     for field in fields(first):
         a, b = getattr(first, field.name), getattr(second, field.name)
         if isinstance(a, float) and isinstance(b, float):
@@ -146,14 +201,38 @@ def _groups(conditions: Sequence[ContactConditions | None]) -> list[list[int]]:
 
 
 def shared_options(options: SolverOptions, threads: int) -> SolverOptions:
-    """The options with so many threads a contact, if it is large enough to gain by them."""
+    """The options with so many threads a contact, if it is large enough to gain by them.
+
+    Parameters
+    ----------
+    options : SolverOptions
+        of the solver
+    threads : int
+        of a contact [-]
+
+    Returns
+    -------
+    SolverOptions
+        options of one contact
+    """
     shared = threads > 1 and options.most_points >= LARGE_CONTACT
     return replace(options, threads=threads) if shared else options
 
 
 def film_solver(solve: Solve | None, films: FilmPhysics) -> SolveOne | None:
-    """What solves one film by the film model of a case: `solve` where it is given, None for
-    `ehl.solve_contact`.
+    """Solver of one film by the film model of a case.
+
+    Parameters
+    ----------
+    solve : Solve | None
+        takes the place of the film model's own
+    films : FilmPhysics
+        film model of the case
+
+    Returns
+    -------
+    SolveOne | None
+        None for `ehl.solve_contact`
     """
     if solve is not None:
         return lambda conditions, options: solve(conditions, options, films)
@@ -167,9 +246,29 @@ def solve_contacts(
     notify: Progress,
     solve: SolveOne | None,
 ) -> tuple[tuple[ContactSolution | None, ...], bool]:
-    """Films of the distinct contacts, several at a time; True with those finished before Ctrl-C.
+    """Films of the distinct contacts, several at a time.
 
     Only if they are large, and fewer than half the workers, does each get several threads.
+
+    Parameters
+    ----------
+    conditions : Sequence[ContactConditions | None]
+        of the contacts, None where no film is wanted
+    options : SolverOptions
+        of the solver
+    workers : int | None
+        contacts solved at a time [-]; None: as many as there are cores
+    notify : Progress
+        called with the contacts done, the contacts in all, and a word
+    solve : SolveOne | None
+        solves one film; None: `ehl.solve_contact`
+
+    Returns
+    -------
+    solutions
+        of the contacts, equal ones share an object
+    interrupted
+        True with those finished before Ctrl-C
     """
     solutions: list[ContactSolution | None] = [None] * len(conditions)
     groups = _groups(conditions)

@@ -47,7 +47,24 @@ def with_workers(
     progress: Progress | None = None,
     solve: Solve | None = None,
 ) -> BallTraction:
-    """The friction with its films, if it takes any, solved by so many workers [-]."""
+    """The friction with its films, if it takes any, solved by so many workers.
+
+    Parameters
+    ----------
+    traction : BallTraction
+        friction of balls on races
+    workers : int | None, optional
+        contacts solved at a time [-]; as many as there are cores if left out
+    progress : Progress | None, optional
+        called with the contacts done, the contacts in all, and a word
+    solve : Solve | None, optional
+        takes the place of the film model's own
+
+    Returns
+    -------
+    BallTraction
+        the same object without films
+    """
     if not isinstance(traction.source, FilmTraction):
         return traction
     source = traction.source
@@ -65,8 +82,23 @@ def with_workers(
 def traction_messages(
     traction: BallTraction | None, state: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> tuple[str, ...]:
-    """Where the friction of balls on races came from, and where a table was asked outside its
-    range (loads in [N]).
+    """Messages on the source of the friction of balls on races, and on tables that were asked
+    outside
+    their range.
+
+    Parameters
+    ----------
+    traction : BallTraction | None
+        friction of balls on races
+    state : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        its contacts
+
+    Returns
+    -------
+    tuple[str, ...]
+        sentences
     """
     if traction is None:
         return ()
@@ -112,7 +144,27 @@ def contact_tractions(
     solutions: Sequence[ContactSolution | None],
     balanced: Sequence[ContactTraction],
 ) -> tuple[ContactTraction | None, ...]:
-    """Shear of every contact that has a film: as balanced, or at the motion of the equilibrium."""
+    """Shear of every contact that has a solved film: as balanced, or at the motion of the
+    equilibrium.
+
+    Parameters
+    ----------
+    case : Case
+        a bearing case
+    state : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        its contacts
+    solutions : Sequence[ContactSolution | None]
+        films of the contacts
+    balanced : Sequence[ContactTraction]
+        shear of some contacts with the balls in balance
+
+    Returns
+    -------
+    tuple[ContactTraction | None, ...]
+        forces [N] and moments [N m]; None without a film that converged
+    """
     rheology = case.rheology
     if rheology is None:
         return (None,) * len(contacts)

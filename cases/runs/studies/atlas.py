@@ -75,7 +75,7 @@ def run_atlas_bearing(case: Case, name: str) -> AtlasBearingResults:
     )
 
 
-def unasked_films(
+def fill_from_atlas(
     contacts: Sequence[BearingContact], wanted: Sequence[ContactConditions | None], films: Films
 ) -> tuple[ContactFilm | None, ...]:
     """Films in place of solved ones, with those of the atlas at the contacts whose films were not

@@ -20,7 +20,7 @@ from bearing.torque.supply_band import SupplyTorque, Total, supply_band
 from ...format.case import Case
 
 
-def beside_supply(
+def torque_over_supply(
     case: Case,
     state: QuasistaticSolution,
     contacts: Sequence[BearingContact],
@@ -28,7 +28,26 @@ def beside_supply(
     torque: TorqueBreakdown | None,
 ) -> dict[str, Any]:
     """Torque at the supply and flooded, band of the captured share of a flow, and the films after
-    the supply has stopped, by their names in the results.
+    the
+    supply has stopped.
+
+    Parameters
+    ----------
+    case : Case
+        a bearing case
+    state : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        its contacts
+    films : Films
+        of the contacts as computed
+    torque : TorqueBreakdown | None
+        of the case
+
+    Returns
+    -------
+    dict[str, Any]
+        by their names in the results
     """
     friction = case.friction
     if friction is None or torque is None or state.operation.shaft_speed == 0.0:
