@@ -23,8 +23,8 @@ MAIN = ("integrated", "skf", "palmgren", "coulomb")  # those of papers by models
 def shown_models(results: BearingResults) -> tuple[str, ...]:
     """Names of the models in summary, table and picture, in their order.
 
-    The main ones, that of the total, that of a supply, and those that the case asks for by name; all
-    of them with `[friction] models = "all"`.
+    The main ones, that of the total, that of a supply, and those that the case asks for by name;
+    all of them with `[friction] models = "all"`.
 
     Parameters
     ----------
