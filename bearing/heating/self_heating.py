@@ -97,14 +97,14 @@ class _Search:
         self.fixed = problem.fixed_paths()
         self.count = 0
         self.floating = problem.reference is not None
-        self.near = problem.start
+        self.initial_guess = problem.start
         self.contacts = problem.contacts
 
     def at(self, film_temperature: float, clearance: float) -> HeatState:
         self.count += 1
-        near = None if self.near is None else (self.near, self.contacts)
-        state = heat_state(self.problem, self.fixed, film_temperature, clearance, near)
-        self.near = state.solution
+        guess = None if self.initial_guess is None else (self.initial_guess, self.contacts)
+        state = heat_state(self.problem, self.fixed, film_temperature, clearance, guess)
+        self.initial_guess = state.solution
         self.contacts = state.contacts
         return state
 
@@ -221,10 +221,10 @@ def _is_converged(residual: Array) -> bool:
     return bool(abs(residual[0]) <= TOLERANCE and abs(residual[1]) <= CLEARANCE_TOLERANCE)
 
 
-def _nearby(search: _Search, near: float) -> tuple[HeatState, float | None]:
+def _nearby(search: _Search, tolerance: float) -> tuple[HeatState, float | None]:
     """A state at or near the balance, found by the film temperature alone: the clearance is that
     of the last state's temperatures, moved together; and the film temperature that is right to
-    `near` [K], None where it was not found. At the hottest one there is none.
+    `tolerance` [K], None where it was not found. At the hottest one there is none.
     """
     problem = search.problem
     around = problem.around
@@ -237,13 +237,13 @@ def _nearby(search: _Search, near: float) -> tuple[HeatState, float | None]:
     known: list[tuple[float, float]] = []  # temperatures and what is found above each [K]
     for _ in range(MOST_STEPS):
         excess = state.found_temperature - state.film_temperature
-        if abs(excess) <= near:
+        if abs(excess) <= tolerance:
             return state, at
         low, high = (at, high) if excess > 0.0 else (low, at)
         if at >= problem.hottest and excess > 0.0:
             break
         known = [*known[1 - LAST_STATES :], (at, excess)]
-        ahead = _extrapolated_root(known, near)
+        ahead = _extrapolated_root(known, tolerance)
         if ahead is not None and coldest <= ahead <= problem.hottest:
             return state, ahead
         wanted = _root(known)
@@ -330,15 +330,15 @@ def _step(known: list[tuple[float, float]]) -> float:
     return float(np.copysign(max(2.0 * abs(at - before), abs(excess)), excess))
 
 
-def _extrapolated_root(known: list[tuple[float, float]], near: float) -> float | None:
+def _extrapolated_root(known: list[tuple[float, float]], tolerance: float) -> float | None:
     """The root by a parabola where that by a line through its last two states, which is less
-    exact, is not more than a part of `near` from it; None elsewhere [K].
+    exact, is not more than a part of `tolerance` from it; None elsewhere [K].
     """
     if len(known) < LAST_STATES:
         return None
     parabola = _crossing(known)
     line = _crossing(known[-2:])
-    if parabola is None or line is None or abs(parabola - line) > EXTRAPOLATION_ERROR * near:
+    if parabola is None or line is None or abs(parabola - line) > EXTRAPOLATION_ERROR * tolerance:
         return None
     return parabola if abs(parabola - known[-1][0]) <= EXTRAPOLATION_REACH else None
 
