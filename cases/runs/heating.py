@@ -44,7 +44,7 @@ class ReportedTorque(NamedTuple):
     """The total of a run [N m] with its part of contact seals, and the equilibrium it is of."""
 
     state: QuasistaticSolution
-    contacts: tuple[BearingContact, ...]
+    contacts: Contacts
     total: float
     seal: float
     films: Films | None = None  # operating films of the contacts
