@@ -263,10 +263,10 @@ def _operating(
         minimum = None if minimum is None else _heated(minimum, heat)
         gap = heat.value * gap
     # 3. asperities
-    loads = (0.0, 0.0)
-    boundary = roughness = 0.0
+    load = flooded_load = boundary = roughness = 0.0
     if asperities is not None:
-        loads = tuple(asperities.share(contact, h) for h in (central.value, film.flooded_central))
+        load = asperities.share(contact, central.value)
+        flooded_load = asperities.share(contact, film.flooded_central)
         boundary = asperities.boundary
         roughness = asperities.roughness(contact.race)
     return replace(
@@ -276,8 +276,8 @@ def _operating(
         heat=heat,
         gap_fraction=gap,
         rolling_fraction=factors[0 if with_heat else 1] * film.rolling_fraction,
-        asperity_load=loads[0],
-        flooded_asperity_load=loads[1],
+        asperity_load=load,
+        flooded_asperity_load=flooded_load,
         boundary_friction=boundary,
         roughness=roughness,
     )

@@ -35,7 +35,7 @@ def film_balance(
     films: Films,
     rheology: Rheology,
     resistance: Resistance = NO_RESISTANCE,
-    near: BalancedFriction | None = None,
+    initial_guess: BalancedFriction | None = None,
 ) -> BalancedFriction:
     """Motion of all balls in which the shear of their films balances itself, at given loads; the
     forces
@@ -53,7 +53,7 @@ def film_balance(
         of the oil
     resistance : Resistance, default NO_RESISTANCE
         what holds the balls back beside the races
-    near : BalancedFriction | None, optional
+    initial_guess : BalancedFriction | None, optional
         balance of a similar state, where the search begins
 
     Returns
@@ -62,7 +62,7 @@ def film_balance(
         motions, forces [N] and powers [W] of all contacts
     """
     law = film_law(solution, contacts, films, rheology)
-    return film_law_balance(solution, contacts, law, resistance, near)
+    return film_law_balance(solution, contacts, law, resistance, initial_guess)
 
 
 def film_law_balance(
@@ -70,7 +70,7 @@ def film_law_balance(
     contacts: Sequence[BearingContact],
     law: ContactLaw,
     resistance: Resistance = NO_RESISTANCE,
-    near: BalancedFriction | None = None,
+    initial_guess: BalancedFriction | None = None,
 ) -> BalancedFriction:
     """Motion of all balls in balance, as `film_balance`, by the law of the films.
 
@@ -84,7 +84,7 @@ def film_law_balance(
         friction of the films
     resistance : Resistance, default NO_RESISTANCE
         what holds the balls back beside the races
-    near : BalancedFriction | None, optional
+    initial_guess : BalancedFriction | None, optional
         balance of a similar state, where the search begins
 
     Returns
@@ -92,26 +92,35 @@ def film_law_balance(
     BalancedFriction
         motions, forces [N] and powers [W] of all contacts
     """
-    begun = None if near is None else _begun(solution, contacts, law, resistance, near)
+    begun = (
+        None
+        if initial_guess is None
+        else _continued_balance(solution, contacts, law, resistance, initial_guess)
+    )
     return begun or balance_driven_balls(solution, contacts, law, resistance)
 
 
-def _begun(
+def _continued_balance(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     law: ContactLaw,
     resistance: Resistance,
-    near: BalancedFriction,
+    initial_guess: BalancedFriction,
 ) -> BalancedFriction | None:
-    """The balance from a near one with the same balls driven by the inner race, which are all that
-    may be; None where it has others, is not found, or a ball skids.
+    """The balance from an initial guess with the same balls driven by the inner race, which are
+    all that may be; None where it has others, is not found, or a ball skids.
     """
-    if near.driven.size != solution.azimuth.size:
+    if initial_guess.driven.size != solution.azimuth.size:
         return None
-    if not np.array_equal(near.driven, may_be_driven(solution, contacts)):
+    if not np.array_equal(initial_guess.driven, may_be_driven(solution, contacts)):
         return None
     balance = balance_balls(
-        solution, contacts, law, driven=near.driven, initial_guess=near, resistance=resistance
+        solution,
+        contacts,
+        law,
+        driven=initial_guess.driven,
+        initial_guess=initial_guess,
+        resistance=resistance,
     )
     skids = balance.driven & (sliding_ratio(balance, contacts) > SKID_RATIO)
     return balance if balance.converged and not skids.any() else None

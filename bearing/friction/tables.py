@@ -9,6 +9,7 @@ from ehl.traction.laws import EllipseLaw, FrictionLaw
 from ehl.traction.table.table import TractionTable
 
 from ..contacts.contact import BearingContact
+from ..films.film import first_same
 from ..geometry import Array
 from . import _kernels
 from .law import REFERENCE_TRACTION, ContactLaw, Dissipation
@@ -73,9 +74,10 @@ def _groups(
     coefficient.
     """
     kinds: dict[object, list[int]] = {}
+    first = first_same(laws)
     for number, (contact, law) in enumerate(zip(contacts, laws, strict=True)):
         if contact.conditions is not None:
-            alike = type(law.coefficient) if isinstance(law, EllipseLaw) else id(law)
+            alike = type(law.coefficient) if isinstance(law, EllipseLaw) else first[number]
             kinds.setdefault(alike, []).append(number)
     groups = []
     for indices in kinds.values():

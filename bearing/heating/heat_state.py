@@ -178,7 +178,7 @@ def heat_state(
     fixed: Sequence[HeatPath],
     film_temperature: float,
     clearance: float,
-    near: tuple[QuasistaticSolution, tuple[BearingContact, ...]] | None = None,
+    initial_guess: tuple[QuasistaticSolution, tuple[BearingContact, ...]] | None = None,
 ) -> HeatState:
     """Equilibrium, friction and temperatures at a film temperature and a clearance.
 
@@ -192,7 +192,7 @@ def heat_state(
         of oil and films [K]
     clearance : float
         on the diameter [m]
-    near : tuple[QuasistaticSolution, tuple[BearingContact, ...]] | None, optional
+    initial_guess : tuple[QuasistaticSolution, tuple[BearingContact, ...]] | None, optional
         an equilibrium nearby, and its contacts, empty where they are not computed
 
     Returns
@@ -208,7 +208,7 @@ def heat_state(
     # 1. clearance, 2. equilibrium, 3. viscosity, 4. friction
     operation = replace(problem.operation, temperature=film_temperature)
     bearing = replace(problem.bearing, diametral_clearance=clearance)
-    known, contacts = (None, ()) if near is None else near
+    known, contacts = (None, ()) if initial_guess is None else initial_guess
     solution = _equilibrium(problem, bearing, operation, known)
     if not solution.converged:
         raise ValueError(f"no equilibrium at {film_temperature:.1f} K: {solution.message}")
@@ -241,16 +241,16 @@ def _equilibrium(
     problem: SelfHeatingProblem,
     bearing: Bearing,
     operation: Operation,
-    near: QuasistaticSolution | None,
+    initial_guess: QuasistaticSolution | None,
 ) -> QuasistaticSolution:
     """That of the bearing, SI: its loads do not depend on the oil, so that one at another
     temperature is the same.
     """
-    if near is None or not near.converged:
+    if initial_guess is None or not initial_guess.converged:
         return solve_quasistatic(bearing, operation, problem.model, rows=problem.rows)
-    known = (near.bearing, near.model, tuple(near.rows))
-    at_once = replace(near.operation, temperature=operation.temperature) == operation
+    known = (initial_guess.bearing, initial_guess.model, tuple(initial_guess.rows))
+    at_once = replace(initial_guess.operation, temperature=operation.temperature) == operation
     if at_once and known == (bearing, problem.model, tuple(problem.rows)):
-        return replace(near, operation=operation)
-    guess = near if near.model == problem.model else None
+        return replace(initial_guess, operation=operation)
+    guess = initial_guess if initial_guess.model == problem.model else None
     return solve_quasistatic(bearing, operation, problem.model, guess, problem.rows)

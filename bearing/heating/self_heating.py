@@ -34,8 +34,8 @@ LAST_STATES = 3  # that a step goes by: a parabola
 # of the tolerance that line and parabola may differ where the last one is not looked at: measured
 # on 48 states of a 7012AC the parabola was better than that difference [-]; at most so far away,
 # as without a limit bearings in the cold were taken for settled 20 K from their balance [K]
-FORESEEN = 0.1
-FORESEEN_REACH = 0.02
+EXTRAPOLATION_ERROR = 0.1
+EXTRAPOLATION_REACH = 0.02
 NEWTON_STEPS = 8
 # of the viscosity with which the friction goes, for the first step: 0.37 to 0.46 in 24 states of a
 # 7012AC with films of the atlas [-]
@@ -97,14 +97,14 @@ class _Search:
         self.fixed = problem.fixed_paths()
         self.count = 0
         self.floating = problem.reference is not None
-        self.near = problem.start
+        self.initial_guess = problem.start
         self.contacts = problem.contacts
 
     def at(self, film_temperature: float, clearance: float) -> HeatState:
         self.count += 1
-        near = None if self.near is None else (self.near, self.contacts)
-        state = heat_state(self.problem, self.fixed, film_temperature, clearance, near)
-        self.near = state.solution
+        guess = None if self.initial_guess is None else (self.initial_guess, self.contacts)
+        state = heat_state(self.problem, self.fixed, film_temperature, clearance, guess)
+        self.initial_guess = state.solution
         self.contacts = state.contacts
         return state
 
@@ -155,7 +155,7 @@ def solve_self_heating(
             )
         if alone:
             return _of_temperature(model, search, start, temperature)
-        state, slopes, converged = _at_rest(search, start)
+        state, slopes, converged = _converged_state(search, start)
         stable = _stability(problem, state, slopes) if judged else None
     except ValueError as error:
         return SelfHeatingSolution(model=model, around=around, balance=None, note=str(error))
@@ -165,7 +165,7 @@ def solve_self_heating(
         balance=_balance(state, search, converged=converged),
         state=state,
         stability=stable,
-        note="" if converged else UNSETTLED,
+        note="" if converged else NOT_CONVERGED,
     )
 
 
@@ -181,7 +181,7 @@ def _of_temperature(
         around=search.problem.around,
         balance=balance,
         state=state,
-        note=UNSETTLED if temperature is None else "",
+        note=NOT_CONVERGED if temperature is None else "",
     )
 
 
@@ -192,7 +192,7 @@ def _stability(problem: SelfHeatingProblem, state: HeatState, slopes: Slopes) ->
     return stability(slopes, problem, heat_capacities(*known), state.temperatures)
 
 
-UNSETTLED = "film temperature and clearance do not come to rest together"
+NOT_CONVERGED = "film temperature and clearance do not come to rest together"
 
 
 def _no_balance(hottest: float) -> str:
@@ -217,47 +217,47 @@ def _balance(state: HeatState, search: _Search, *, converged: bool) -> HeatBalan
     )
 
 
-def _settled(residual: Array) -> bool:
+def _is_converged(residual: Array) -> bool:
     return bool(abs(residual[0]) <= TOLERANCE and abs(residual[1]) <= CLEARANCE_TOLERANCE)
 
 
-def _nearby(search: _Search, near: float) -> tuple[HeatState, float | None]:
+def _nearby(search: _Search, tolerance: float) -> tuple[HeatState, float | None]:
     """A state at or near the balance, found by the film temperature alone: the clearance is that
     of the last state's temperatures, moved together; and the film temperature that is right to
-    `near` [K], None where it was not found. At the hottest one there is none.
+    `tolerance` [K], None where it was not found. At the hottest one there is none.
     """
     problem = search.problem
     around = problem.around
     coldest = min(around.ambient, around.oil_supply)
     at = min(max(problem.operation.temperature, coldest), problem.hottest)
-    state = _begun(search, at)
+    state = _initial_state(search, at)
     at = state.film_temperature
     low: float | None = None
     high: float | None = None
     known: list[tuple[float, float]] = []  # temperatures and what is found above each [K]
     for _ in range(MOST_STEPS):
         excess = state.found_temperature - state.film_temperature
-        if abs(excess) <= near:
+        if abs(excess) <= tolerance:
             return state, at
         low, high = (at, high) if excess > 0.0 else (low, at)
         if at >= problem.hottest and excess > 0.0:
             break
         known = [*known[1 - LAST_STATES :], (at, excess)]
-        ahead = _foreseen(known, near)
+        ahead = _extrapolated_root(known, tolerance)
         if ahead is not None and coldest <= ahead <= problem.hottest:
             return state, ahead
         wanted = _root(known)
         if wanted is None and len(known) > 1:
-            wanted = at + _stride(known)
+            wanted = at + _step(known)
         elif wanted is None:
             wanted = _by_viscosity(problem, state, coldest)
-        at = _inside(wanted, at, (low, high), (coldest, problem.hottest))
+        at = _bounded_step(wanted, at, (low, high), (coldest, problem.hottest))
         state = _moved(search, state, at)
         at = state.film_temperature
     return state, None
 
 
-def _begun(search: _Search, at: float) -> HeatState:
+def _initial_state(search: _Search, at: float) -> HeatState:
     """A state at a temperature, or at the next higher one at which thinner oil lets the races
     drive the balls [K].
     """
@@ -322,7 +322,7 @@ def _root(known: list[tuple[float, float]]) -> float | None:
     return _crossing(known[-2:]) if whole is None else whole
 
 
-def _stride(known: list[tuple[float, float]]) -> float:
+def _step(known: list[tuple[float, float]]) -> float:
     """Twice the last step, or what is found above the last temperature if that is more, toward the
     balance: it lies beyond where what is found above does not fall [K].
     """
@@ -330,17 +330,17 @@ def _stride(known: list[tuple[float, float]]) -> float:
     return float(np.copysign(max(2.0 * abs(at - before), abs(excess)), excess))
 
 
-def _foreseen(known: list[tuple[float, float]], near: float) -> float | None:
+def _extrapolated_root(known: list[tuple[float, float]], tolerance: float) -> float | None:
     """The root by a parabola where that by a line through its last two states, which is less
-    exact, is not more than a part of `near` from it; None elsewhere [K].
+    exact, is not more than a part of `tolerance` from it; None elsewhere [K].
     """
     if len(known) < LAST_STATES:
         return None
     parabola = _crossing(known)
     line = _crossing(known[-2:])
-    if parabola is None or line is None or abs(parabola - line) > FORESEEN * near:
+    if parabola is None or line is None or abs(parabola - line) > EXTRAPOLATION_ERROR * tolerance:
         return None
-    return parabola if abs(parabola - known[-1][0]) <= FORESEEN_REACH else None
+    return parabola if abs(parabola - known[-1][0]) <= EXTRAPOLATION_REACH else None
 
 
 def _crossing(states: list[tuple[float, float]]) -> float | None:
@@ -351,7 +351,7 @@ def _crossing(states: list[tuple[float, float]]) -> float | None:
     return None
 
 
-def _inside(
+def _bounded_step(
     wanted: float, at: float, bracket: tuple[float | None, float | None], ends: tuple[float, float]
 ) -> float:
     """A step of at most `LARGEST_STEP` within what is known of the balance [K]."""
@@ -363,7 +363,7 @@ def _inside(
     return wanted
 
 
-def _at_rest(search: _Search, start: HeatState) -> tuple[HeatState, Slopes, bool]:
+def _converged_state(search: _Search, start: HeatState) -> tuple[HeatState, Slopes, bool]:
     """As `_newton` from a state near the balance; where that does not lead to it, as where the
     friction rises and falls on the way, from one that is right in its film temperature.
     """
@@ -381,7 +381,7 @@ def _newton(search: _Search, state: HeatState) -> tuple[HeatState, Slopes, bool]
     matrix = _matrix(search.problem.disagreement, slopes)
     residual = search.problem.disagreement(state)
     for _ in range(NEWTON_STEPS):
-        if _settled(residual):
+        if _is_converged(residual):
             break
         step = np.asarray(-np.linalg.solve(matrix, residual), dtype=np.float64)
         if not search.floating and abs(step[0]) <= search.problem.enough:
@@ -395,7 +395,7 @@ def _newton(search: _Search, state: HeatState) -> tuple[HeatState, Slopes, bool]
         scales = (STEP, CLEARANCE_STEP)
         matrix = broyden(matrix, step, after - residual, scales)
         residual = after
-    return state, slopes, _settled(residual)
+    return state, slopes, _is_converged(residual)
 
 
 def _matrix(residual: Callable[[HeatState], Array], slopes: Slopes) -> Array:

@@ -259,14 +259,19 @@ def _flooded_torque(
     whole: Films,
     sheared: ShearedFilms,
     resistance: Resistance,
-    near: BalancedFriction,
+    initial_guess: BalancedFriction,
 ) -> IntegratedTorque | None:
     """With the whole rolling moment of flooded, isothermal films [N m], in its own balance, begun
     at one nearby.
     """
     law = law_of_films(contacts, whole, sheared)
     balance = balance_balls(
-        solution, contacts, law, driven=near.driven, initial_guess=near, resistance=resistance
+        solution,
+        contacts,
+        law,
+        driven=initial_guess.driven,
+        initial_guess=initial_guess,
+        resistance=resistance,
     )
     if not balance.converged:
         balance = film_law_balance(solution, contacts, law, resistance)

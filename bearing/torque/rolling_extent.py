@@ -14,6 +14,7 @@ from ehl.traction.rolling_moment import RollingMoment, rolling_moment
 
 from ..contacts.contact import BearingContact
 from ..contacts.traction import ContactTraction
+from ..films.film import first_same
 from ..quasistatic.solution import QuasistaticSolution
 
 
@@ -62,9 +63,13 @@ def rolling_moments(
     tuple[RollingMoment | None, ...]
         moments [N m]; None where there is no film
     """
-    distinct = {id(film): film for film in films if film is not None}
-    known = {name: rolling_moment(film, factor * _layer(film)) for name, film in distinct.items()}
-    return tuple(None if film is None else known[id(film)] for film in films)
+    first = first_same(films)
+    moments = {
+        number: rolling_moment(film, factor * _layer(film))
+        for number, film in enumerate(films)
+        if film is not None and first[number] == number
+    }
+    return tuple(moments.get(number) for number in first)
 
 
 def rolling_extent(

@@ -33,22 +33,22 @@ from .equilibrium import Equilibria, case_equilibrium
 from .films import Progress, Solve, film_plan, film_solver, solve_contacts, wanted_contacts
 from .heating import (
     WARM_TOLERANCE,
-    Printed,
-    at_its_balance,
+    ReportedTorque,
     at_its_temperature,
     case_conductances,
     conducts,
-    lost_balance,
     self_heated,
+    with_heat_balance,
+    without_heat_balance,
 )
 from .interrupt import interruptible
 from .load_cases import solve_load_cases
 from .strength import case_strength, contact_tensions
 from .studies.atlas import fill_from_atlas
-from .studies.supply import beside_supply
+from .studies.supply import torque_over_supply
 from .traction_films import contact_tractions, traction_messages, with_workers
 
-Filmed = Callable[[BearingResults], None]
+OnFilmsSolved = Callable[[BearingResults], None]
 
 WARM_ROUNDS = 5  # of films solved anew at the temperature that their torque asks for
 ROUGH_POINTS = 129  # of films with heat in the first round [-]
@@ -68,7 +68,7 @@ def run_case(
     workers: int | None = None,
     progress: Progress | None = None,
     solve: Solve | None = None,
-    filmed: Filmed | None = None,
+    filmed: OnFilmsSolved | None = None,
     equilibria: Equilibria | None = None,
 ) -> BearingResults:
     """Solve a bearing: equilibrium, films of its contacts, torque, life.
@@ -112,7 +112,7 @@ def run_case(
         results = _run(warmed, *how)
         heating = results.heating
         if heating is None or heating.balance is None or not heating.converged:
-            cold = lost_balance(case, heating, warmed)
+            cold = without_heat_balance(case, heating, warmed)
             return results if cold is None else _run(cold, *how)
         found = heating.balance.temperature
         if abs(found - warmed.operation.temperature) <= WARM_TOLERANCE:
@@ -153,9 +153,9 @@ def _in_balance(results: BearingResults, case: Case) -> BearingResults:
     state = results.quasistatic
     contacts = results.contacts
     operating = _operating(case, state, contacts, results.films, results.torque)
-    printed = _printed(case, results.torque, operating, (state, contacts, results.conductances))
-    assert printed is not None
-    return replace(results, heating=at_its_balance(heating, case, printed))
+    reported = _reported(case, results.torque, operating, (state, contacts, results.conductances))
+    assert reported is not None
+    return replace(results, heating=with_heat_balance(heating, case, reported))
 
 
 class _Films(NamedTuple):
@@ -174,7 +174,7 @@ def _run(
     notify: Progress,
     solve: Solve | None,
     equilibria: Equilibria,
-    filmed: Filmed | None = None,
+    filmed: OnFilmsSolved | None = None,
 ) -> BearingResults:
     """Run a case at its temperature, as `run_case`."""
     notify(0, 1, "equilibrium of the bearing")
@@ -324,15 +324,15 @@ def _friction(
         notify(0, 1, "self-heating")
     operating = _operating(case, state, contacts, films.films, torque)
     conductances = case_conductances(case, state, contacts, operating)
-    printed = _printed(case, torque, operating, (state, contacts, conductances))
-    heating = self_heated(case, printed) if state.converged else None
+    reported = _reported(case, torque, operating, (state, contacts, conductances))
+    heating = self_heated(case, reported) if state.converged else None
     return {
         "tractions": tractions,
         "torque": torque,
         "heating": heating,
         "tensions": tensions,
         "conductances": conductances,
-        **beside_supply(case, state, contacts, films.films, torque),
+        **torque_over_supply(case, state, contacts, films.films, torque),
     }
 
 
@@ -351,12 +351,12 @@ def _operating(
     return bearing_films(state, contacts, films, case.friction, case.inlet)
 
 
-def _printed(
+def _reported(
     case: Case,
     torque: TorqueBreakdown | None,
     operating: Films | None,
     known: tuple[QuasistaticSolution, Sequence[BearingContact], Array | None],
-) -> Printed | None:
+) -> ReportedTorque | None:
     """The total with its operating films [N m]; None where there is none. `known`: equilibrium,
     contacts and conductances of films [W/K].
     """
@@ -366,7 +366,7 @@ def _printed(
     seal = torque.models[INTEGRATED].components.get("seal", 0.0)
     operating = None if case.heating is None else operating
     balance = None if torque.shear is None else torque.shear.balance
-    return Printed(state, contacts, torque.total, seal, operating, balance, conductances)
+    return ReportedTorque(state, contacts, torque.total, seal, operating, balance, conductances)
 
 
 def _torque(

@@ -22,22 +22,22 @@ ANY_TEMPERATURE = 293.15  # of all operations that have one equilibrium [K]
 
 
 def equilibrium_solver(case: Case) -> Callable[..., QuasistaticSolution]:
-    """The solver for the ball kinematics of a case.
+    """The solver that the ball kinematics of a case asks for; called as `solve_quasistatic`.
 
     Parameters
     ----------
     case : Case
-        The bearing.
+        a bearing case
 
     Returns
     -------
     Callable[..., QuasistaticSolution]
-        Function with the parameters of `solve_quasistatic`.
+        solver
 
     Raises
     ------
     ValueError
-        If traction equilibrium has no friction of ball on race.
+        if traction equilibrium has no friction
     """
     if case.model.ball_kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:
         return solve_quasistatic
@@ -52,12 +52,12 @@ def without_traction_equilibrium(model: QuasistaticModel) -> QuasistaticModel:
     Parameters
     ----------
     model : QuasistaticModel
-        Assumptions of the bearing model.
+        assumptions of the equilibrium
 
     Returns
     -------
     QuasistaticModel
-        The assumptions with a hypothesis on the balls.
+        the same object with another hypothesis
     """
     if model.ball_kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:
         return model
@@ -77,23 +77,23 @@ class Equilibria:
     def of(
         self, bearing: Bearing, operation: Operation, model: QuasistaticModel, rows: Sequence[Row]
     ) -> QuasistaticSolution:
-        """The equilibrium under a hypothesis on the balls, solved once for equal inputs.
+        """The equilibrium of a bearing, with arrays of its own.
 
         Parameters
         ----------
         bearing : Bearing
-            The bearing.
+            geometry and materials
         operation : Operation
-            Speeds and loads.
+            speeds, loads and temperature, SI
         model : QuasistaticModel
-            Assumptions of the bearing model.
+            assumptions
         rows : Sequence[Row]
-            Rows of balls.
+            of balls on the inner ring
 
         Returns
         -------
         QuasistaticSolution
-            Loads, angles and motion of the balls.
+            solved once for all temperatures
         """
         mechanical = replace(operation, temperature=ANY_TEMPERATURE)
         key = (bearing, mechanical, model, tuple(rows))

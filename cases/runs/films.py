@@ -40,23 +40,23 @@ MAY_BE_ZERO = ("entrainment_angle", "slide_roll_ratio", "lateral_slide_ratio", "
 def wanted_contacts(
     case: Case, state: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> tuple[list[ContactConditions | None], tuple[str, ...]]:
-    """Contacts to solve.
+    """Conditions of the contacts to solve, and a message if there is no equilibrium.
 
     Parameters
     ----------
     case : Case
-        The bearing.
+        a bearing case
     state : QuasistaticSolution
-        Its equilibrium.
+        equilibrium of the bearing
     contacts : Sequence[BearingContact]
-        Its contacts.
+        its contacts
 
     Returns
     -------
     conditions
-        Conditions of each contact; None for those without a solve.
+        None for the contacts that are not solved
     messages
-        A message if there is no equilibrium.
+        empty with an equilibrium
     """
     if not state.converged:
         return [None] * len(contacts), ("no film was computed, since there is no equilibrium",)
@@ -78,21 +78,21 @@ class FilmPlan(NamedTuple):
 
 
 def film_plan(wanted: Sequence[ContactConditions | None], options: SolverOptions) -> FilmPlan:
-    """Split contacts into resolved ones, too light ones, and ones that the mesh does not resolve.
-
-    Behind layers all contacts are solved.
+    """Contacts whose films are solved, without those that are too light for a film and those that
+    the
+    mesh does not resolve; behind layers all of them.
 
     Parameters
     ----------
     wanted : Sequence[ContactConditions | None]
-        Conditions of each contact; None for those without a solve.
+        conditions of the contacts, None where no film is asked for
     options : SolverOptions
-        Grid of the solver.
+        of the solver
 
     Returns
     -------
     FilmPlan
-        Contacts that are solved, and contacts at the lowest resolved speed.
+        conditions to solve
     """
     by_tolerance = options.wanted_tolerance is not None
     cells = CELLS_BY_TOLERANCE if by_tolerance else CELLS_BY_POINTS
@@ -113,23 +113,22 @@ def film_plan(wanted: Sequence[ContactConditions | None], options: SolverOptions
 def inlet_layers(
     given: InletLayer | Supply, state: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> list[InletLayer | None]:
-    """Layer of oil at the inlet of each contact.
-
-    A flow has the layer of its steady state by the flooded films of formulas.
+    """Layer that each contact finds, of a flow that of its steady state by the flooded films of
+    formulas.
 
     Parameters
     ----------
     given : InletLayer | Supply
-        The layer, or the flow.
+        layer [m], or flow [m^3/s]
     state : QuasistaticSolution
-        Equilibrium of the bearing.
+        equilibrium of the bearing
     contacts : Sequence[BearingContact]
-        Its contacts.
+        its contacts
 
     Returns
     -------
     list[InletLayer | None]
-        The layers [m]; None without lubrication, or without a flooded film.
+        None where nothing is lubricated, or no formula has a flooded film
     """
     if isinstance(given, InletLayer):
         return [given] * len(contacts)
@@ -161,17 +160,19 @@ def _chosen_balls(case: Case, contacts: Sequence[BearingContact]) -> set[int]:
 
 
 def equal_contacts(first: ContactConditions, second: ContactConditions) -> bool:
-    """Tell whether two contacts with the same oil are equal to `EQUALITY_RTOL`.
+    """Equality of two contacts to `EQUALITY_RTOL` relative; the oil must be the same.
 
     Parameters
     ----------
-    first, second : ContactConditions
-        The contacts.
+    first : ContactConditions
+        of one contact
+    second : ContactConditions
+        of the other
 
     Returns
     -------
     bool
-        True if they are.
+        True where one film stands for both
     """
     for field in fields(first):
         a, b = getattr(first, field.name), getattr(second, field.name)
@@ -200,38 +201,38 @@ def _groups(conditions: Sequence[ContactConditions | None]) -> list[list[int]]:
 
 
 def shared_options(options: SolverOptions, threads: int) -> SolverOptions:
-    """The options with several threads for one contact, if it is large enough to gain by them.
+    """The options with so many threads a contact, if it is large enough to gain by them.
 
     Parameters
     ----------
     options : SolverOptions
-        Grid of the solver.
+        of the solver
     threads : int
-        Threads for a contact [-].
+        of a contact [-]
 
     Returns
     -------
     SolverOptions
-        The options.
+        options of one contact
     """
     shared = threads > 1 and options.most_points >= LARGE_CONTACT
     return replace(options, threads=threads) if shared else options
 
 
 def film_solver(solve: Solve | None, films: FilmPhysics) -> SolveOne | None:
-    """The solver of one film by the film model of a case.
+    """Solver of one film by the film model of a case.
 
     Parameters
     ----------
     solve : Solve | None
-        Solver that takes the place of the film model's own.
+        takes the place of the film model's own
     films : FilmPhysics
-        Film model.
+        film model of the case
 
     Returns
     -------
     SolveOne | None
-        The solver; None: `ehl.solve_contact`.
+        None for `ehl.solve_contact`
     """
     if solve is not None:
         return lambda conditions, options: solve(conditions, options, films)
@@ -247,27 +248,27 @@ def solve_contacts(
 ) -> tuple[tuple[ContactSolution | None, ...], bool]:
     """Films of the distinct contacts, several at a time.
 
-    Only if they are large, and fewer than half the workers, does each have several threads.
+    Only if they are large, and fewer than half the workers, does each get several threads.
 
     Parameters
     ----------
     conditions : Sequence[ContactConditions | None]
-        Conditions of each contact; None for those without a solve.
+        of the contacts, None where no film is wanted
     options : SolverOptions
-        Grid of the solver.
+        of the solver
     workers : int | None
-        Contacts solved at a time [-]; None: as many as there are cores.
+        contacts solved at a time [-]; None: as many as there are cores
     notify : Progress
-        Called with films done, films in all, and a text.
+        called with the contacts done, the contacts in all, and a word
     solve : SolveOne | None
-        Solver of one film; None: `ehl.solve_contact`.
+        solves one film; None: `ehl.solve_contact`
 
     Returns
     -------
-    films
-        The films.
+    solutions
+        of the contacts, equal ones share an object
     interrupted
-        True after Ctrl-C, with the finished films.
+        True with those finished before Ctrl-C
     """
     solutions: list[ContactSolution | None] = [None] * len(conditions)
     groups = _groups(conditions)

@@ -40,11 +40,11 @@ Contacts = Sequence[BearingContact]
 WARM_TOLERANCE = 0.1  # of the temperature that the torque of a run asks for [K]
 
 
-class Printed(NamedTuple):
+class ReportedTorque(NamedTuple):
     """The total of a run [N m] with its part of contact seals, and the equilibrium it is of."""
 
     state: QuasistaticSolution
-    contacts: tuple[BearingContact, ...]
+    contacts: Contacts
     total: float
     seal: float
     films: Films | None = None  # operating films of the contacts
@@ -103,22 +103,26 @@ def at_its_temperature(
     return replace(found, warnings=(note, *found.warnings))
 
 
-def lost_balance(case: Case, heating: SelfHeatingSolution | None, warmed: Case) -> Case | None:
-    """The case at `operation.temperature_C`, where the torque of the run has no heat balance.
+def without_heat_balance(
+    case: Case, heating: SelfHeatingSolution | None, warmed: Case
+) -> Case | None:
+    """The case at `operation.temperature_C`, with a warning, where films without a solve had a
+    balance
+    and the torque reported, with seals say, has none.
 
     Parameters
     ----------
     case : Case
-        The bearing.
+        a bearing case
     heating : SelfHeatingSolution | None
-        Heat balance of the run.
+        balance of the torque reported
     warmed : Case
-        The case at the balance of films without a solve.
+        the case at the balance of films without a solve
 
     Returns
     -------
     Case | None
-        The case, with a warning; None where there is a balance.
+        None where the torque reported has a balance
     """
     if heating is None:
         return None
@@ -135,7 +139,7 @@ def _warmed_document(document: dict[str, Any]) -> dict[str, Any]:
 
 def self_heated(
     case: Case,
-    printed: Printed | None = None,
+    reported: ReportedTorque | None = None,
     *,
     judged: bool = True,
     equilibria: Equilibria | None = None,
@@ -144,13 +148,13 @@ def self_heated(
 
     Balls in traction equilibrium are taken as half and half: loads hardly depend on it. The
     integrated torque is that of films of formulas at each temperature, in the proportion to the
-    printed total that it has where that was computed; likewise the conductances of the contacts.
+    reported total that it has where that was computed; likewise the conductances of the contacts.
 
     Parameters
     ----------
     case : Case
         A bearing case.
-    printed : Printed, optional
+    reported : ReportedTorque, optional
         The torque of a run.
     judged : bool
         Whether it is wanted how stable they are.
@@ -168,7 +172,7 @@ def self_heated(
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # the search looks beyond the range of the oil's data
         try:
-            problem = heating_problem(case, given, printed, ends=judged, equilibria=equilibria)
+            problem = heating_problem(case, given, reported, ends=judged, equilibria=equilibria)
         except ValueError as error:
             return SelfHeatingSolution(
                 model=given.model, around=given.around, balance=None, note=str(error)
@@ -185,7 +189,7 @@ def self_heated(
 def heating_problem(
     case: Case,
     given: HeatingInput,
-    printed: Printed | None,
+    reported: ReportedTorque | None,
     *,
     ends: bool = True,
     equilibria: Equilibria | None = None,
@@ -198,7 +202,7 @@ def heating_problem(
         A bearing case.
     given : HeatingInput
         What heats and cools the bearing.
-    printed : Printed or None
+    reported : ReportedTorque or None
         The torque of a run.
     ends : bool
         Whether the ranges of the temperatures are wanted, for which the ends of conductances are
@@ -217,69 +221,71 @@ def heating_problem(
         operation=case.operation,
         model=without_traction_equilibrium(case.model),
         oil=given.oil,
-        friction=_friction_model(case, given, printed, ends),
+        friction=_friction_model(case, given, reported, ends),
         around=given.around,
         fit=given.fit,
         reference=given.reference,
         rows=case.rows or SINGLE,
         oil_share=case.friction.oil_share(case.bearing),
         hottest=given.hottest,
-        **_begun_at(case, given, printed, equilibria),
+        **_start_of_search(case, given, reported, equilibria),
     )
 
 
-def _begun_at(
-    case: Case, given: HeatingInput, printed: Printed | None, equilibria: Equilibria | None
+def _start_of_search(
+    case: Case, given: HeatingInput, reported: ReportedTorque | None, equilibria: Equilibria | None
 ) -> dict[str, Any]:
     """Start of the search: the equilibrium of the case where temperature leaves that unchanged, so
     that a process solves it once; that of a run, whose contacts count where they are not those of
     finite bodies. A run at the temperature of its balance only asks whether that is one.
     """
-    if printed is None:
+    if reported is None:
         same = given.reference is None and without_traction_equilibrium(case.model) is case.model
         return {"start": case_equilibrium(case, equilibria)} if same else {}
     own = not case.file.ehl.finite_bodies
     warmed = case.document["operation"].get("temperature") == SELF_HEATED
     return {
-        "start": printed.state,
-        "contacts": printed.contacts if own else (),
+        "start": reported.state,
+        "contacts": reported.contacts if own else (),
         "enough": WARM_TOLERANCE if warmed and given.model == INTEGRATED else 0.0,
     }
 
 
-def at_its_balance(
-    heating: SelfHeatingSolution, case: Case, printed: Printed
+def with_heat_balance(
+    heating: SelfHeatingSolution, case: Case, reported: ReportedTorque
 ) -> SelfHeatingSolution:
-    """The heat balance with the reported torque at the temperature of the case.
+    """The balance with the torque reported at the temperature of the case and the temperatures
+    that
+    follow from its heat.
 
     Parameters
     ----------
     heating : SelfHeatingSolution
-        The balance.
+        balance of the case
     case : Case
-        The bearing at its temperature.
-    printed : Printed
-        Torque and films of the run.
+        a bearing case
+    reported : ReportedTorque
+        torque of its run
 
     Returns
     -------
     SelfHeatingSolution
-        The balance, with the temperatures that follow from its heat.
+        temperatures [K]
     """
     assert heating.balance is not None and case.heating is not None
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        problem = heating_problem(case, case.heating, printed)
+        problem = heating_problem(case, case.heating, reported)
         temperature = case.operation.temperature
         clearance = case.bearing.diametral_clearance
-        at = (temperature, clearance, (printed.state, problem.contacts))
+        at = (temperature, clearance, (reported.state, problem.contacts))
         state = heat_state(problem, problem.fixed_paths(), *at)
-    power = printed.total * case.operation.shaft_speed
+    power = reported.total * case.operation.shaft_speed
     left = power - state.network.removed(state.temperatures)
     balance = replace(
         heating.balance,
         temperature=temperature,
-        torque=printed.total,
+        torque=reported.total,
         power=power,
         residual=left / power if power > 0.0 else 0.0,
     )
@@ -287,37 +293,37 @@ def at_its_balance(
 
 
 def _friction_model(
-    case: Case, given: HeatingInput, printed: Printed | None, ends: bool
+    case: Case, given: HeatingInput, reported: ReportedTorque | None, ends: bool
 ) -> FrictionModel:
     """Heat of an equilibrium by the model that heats."""
     if given.model != INTEGRATED:
         return partial(_model_heat, case, given.model)
     assert case.friction is not None  # of every bearing case
-    if printed is None:
+    if reported is None:
         films = FilmsHeat(friction=case.friction, ends=ends)
         return partial(_formula_heat, case, given, films)
-    by_formulas = partial(_formula_heat, case, given, _printed_heat(case, given, printed))
-    found = by_formulas(printed.state, printed.contacts, case.lubricant)
-    factor = (printed.total - printed.seal) / found.torque
+    by_formulas = partial(_formula_heat, case, given, _reported_heat(case, given, reported))
+    found = by_formulas(reported.state, reported.contacts, case.lubricant)
+    factor = (reported.total - reported.seal) / found.torque
     ratio = np.ones(2)
-    if printed.films is not None:
-        solved = printed.conductance
+    if reported.films is not None:
+        solved = reported.conductance
         if solved is None:
-            solved = film_conductances(printed.state, printed.contacts, printed.films)
+            solved = film_conductances(reported.state, reported.contacts, reported.films)
         sums = solved[0].sum(axis=0), found.conductance[0].sum(axis=0)
         ratio = np.where(sums[1] > 0.0, sums[0] / np.maximum(sums[1], 1e-300), 1.0)
-    return partial(_scaled_heat, by_formulas, factor, printed.seal, ratio)
+    return partial(_scaled_heat, by_formulas, factor, reported.seal, ratio)
 
 
-def _printed_heat(case: Case, given: HeatingInput, printed: Printed) -> FilmsHeat:
-    """Heat of films of formulas, begun at what is printed; films that are these, and the balls
+def _reported_heat(case: Case, given: HeatingInput, reported: ReportedTorque) -> FilmsHeat:
+    """Heat of films of formulas, begun at what is reported; films that are these, and the balls
     on them, are not found again.
     """
     assert case.friction is not None  # of every bearing case
     begun = FilmsHeat(friction=case.friction)
     oil = case.lubricant
-    inlet = _inlet(case, printed.state, oil)
-    films = printed.films
+    inlet = _inlet(case, reported.state, oil)
+    films = reported.films
     if films is not None and any(film is not None and film.field is not None for film in films):
         films = None
     films = films if inlet == case.inlet else None
@@ -325,10 +331,10 @@ def _printed_heat(case: Case, given: HeatingInput, printed: Printed) -> FilmsHea
     same = films is not None and rheology == case.rheology
     computed = OperatingState(
         films=films,
-        balance=printed.balance if same else None,
-        conductances=None if films is None else printed.conductance,
+        balance=reported.balance if same else None,
+        conductances=None if films is None else reported.conductance,
     )
-    begun.heat(printed.state, printed.contacts, oil, rheology, inlet, computed)
+    begun.heat(reported.state, reported.contacts, oil, rheology, inlet, computed)
     return begun
 
 
@@ -383,17 +389,17 @@ def _model_heat(
 
 
 def conducts(case: Case) -> bool:
-    """Tell whether the heat properties of oil and bodies are known.
+    """Whether the heat properties of oil and bodies are given.
 
     Parameters
     ----------
     case : Case
-        The bearing.
+        a bearing case
 
     Returns
     -------
     bool
-        True if they are.
+        True with those of oil, balls and rings
     """
     bodies = case.bearing
     materials = (bodies.ball_material, bodies.inner_ring_material, bodies.outer_ring_material)
@@ -407,23 +413,23 @@ def case_conductances(
     contacts: Sequence[BearingContact],
     operating: Films | None,
 ) -> Array | None:
-    """Heat conductances through the films of all contacts.
+    """Conductances of heat through the films of all contacts of a case.
 
     Parameters
     ----------
     case : Case
-        The bearing.
+        a bearing case
     state : QuasistaticSolution
-        Its equilibrium.
+        equilibrium of the bearing
     contacts : Sequence[BearingContact]
-        Its contacts.
+        its contacts
     operating : Films | None
-        Films in operation.
+        operating films of the contacts
 
     Returns
     -------
     Array | None
-        Conductances [W/K]; None where heat properties of oil or bodies are not known.
+        shape (3, balls, 2) [W/K]; None where heat properties of oil or bodies are not given
     """
     if operating is None or not conducts(case):
         return None

@@ -47,23 +47,23 @@ def with_workers(
     progress: Progress | None = None,
     solve: Solve | None = None,
 ) -> BallTraction:
-    """The friction, with its films solved by several workers.
+    """The friction with its films, if it takes any, solved by so many workers.
 
     Parameters
     ----------
     traction : BallTraction
-        Friction of balls on races.
+        friction of balls on races
     workers : int | None, optional
-        Contacts solved at a time [-]; None: as many as there are cores.
+        contacts solved at a time [-]; as many as there are cores if left out
     progress : Progress | None, optional
-        Called with films done, films in all, and a text.
+        called with the contacts done, the contacts in all, and a word
     solve : Solve | None, optional
-        Solver of one film in place of the film model's own.
+        takes the place of the film model's own
 
     Returns
     -------
     BallTraction
-        The friction.
+        the same object without films
     """
     if not isinstance(traction.source, FilmTraction):
         return traction
@@ -82,21 +82,23 @@ def with_workers(
 def traction_messages(
     traction: BallTraction | None, state: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> tuple[str, ...]:
-    """Messages on the source of the friction of balls on races, and on contacts outside a table.
+    """Messages on the source of the friction of balls on races, and on tables that were asked
+    outside
+    their range.
 
     Parameters
     ----------
     traction : BallTraction | None
-        The friction, where there is one.
+        friction of balls on races
     state : QuasistaticSolution
-        Equilibrium of the bearing.
+        equilibrium of the bearing
     contacts : Sequence[BearingContact]
-        Its contacts.
+        its contacts
 
     Returns
     -------
     tuple[str, ...]
-        The messages.
+        sentences
     """
     if traction is None:
         return ()
@@ -142,25 +144,26 @@ def contact_tractions(
     solutions: Sequence[ContactSolution | None],
     balanced: Sequence[ContactTraction],
 ) -> tuple[ContactTraction | None, ...]:
-    """Shear of every contact that has a film: as balanced, or at the motion of the equilibrium.
+    """Shear of every contact that has a solved film: as balanced, or at the motion of the
+    equilibrium.
 
     Parameters
     ----------
     case : Case
-        The bearing.
+        a bearing case
     state : QuasistaticSolution
-        Its equilibrium.
+        equilibrium of the bearing
     contacts : Sequence[BearingContact]
-        Its contacts.
+        its contacts
     solutions : Sequence[ContactSolution | None]
-        Solved films of the contacts.
+        films of the contacts
     balanced : Sequence[ContactTraction]
-        Shear of the contacts whose balls are balanced.
+        shear of some contacts with the balls in balance
 
     Returns
     -------
     tuple[ContactTraction | None, ...]
-        The shear; None without a film.
+        forces [N] and moments [N m]; None without a film that converged
     """
     rheology = case.rheology
     if rheology is None:

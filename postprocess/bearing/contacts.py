@@ -55,9 +55,19 @@ class ContactRecord(FilmRecord):
         return self.kappa_at(0.0)
 
     def kappa_at(self, end: float) -> float | None:
-        """kappa = lambda^1.3, or the exponent of the case, of the solved film moved by a share of
-        its uncertainty, -1 to 1, and starved where a supply is given that it was not solved
-        behind [-]; None if not resolved.
+        """kappa = lambda^1.3, or the exponent of the case, of the solved film moved by a part of
+        its
+        uncertainty, and starved where a supply is given that it was not solved behind.
+
+        Parameters
+        ----------
+        end : float
+            part of the uncertainty, -1 to 1 [-]
+
+        Returns
+        -------
+        float | None
+            kappa [-]; None if not resolved
         """
         film = self.film
         operating = self.operating
@@ -210,7 +220,18 @@ REPORT_COLUMNS = (
 
 
 def contact_records(results: BearingResults) -> list[ContactRecord]:
-    """What is known of every contact, in the order of the results."""
+    """Records of every contact, in the order of the results.
+
+    Parameters
+    ----------
+    results : BearingResults
+        of a bearing
+
+    Returns
+    -------
+    list[ContactRecord]
+        one a contact
+    """
     count = len(results.contacts)
     torque = results.torque
     tensions = results.tensions or (None,) * count
@@ -237,8 +258,17 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
 
 
 def at_supply(record: ContactRecord) -> dict[str, str]:
-    """Keys of the films as a supply leaves them, by those of the flooded ones; none where the film
-    stands behind its layer, or all is flooded.
+    """Keys of the films as a supply leaves them, by those of the flooded ones.
+
+    Parameters
+    ----------
+    record : ContactRecord
+        of a contact
+
+    Returns
+    -------
+    dict[str, str]
+        empty where the film stands behind its layer, or all is flooded
     """
     scarce = record.starved is not None and record.starved.supply.central < 1.0
     behind = record.film is not None and record.film.supply is not None
@@ -246,7 +276,18 @@ def at_supply(record: ContactRecord) -> dict[str, str]:
 
 
 def contact_values(record: ContactRecord) -> dict[str, Any]:
-    """One contact of the summary, in the units of the keys."""
+    """One contact of the summary.
+
+    Parameters
+    ----------
+    record : ContactRecord
+        of a contact
+
+    Returns
+    -------
+    dict[str, Any]
+        by their keys, in the units of these
+    """
     film = record.film
     formulas = formula_films(record.contact.conditions)
     by_formula = to_si("film_um", formulas[LAMBDA_FORMULA])
@@ -262,7 +303,20 @@ def contact_values(record: ContactRecord) -> dict[str, Any]:
 
 
 def combined_roughness(race: str, surface: dict[str, float]) -> float:
-    """Root mean square roughness of a race and the balls together [m]."""
+    """Root mean square roughness of a race and the balls together.
+
+    Parameters
+    ----------
+    race : str
+        "inner" or "outer"
+    surface : dict[str, float]
+        the case's table [um]
+
+    Returns
+    -------
+    float
+        roughness [m]
+    """
     together = hypot(surface[f"{race}_ring_roughness_um"], surface["ball_roughness_um"])
     return float(to_si("roughness_um", together))
 
@@ -270,7 +324,22 @@ def combined_roughness(race: str, surface: dict[str, float]) -> float:
 def lambda_ratio(
     contact: BearingContact, film: float | None, surface: dict[str, float] | None
 ) -> float | None:
-    """Minimum film [m] over the rms roughness of race and ball [-]; None without one of them."""
+    """Minimum film over the rms roughness of race and ball.
+
+    Parameters
+    ----------
+    contact : BearingContact
+        contact of a bearing
+    film : float | None
+        minimum film [m]
+    surface : dict[str, float] | None
+        the case's table [um]
+
+    Returns
+    -------
+    float | None
+        ratio [-]; None without one of them
+    """
     if surface is None or film is None:
         return None
     roughness = combined_roughness(contact.race.value, surface)

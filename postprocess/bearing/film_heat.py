@@ -45,9 +45,9 @@ def film_values(film: ContactFilm | None) -> dict[str, float | None]:
     values: dict[str, float | None] = {}
     for name in ("central", "minimum"):
         one: FilmThickness | None = None if film is None else getattr(film, name)
-        parts = (None, None, None) if one is None else (one.value, one.error, one.computed)
-        for end, value in zip(("", "_uncertainty", "_mesh_uncertainty"), parts, strict=True):
-            values[f"film_{name}{end}_um"] = from_si("film_um", value)
+        values[f"film_{name}_um"] = from_si("film_um", one and one.value)
+        values[f"film_{name}_uncertainty_um"] = from_si("film_um", one and one.error)
+        values[f"film_{name}_mesh_uncertainty_um"] = from_si("film_um", one and one.computed)
     return values
 
 

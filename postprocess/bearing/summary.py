@@ -102,7 +102,7 @@ def _electrical_messages(results: BearingResults) -> Iterator[str]:
             "assumed (lubricant.relative_permittivity)"
         )
     starved = results.torque.films if results.torque is not None else None
-    if any(film is not None and film.share < 1.0 for film in starved or ()):
+    if any(film is not None and film.supply.central < 1.0 for film in starved or ()):
         yield "electrical: of the flooded films; starved ones have more capacitance, less voltage"
     if bearing.ball_material.kind is INSULATOR:
         yield (

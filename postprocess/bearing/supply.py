@@ -18,9 +18,17 @@ FLOOD_MARGIN = 1.0e-3  # of the flooded film: with less missing a contact is rep
 
 
 def supply_block(results: BearingResults) -> dict[str, Any]:
-    """Starved films of the balls that both races load, and the torque at the supply [N mm].
+    """Starved films of the balls that both races load, and the torque at the supply.
 
-    None where the supply is flooded.
+    Parameters
+    ----------
+    results : BearingResults
+        of a bearing
+
+    Returns
+    -------
+    dict[str, Any]
+        by their keys, None where the supply is flooded
     """
     torque = results.torque
     films = _driven(results)
@@ -46,7 +54,18 @@ def supply_block(results: BearingResults) -> dict[str, Any]:
 
 
 def supply_kind(results: BearingResults) -> str:
-    """How the case gives the supply: "inlet film", "flow", else "flooded"."""
+    """Kind of supply that the case gives.
+
+    Parameters
+    ----------
+    results : BearingResults
+        of a bearing
+
+    Returns
+    -------
+    str
+        "inlet film", "flow", else "flooded"
+    """
     if "inlet_film_um" in results.case.get("lubricant", ()):
         return "inlet film"
     return "flow" if "supply_mL_min" in results.case.get("friction", ()) else "flooded"
@@ -199,7 +218,18 @@ def _total_text(results: BearingResults) -> str:
 
 
 def decay_block(results: BearingResults) -> dict[str, Any]:
-    """Contact, times and film at the end; None where it was not asked for."""
+    """Contact, times and film at the end after the supply stops.
+
+    Parameters
+    ----------
+    results : BearingResults
+        of a bearing
+
+    Returns
+    -------
+    dict[str, Any]
+        by their keys, None where it was not asked for
+    """
     decay = results.decay
     contact = None if decay is None else decay.contact
     place = {
@@ -236,7 +266,18 @@ def decay_messages(results: BearingResults) -> Iterator[str]:
 
 
 def decay_group(results: BearingResults) -> Group | None:
-    """The course as a netCDF group, SI; None without one."""
+    """The course of the film after the supply stops as a netCDF group.
+
+    Parameters
+    ----------
+    results : BearingResults
+        of a bearing
+
+    Returns
+    -------
+    Group | None
+        SI; None without one
+    """
     decay = results.decay
     if decay is None:
         return None
@@ -253,7 +294,18 @@ def decay_group(results: BearingResults) -> Group | None:
 
 
 def supply_rows(results: BearingResults) -> dict[str, str]:
-    """The supply for the terminal."""
+    """The supply for the terminal.
+
+    Parameters
+    ----------
+    results : BearingResults
+        of a bearing
+
+    Returns
+    -------
+    dict[str, str]
+        texts by their titles
+    """
     films = _driven(results)
     if not films:
         return {}

@@ -23,8 +23,18 @@ MAIN = ("integrated", "skf", "palmgren", "coulomb")  # those of papers by models
 def shown_models(results: BearingResults) -> tuple[str, ...]:
     """Names of the models in summary, table and picture, in their order.
 
-    The main ones, that of the total, that of a supply, and what the case asks for by name; all of
-    them with `[friction] models = "all"`.
+    The main ones, that of the total, that of a supply, and those that the case asks for by name;
+    all of them with `[friction] models = "all"`.
+
+    Parameters
+    ----------
+    results : BearingResults
+        of a bearing
+
+    Returns
+    -------
+    tuple[str, ...]
+        names
     """
     torque = results.torque
     friction = results.case.get("friction", {})
@@ -37,7 +47,18 @@ def shown_models(results: BearingResults) -> tuple[str, ...]:
 
 
 def shown_torques(results: BearingResults) -> dict[str, ModelTorque]:
-    """The models of `shown_models` that apply."""
+    """The models of `shown_models` that apply.
+
+    Parameters
+    ----------
+    results : BearingResults
+        of a bearing
+
+    Returns
+    -------
+    dict[str, ModelTorque]
+        by their names [N m]
+    """
     torque = results.torque
     names = shown_models(results)
     return {
@@ -48,7 +69,18 @@ def shown_torques(results: BearingResults) -> dict[str, ModelTorque]:
 
 
 def shown_titles(models: Mapping[str, ModelTorque]) -> list[str]:
-    """Titles of models side by side: where some count contact seals, those that do not say so."""
+    """Titles of models side by side: where some count contact seals, those that do not say so.
+
+    Parameters
+    ----------
+    models : Mapping[str, ModelTorque]
+        by their names
+
+    Returns
+    -------
+    list[str]
+        titles in the order of the models
+    """
     sealed = [bool(model.components.get("seal")) for model in models.values()]
     return [
         torque_model(name).title + (WITHOUT_SEALS if any(sealed) and not counts else "")
@@ -57,7 +89,18 @@ def shown_titles(models: Mapping[str, ModelTorque]) -> list[str]:
 
 
 def torque_block(results: BearingResults) -> dict[str, Any]:
-    """Torque of the models [N mm], None where one does not apply; `total` is that of `model`."""
+    """Torque of the models; `total` is that of `model`.
+
+    Parameters
+    ----------
+    results : BearingResults
+        of a bearing
+
+    Returns
+    -------
+    dict[str, Any]
+        by their keys [N mm], None where one does not apply
+    """
     torque = results.torque
     shear = None if torque is None else torque.shear
     hypothesis = None if shear is None else results.quasistatic.model.ball_kinematics.value
@@ -239,7 +282,18 @@ def _balance_text(results: BearingResults, shear: SolvedShear) -> str:
 
 
 def torque_rows(results: BearingResults) -> dict[str, str]:
-    """The torque for the terminal [N mm]: that of the total, and the other models beside it."""
+    """The torque for the terminal: that of the total, and the other models.
+
+    Parameters
+    ----------
+    results : BearingResults
+        of a bearing
+
+    Returns
+    -------
+    dict[str, str]
+        texts by their titles [N mm]
+    """
     torque = results.torque
     if torque is None or torque.total is None or torque.chosen is None:
         return {}

@@ -20,32 +20,34 @@ from bearing.torque.supply_band import SupplyTorque, Total, supply_band
 from ...format.case import Case
 
 
-def beside_supply(
+def torque_over_supply(
     case: Case,
     state: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     films: Films,
     torque: TorqueBreakdown | None,
 ) -> dict[str, Any]:
-    """Torque at the supply and flooded, band of a flow, and films after the supply has stopped.
+    """Torque at the supply and flooded, band of the captured share of a flow, and the films after
+    the
+    supply has stopped.
 
     Parameters
     ----------
     case : Case
-        The bearing.
+        a bearing case
     state : QuasistaticSolution
-        Its equilibrium.
+        equilibrium of the bearing
     contacts : Sequence[BearingContact]
-        Its contacts.
+        its contacts
     films : Films
-        Films of the contacts.
+        of the contacts as computed
     torque : TorqueBreakdown | None
-        Torque of the run.
+        of the case
 
     Returns
     -------
     dict[str, Any]
-        Fields of the results by name.
+        by their names in the results
     """
     friction = case.friction
     if friction is None or torque is None or state.operation.shaft_speed == 0.0:

@@ -18,7 +18,7 @@ from ...format.case import Case
 from ...format.problems import CaseError
 from ...version import version
 from ..films import Progress
-from ..heating import Printed, heating_problem
+from ..heating import ReportedTorque, heating_problem
 
 COURSE = 5.0  # longest time constants that a course takes if no time is asked for [-]
 LOST_COURSE = 3600.0  # that of a bearing without a balance [s]
@@ -71,10 +71,10 @@ def run_temperatures(
     if results.torque is None or results.torque.total is None:
         raise CaseError(f"{name}: no friction torque: {'; '.join(results.messages)}")
     seal = results.torque.models[INTEGRATED].components.get("seal", 0.0)
-    printed = Printed(results.quasistatic, results.contacts, results.torque.total, seal)
+    reported = ReportedTorque(results.quasistatic, results.contacts, results.torque.total, seal)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # beyond the range of the oil's data
-        problem = heating_problem(cold, cold.heating, printed)
+        problem = heating_problem(cold, cold.heating, reported)
         notify(1, 3, "balances over the speed")
         heating, at, factor = _nearest_balance(problem, results.heating)
         if at.state is None or not at.converged:

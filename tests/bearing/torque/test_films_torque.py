@@ -1,4 +1,4 @@
-"""Torque of films as they run: power of the rings against torque times speed in random bearings, limits of factors."""
+"""Torque of operating films: power of the rings against torque times speed in random bearings, limits of factors."""
 
 from __future__ import annotations
 

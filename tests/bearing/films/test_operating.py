@@ -1,0 +1,101 @@
+"""Operating films: the fractions that supply, heat of the inlet and asperities leave, and the parts of the error."""
+
+from __future__ import annotations
+
+from math import hypot
+
+import numpy as np
+import pytest
+
+from bearing import Operation, contact_conditions, solve_quasistatic
+from bearing.films.asperities import Asperities
+from bearing.films.film import ContactFilm, FilmOrigin, FilmThickness, first_same
+from bearing.films.operating import OilAtInlets, film_heat, operating_films, solved_films, with_formulas
+from bearing.supply.supply import InletFilm, supplied_shares
+from ehl import Lubricant, SolverOptions, solve_contact
+
+OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
+ROUGH = Asperities(inner_roughness=0.1e-6, outer_roughness=0.2e-6, boundary=0.12)
+
+
+@pytest.fixture(scope="module")
+def contacts(bearings):
+    operation = Operation(inner_speed=5000 * bearings.rpm, force=(0.0, 900.0, 0.0))
+    return contact_conditions(solve_quasistatic(bearings.b6208, operation), OIL)
+
+
+@pytest.fixture(scope="module")
+def computed(contacts):
+    """Films of atlas and formulas."""
+    return with_formulas(contacts, [None] * len(contacts))
+
+
+def test_only_lubricated_contacts_have_a_film(contacts, computed):
+    assert [film is not None for film in computed] == [contact.conditions is not None for contact in contacts]
+    assert {film.origin for film in computed if film is not None} <= {FilmOrigin.ATLAS, FilmOrigin.FORMULA}
+
+
+def test_heat_thins_film_gap_and_error_bar(contacts, computed):
+    operating = operating_films(contacts, computed)
+    for contact, before, film in zip(contacts, computed, operating, strict=True):
+        if film is None:
+            continue
+        heat = film_heat(contact)
+        assert film.heat == heat
+        assert film.central.value == heat.value * before.central.value
+        assert film.gap == pytest.approx(film.central.value, rel=1e-12)
+        assert film.central.heat == heat.uncertainty * before.central.value
+        assert film.central.error == pytest.approx(hypot(film.central.computed, film.central.heat))
+        assert (film.isothermal_central, film.isothermal_minimum) == (before.central.value, before.minimum.value)
+        assert film.rolling_moment == before.rolling_moment
+
+
+def test_supply_asperities_and_factors_each_have_their_part(contacts, computed):
+    oil = OilAtInlets(oil=InletFilm(layer=0.3e-6), balls=9)
+    operating = operating_films(
+        contacts, computed, supply=oil, asperities=ROUGH, rolling_factor=0.9, unheated_factor=0.5
+    )
+    for contact, before, film in zip(contacts, computed, operating, strict=True):
+        if film is None:
+            continue
+        shares = supplied_shares(contact, before.flooded_central, oil.oil, oil.balls)
+        assert film.supply.central == shares.central.value < 1.0
+        assert film.gap_fraction == pytest.approx(film.heat.value * shares.central.value, rel=1e-12)
+        assert film.rolling_moment == pytest.approx(
+            0.45 * shares.rolling_moment.value * before.flooded_moment, rel=1e-12
+        )
+        assert film.asperity_load == ROUGH.share(contact, film.central.value)
+        assert film.flooded_asperity_load == ROUGH.share(contact, before.flooded_central) < film.asperity_load
+        assert film.lambda_ratio == film.minimum.value / ROUGH.roughness(contact.race)
+        flooded = film.flooded()
+        assert (flooded.gap, flooded.rolling_moment) == (before.gap, before.flooded_moment)
+        assert flooded.asperity_load == film.flooded_asperity_load
+
+
+def test_equal_contacts_share_what_is_solved(contacts):
+    """The rolling moment of a shared solution is the same number; the film that did not converge is none."""
+    first = next(n for n, contact in enumerate(contacts) if contact.conditions is not None)
+    solution = solve_contact(contacts[first].conditions, SolverOptions(points=65))
+    solutions = [None] * len(contacts)
+    solutions[first] = solutions[first + 1] = solution
+    films = solved_films(contacts, solutions)
+    assert films[first].origin is FilmOrigin.SOLVED
+    assert films[first].flooded_moment == films[first + 1].flooded_moment > 0.0
+    assert films[first].field is films[first + 1].field
+    thin = operating_films(contacts, films)[first]
+    inside = solution.P > 0.01
+    assert np.array_equal(thin.operating_field.H[inside], thin.gap_fraction * solution.H[inside])
+    assert np.array_equal(thin.operating_field.H[~inside], solution.H[~inside])
+
+
+def test_same_objects_are_told_by_what_they_are():
+    one, other = [1.0], [1.0]
+    assert first_same([one, None, other, one, None]) == [0, 1, 2, 0, 1]
+
+
+@pytest.mark.parametrize("value", [0.0, 1e-7])
+def test_the_relative_error_of_no_film_is_zero(value):
+    film = FilmThickness(value, 0.1 * value)
+    assert film.relative_error == (pytest.approx(0.1) if value else 0.0)
+    assert FilmThickness(1e-7, np.inf).relative_error == np.inf
+    assert ContactFilm.__dataclass_params__.frozen
