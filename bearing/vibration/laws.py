@@ -11,8 +11,8 @@ from ehl.options import SolverOptions
 from ehl.traction.response.normal import NormalResponse, highest_frequency, normal_response
 
 from ..contacts.contact import BearingContact
-from ..films.operating import OilAtInlets, supplied_films
 from ..films.asperities import Asperities
+from ..films.operating import OilAtInlets, supplied_films
 from ..geometry import Array, Race, contact_modulus, reduced_radii
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.supply import AMPLE, InletFilm, Supply

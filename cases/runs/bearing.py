@@ -84,7 +84,7 @@ def run_case(
     solve : Solve | None, optional
         Solver of one film in place of the film model's own: a batch reads what it has solved
         before.
-    filmed : Filmed | None, optional
+    filmed : OnFilmsSolved | None, optional
         Called with the results up to the films, before friction; not where the torque decides the
         temperature, and with it the films.
     equilibria : Equilibria | None, optional

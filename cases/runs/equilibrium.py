@@ -22,22 +22,22 @@ ANY_TEMPERATURE = 293.15  # of all operations that have one equilibrium [K]
 
 
 def equilibrium_solver(case: Case) -> Callable[..., QuasistaticSolution]:
-    """The solver that the ball kinematics of a case asks for; called as `solve_quasistatic`.
+    """The solver for the ball kinematics of a case.
 
     Parameters
     ----------
     case : Case
-        a bearing case
+        The bearing.
 
     Returns
     -------
     Callable[..., QuasistaticSolution]
-        solver
+        Function with the parameters of `solve_quasistatic`.
 
     Raises
     ------
     ValueError
-        if traction equilibrium has no friction
+        If traction equilibrium has no friction of ball on race.
     """
     if case.model.ball_kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:
         return solve_quasistatic
@@ -52,12 +52,12 @@ def without_traction_equilibrium(model: QuasistaticModel) -> QuasistaticModel:
     Parameters
     ----------
     model : QuasistaticModel
-        assumptions of the equilibrium
+        Assumptions of the bearing model.
 
     Returns
     -------
     QuasistaticModel
-        the same object with another hypothesis
+        The assumptions with a hypothesis on the balls.
     """
     if model.ball_kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:
         return model
@@ -77,23 +77,23 @@ class Equilibria:
     def of(
         self, bearing: Bearing, operation: Operation, model: QuasistaticModel, rows: Sequence[Row]
     ) -> QuasistaticSolution:
-        """The equilibrium of a bearing, with arrays of its own.
+        """The equilibrium under a hypothesis on the balls, solved once for equal inputs.
 
         Parameters
         ----------
         bearing : Bearing
-            geometry and materials
+            The bearing.
         operation : Operation
-            speeds, loads and temperature, SI
+            Speeds and loads.
         model : QuasistaticModel
-            assumptions
+            Assumptions of the bearing model.
         rows : Sequence[Row]
-            of balls on the inner ring
+            Rows of balls.
 
         Returns
         -------
         QuasistaticSolution
-            solved once for all temperatures
+            Loads, angles and motion of the balls.
         """
         mechanical = replace(operation, temperature=ANY_TEMPERATURE)
         key = (bearing, mechanical, model, tuple(rows))

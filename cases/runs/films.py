@@ -40,23 +40,23 @@ MAY_BE_ZERO = ("entrainment_angle", "slide_roll_ratio", "lateral_slide_ratio", "
 def wanted_contacts(
     case: Case, state: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> tuple[list[ContactConditions | None], tuple[str, ...]]:
-    """Conditions of the contacts to solve, and a message if there is no equilibrium.
+    """Contacts to solve.
 
     Parameters
     ----------
     case : Case
-        a bearing case
+        The bearing.
     state : QuasistaticSolution
-        equilibrium of the bearing
+        Its equilibrium.
     contacts : Sequence[BearingContact]
-        its contacts
+        Its contacts.
 
     Returns
     -------
     conditions
-        None for the contacts that are not solved
+        Conditions of each contact; None for those without a solve.
     messages
-        empty with an equilibrium
+        A message if there is no equilibrium.
     """
     if not state.converged:
         return [None] * len(contacts), ("no film was computed, since there is no equilibrium",)
@@ -78,21 +78,21 @@ class FilmPlan(NamedTuple):
 
 
 def film_plan(wanted: Sequence[ContactConditions | None], options: SolverOptions) -> FilmPlan:
-    """Contacts whose films are solved, without those that are too light for a film and those that
-    the
-    mesh does not resolve; behind layers all of them.
+    """Split contacts into resolved ones, too light ones, and ones that the mesh does not resolve.
+
+    Behind layers all contacts are solved.
 
     Parameters
     ----------
     wanted : Sequence[ContactConditions | None]
-        conditions of the contacts, None where no film is asked for
+        Conditions of each contact; None for those without a solve.
     options : SolverOptions
-        of the solver
+        Grid of the solver.
 
     Returns
     -------
     FilmPlan
-        conditions to solve
+        Contacts that are solved, and contacts at the lowest resolved speed.
     """
     by_tolerance = options.wanted_tolerance is not None
     cells = CELLS_BY_TOLERANCE if by_tolerance else CELLS_BY_POINTS
@@ -113,22 +113,23 @@ def film_plan(wanted: Sequence[ContactConditions | None], options: SolverOptions
 def inlet_layers(
     given: InletLayer | Supply, state: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> list[InletLayer | None]:
-    """Layer that each contact finds, of a flow that of its steady state by the flooded films of
-    formulas.
+    """Layer of oil at the inlet of each contact.
+
+    A flow has the layer of its steady state by the flooded films of formulas.
 
     Parameters
     ----------
     given : InletLayer | Supply
-        layer [m], or flow [m^3/s]
+        The layer, or the flow.
     state : QuasistaticSolution
-        equilibrium of the bearing
+        Equilibrium of the bearing.
     contacts : Sequence[BearingContact]
-        its contacts
+        Its contacts.
 
     Returns
     -------
     list[InletLayer | None]
-        None where nothing is lubricated, or no formula has a flooded film
+        The layers [m]; None without lubrication, or without a flooded film.
     """
     if isinstance(given, InletLayer):
         return [given] * len(contacts)
@@ -160,19 +161,17 @@ def _chosen_balls(case: Case, contacts: Sequence[BearingContact]) -> set[int]:
 
 
 def equal_contacts(first: ContactConditions, second: ContactConditions) -> bool:
-    """Equality of two contacts to `EQUALITY_RTOL` relative; the oil must be the same.
+    """Tell whether two contacts with the same oil are equal to `EQUALITY_RTOL`.
 
     Parameters
     ----------
-    first : ContactConditions
-        of one contact
-    second : ContactConditions
-        of the other
+    first, second : ContactConditions
+        The contacts.
 
     Returns
     -------
     bool
-        True where one film stands for both
+        True if they are.
     """
     for field in fields(first):
         a, b = getattr(first, field.name), getattr(second, field.name)
@@ -201,38 +200,38 @@ def _groups(conditions: Sequence[ContactConditions | None]) -> list[list[int]]:
 
 
 def shared_options(options: SolverOptions, threads: int) -> SolverOptions:
-    """The options with so many threads a contact, if it is large enough to gain by them.
+    """The options with several threads for one contact, if it is large enough to gain by them.
 
     Parameters
     ----------
     options : SolverOptions
-        of the solver
+        Grid of the solver.
     threads : int
-        of a contact [-]
+        Threads for a contact [-].
 
     Returns
     -------
     SolverOptions
-        options of one contact
+        The options.
     """
     shared = threads > 1 and options.most_points >= LARGE_CONTACT
     return replace(options, threads=threads) if shared else options
 
 
 def film_solver(solve: Solve | None, films: FilmPhysics) -> SolveOne | None:
-    """Solver of one film by the film model of a case.
+    """The solver of one film by the film model of a case.
 
     Parameters
     ----------
     solve : Solve | None
-        takes the place of the film model's own
+        Solver that takes the place of the film model's own.
     films : FilmPhysics
-        film model of the case
+        Film model.
 
     Returns
     -------
     SolveOne | None
-        None for `ehl.solve_contact`
+        The solver; None: `ehl.solve_contact`.
     """
     if solve is not None:
         return lambda conditions, options: solve(conditions, options, films)
@@ -248,27 +247,27 @@ def solve_contacts(
 ) -> tuple[tuple[ContactSolution | None, ...], bool]:
     """Films of the distinct contacts, several at a time.
 
-    Only if they are large, and fewer than half the workers, does each get several threads.
+    Only if they are large, and fewer than half the workers, does each have several threads.
 
     Parameters
     ----------
     conditions : Sequence[ContactConditions | None]
-        of the contacts, None where no film is wanted
+        Conditions of each contact; None for those without a solve.
     options : SolverOptions
-        of the solver
+        Grid of the solver.
     workers : int | None
-        contacts solved at a time [-]; None: as many as there are cores
+        Contacts solved at a time [-]; None: as many as there are cores.
     notify : Progress
-        called with the contacts done, the contacts in all, and a word
+        Called with films done, films in all, and a text.
     solve : SolveOne | None
-        solves one film; None: `ehl.solve_contact`
+        Solver of one film; None: `ehl.solve_contact`.
 
     Returns
     -------
-    solutions
-        of the contacts, equal ones share an object
+    films
+        The films.
     interrupted
-        True with those finished before Ctrl-C
+        True after Ctrl-C, with the finished films.
     """
     solutions: list[ContactSolution | None] = [None] * len(conditions)
     groups = _groups(conditions)

@@ -389,17 +389,17 @@ def _model_heat(
 
 
 def conducts(case: Case) -> bool:
-    """Whether the heat properties of oil and bodies are given.
+    """Tell whether the heat properties of oil and bodies are known.
 
     Parameters
     ----------
     case : Case
-        a bearing case
+        The bearing.
 
     Returns
     -------
     bool
-        True with those of oil, balls and rings
+        True if they are.
     """
     bodies = case.bearing
     materials = (bodies.ball_material, bodies.inner_ring_material, bodies.outer_ring_material)
@@ -413,23 +413,23 @@ def case_conductances(
     contacts: Sequence[BearingContact],
     operating: Films | None,
 ) -> Array | None:
-    """Conductances of heat through the films of all contacts of a case.
+    """Heat conductances through the films of all contacts.
 
     Parameters
     ----------
     case : Case
-        a bearing case
+        The bearing.
     state : QuasistaticSolution
-        equilibrium of the bearing
+        Its equilibrium.
     contacts : Sequence[BearingContact]
-        its contacts
+        Its contacts.
     operating : Films | None
-        operating films of the contacts
+        Films in operation.
 
     Returns
     -------
     Array | None
-        shape (3, balls, 2) [W/K]; None where heat properties of oil or bodies are not given
+        Conductances [W/K]; None where heat properties of oil or bodies are not known.
     """
     if operating is None or not conducts(case):
         return None

@@ -47,23 +47,23 @@ def with_workers(
     progress: Progress | None = None,
     solve: Solve | None = None,
 ) -> BallTraction:
-    """The friction with its films, if it takes any, solved by so many workers.
+    """The friction, with its films solved by several workers.
 
     Parameters
     ----------
     traction : BallTraction
-        friction of balls on races
+        Friction of balls on races.
     workers : int | None, optional
-        contacts solved at a time [-]; as many as there are cores if left out
+        Contacts solved at a time [-]; None: as many as there are cores.
     progress : Progress | None, optional
-        called with the contacts done, the contacts in all, and a word
+        Called with films done, films in all, and a text.
     solve : Solve | None, optional
-        takes the place of the film model's own
+        Solver of one film in place of the film model's own.
 
     Returns
     -------
     BallTraction
-        the same object without films
+        The friction.
     """
     if not isinstance(traction.source, FilmTraction):
         return traction
@@ -82,23 +82,21 @@ def with_workers(
 def traction_messages(
     traction: BallTraction | None, state: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> tuple[str, ...]:
-    """Messages on the source of the friction of balls on races, and on tables that were asked
-    outside
-    their range.
+    """Messages on the source of the friction of balls on races, and on contacts outside a table.
 
     Parameters
     ----------
     traction : BallTraction | None
-        friction of balls on races
+        The friction, where there is one.
     state : QuasistaticSolution
-        equilibrium of the bearing
+        Equilibrium of the bearing.
     contacts : Sequence[BearingContact]
-        its contacts
+        Its contacts.
 
     Returns
     -------
     tuple[str, ...]
-        sentences
+        The messages.
     """
     if traction is None:
         return ()
@@ -144,26 +142,25 @@ def contact_tractions(
     solutions: Sequence[ContactSolution | None],
     balanced: Sequence[ContactTraction],
 ) -> tuple[ContactTraction | None, ...]:
-    """Shear of every contact that has a solved film: as balanced, or at the motion of the
-    equilibrium.
+    """Shear of every contact that has a film: as balanced, or at the motion of the equilibrium.
 
     Parameters
     ----------
     case : Case
-        a bearing case
+        The bearing.
     state : QuasistaticSolution
-        equilibrium of the bearing
+        Its equilibrium.
     contacts : Sequence[BearingContact]
-        its contacts
+        Its contacts.
     solutions : Sequence[ContactSolution | None]
-        films of the contacts
+        Solved films of the contacts.
     balanced : Sequence[ContactTraction]
-        shear of some contacts with the balls in balance
+        Shear of the contacts whose balls are balanced.
 
     Returns
     -------
     tuple[ContactTraction | None, ...]
-        forces [N] and moments [N m]; None without a film that converged
+        The shear; None without a film.
     """
     rheology = case.rheology
     if rheology is None:
