@@ -27,9 +27,9 @@ from pathlib import Path
 
 import numpy as np
 
-from cases.batch.engine import Choice, run_batch
+from cases.batch.engine import PointSelection, run_batch
 from cases.batch.pools import LocalPool
-from cases.batch.results import collected, write_batch
+from cases.batch.results import collect_results, write_batch
 from cases.batch.sweep import sweep_from_text
 from cases.runs.processes import POINTS, fork_server
 from postprocess.batch.parquet import write_batch_parquet
@@ -107,7 +107,7 @@ def cost(text: str, workers: int, folder: Path) -> Cost:
     before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
     with fork_server(POINTS):  # whose children the workers are
         sweep = sweep_from_text(text, "sweep.toml")
-        with collected(run_batch(sweep, folder, lambda: LocalPool(workers))) as (results, columns):
+        with collect_results(run_batch(sweep, folder, lambda: LocalPool(workers))) as (results, columns):
             write_batch(results, folder, columns)
         wall = time.perf_counter() - start
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -187,11 +187,11 @@ def records(points: int, folder: Path) -> None:
         store.close()
     with step("resumed, planning included"):
         again = sweep_from_text(text, "sweep.toml")
-        batch = run_batch(again, whole, lambda: LocalPool(1), Choice(resume=True))
+        batch = run_batch(again, whole, lambda: LocalPool(1), PointSelection(resume=True))
     assert len(batch.resumed) == count
     with ExitStack() as stack:
         with step("collected: results.nc, summary"):
-            results, columns = stack.enter_context(collected(batch))
+            results, columns = stack.enter_context(collect_results(batch))
             write_batch(results, whole, columns, table=False)
         with step("batch.parquet"):
             write_batch_parquet(columns, whole / "batch.parquet")

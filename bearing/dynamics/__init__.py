@@ -15,6 +15,7 @@ inputs         - what a time simulation is given: cage, laws, loads over time, o
 integration    - steps in time: Dormand and Prince's method, LSODA where it turns stiff
 laws           - normal contact, drag and other numbers of the model in closed form
 layout         - the state vector: positions, velocities, angle of the inner ring
+model          - inputs of a simulation from loads, drags, materials and oils of a machine
 record         - what the integrators work on: state, step control, samples
 reduction      - what symmetry leaves to be solved, and how the rest follows
 restart        - a simulation on disk, to go on from where it stood

@@ -5,7 +5,6 @@ films.
 from abc import abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import cast
 
 import numpy as np
 
@@ -13,7 +12,7 @@ from ehl.conditions import ContactConditions
 from ehl.oil.rheology import Rheology
 from ehl.solution import ContactSolution
 from ehl.traction.coefficient_kernels import Coefficient
-from ehl.traction.laws import EllipseLaw, FrictionLaw, TractionForces
+from ehl.traction.laws import EllipseLaw, FrictionLaw
 from ehl.traction.table.table import TractionTable
 
 from ..contacts.contact import BearingContact
@@ -22,7 +21,6 @@ from ..films.asperities import Asperities
 from ..films.film import ContactFilm
 from ..films.operating import operating_films, solved_films, with_formulas
 from ..geometry import Bearing, Race
-from ..library.plugins import Plugin
 from ..quasistatic.solution import QuasistaticSolution
 from .coulomb import coulomb_law
 from .films import film_law
@@ -75,53 +73,6 @@ class LawTraction(RaceTraction):
 def _with_rolling(law: FrictionLaw, factor: float) -> FrictionLaw:
     """A law with a share of its hydrodynamic moment [-]; laws that know none as they are."""
     return law.with_rolling(factor) if isinstance(law, TractionTable) else law
-
-
-@dataclass(frozen=True, kw_only=True)
-class PluginTraction(LawTraction):
-    """The law of a plug-in for both races."""
-
-    plugin: Plugin
-
-    @property
-    def description(self) -> str:
-        """Where the friction comes from, for messages."""
-        return str(self.plugin)
-
-
-@dataclass(frozen=True)
-class _Watched:
-    """The law of a plug-in, which tells whose it is when it fails."""
-
-    plugin: Plugin
-    law: FrictionLaw
-
-    def forces(
-        self, load: float, speed: float, slide_x: float, slide_y: float, spin: float
-    ) -> TractionForces:
-        """Forces on body 1 at a load [N], entrainment speed, slides [m/s], and spin [rad/s]."""
-        state = (load, speed, slide_x, slide_y, spin)
-        found = self.plugin.call(self.law.forces, *state)
-        if not isinstance(found, TractionForces):
-            raise self.plugin.wrong(f"gives {type(found).__name__}, not TractionForces")
-        if not np.isfinite(found[:5]).all():
-            raise self.plugin.wrong(f"gives no finite forces at {state}")
-        return found
-
-
-def plugin_traction(plugin: Plugin, law: object) -> TractionLaw:
-    """The law of a plug-in as a source of friction: a `TractionLaw` itself, a coefficient by the
-    local sliding, or the forces of one contact by a method `forces`; PluginError if it is neither.
-    """
-    if isinstance(law, TractionLaw):
-        return law
-    if isinstance(law, Coefficient):
-        return CoefficientTraction(law)
-    if not callable(getattr(law, "forces", None)):
-        kind = type(law).__name__
-        raise plugin.wrong(f"gives {kind}, and a law with the method forces(...) is needed")
-    watched = _Watched(plugin, cast(FrictionLaw, law))
-    return PluginTraction(plugin=plugin, laws=dict.fromkeys(Race, watched))
 
 
 @dataclass(frozen=True)

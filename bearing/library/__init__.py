@@ -7,7 +7,7 @@ greases          - greases by name: base oil, and their film over that of it by 
 lubricants       - lubricants by name: viscosity, pressure-viscosity coefficient, density
 names            - names of libraries, matched without regard to case, spaces and hyphens
 oil_sets         - constants of oils under pressure: volume, viscosity, heat, shear
-plugins          - laws of friction, oils and torque models of other distributions
+plugins          - oils of other distributions
 tolerances       - seats by name: k5, H7, and the tolerance classes of bearings
 typical_geometry - internal geometry that follows from boundary dimensions alone
 """

@@ -1,4 +1,4 @@
-"""What other distributions bring by entry points: laws of friction, oils, models of the torque.
+"""Oils that other distributions bring by entry points.
 
     [project.entry-points."oilfilm.oils"]
     "Maker Oil 32" = "maker_oils:oil_32"
@@ -16,10 +16,8 @@ from typing import Any
 
 from .names import matching_name
 
-FRICTION = "friction"
 OILS = "oils"
-TORQUE = "torque"
-KINDS = (FRICTION, OILS, TORQUE)
+KINDS = (OILS,)
 GROUP = "oilfilm."  # of entry points, before the kind
 
 

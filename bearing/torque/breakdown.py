@@ -2,7 +2,6 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import isfinite
 from typing import Any
 
 from ehl import Lubricant
@@ -12,7 +11,6 @@ from ..contacts.contact import BearingContact
 from ..films.film import ContactFilm, Films
 from ..films.operating import OilAtInlets, supplied_films
 from ..friction.coulomb import balanced_friction
-from ..library.plugins import Plugin
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.supply import Supply
 from .inlet import InletFactors
@@ -153,8 +151,7 @@ def torque_breakdown(
     speed = solution.operation.shaft_speed
     if speed == 0.0:
         stationary = ModelTorque(note="the rings do not turn against each other")
-        names = (*NAMES, *(plugin.name for plugin in friction.more_models))
-        return TorqueBreakdown(models=dict.fromkeys(names, stationary), coefficient=0.0)
+        return TorqueBreakdown(models=dict.fromkeys(NAMES, stationary), coefficient=0.0)
     mu = coulomb_coefficient(solution, lubricant, friction)
     rough = shear is not None and friction.roughness is not None
     wanted = rough and friction.all_models
@@ -174,7 +171,6 @@ def torque_breakdown(
             lacking = shear.missing_components if shear is not None and rough else {}
             note = lacking.get("asperity", "needs the films and their roughness, [surface]")
             models["skf_lambda"] = ModelTorque(note=note)
-    models |= more_models(solution, contacts, lubricant, friction)
     known = films or (None,) * len(contacts)
     models[STARVED], starved = _starved(solution, contacts, lubricant, friction, known)
     supplied: tuple[ContactFilm | None, ...] = ()
@@ -192,62 +188,6 @@ def torque_breakdown(
         behind_layers=behind_layers,
         inlet=None if shear is None else inlet,
     )
-
-
-def more_models(
-    solution: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    lubricant: Lubricant,
-    friction: FrictionInput,
-) -> dict[str, ModelTorque]:
-    """Torque by the models of plug-ins that are wanted.
-
-    Each is called as model(solution, contacts, lubricant, friction) and gives its components
-    [N m] by name, or a `ModelTorque`.
-
-    Parameters
-    ----------
-    solution : QuasistaticSolution
-        equilibrium of the bearing
-    contacts : Sequence[BearingContact]
-        its contacts
-    lubricant : Lubricant
-        the oil
-    friction : FrictionInput
-        names the models
-
-    Returns
-    -------
-    dict[str, ModelTorque]
-        by their names [N m]
-
-    Raises
-    ------
-    PluginError
-        if a model has the name of another, or gives no torque
-    """
-    models = {}
-    for plugin in friction.more_models:
-        if plugin.name in NAMES:
-            raise plugin.wrong("has the name of a model of oilfilm")
-        given = plugin.call(plugin.load(), solution, contacts, lubricant, friction)
-        models[plugin.name] = given if isinstance(given, ModelTorque) else _summed(plugin, given)
-    return models
-
-
-def _summed(plugin: Plugin, components: object) -> ModelTorque:
-    """The torque of a plug-in's components [N m], which are finite numbers by name."""
-    if not isinstance(components, dict) or not components:
-        kind = type(components).__name__
-        raise plugin.wrong(f"gives {kind}, and components by name [N m] are needed")
-    wrong = [name for name, value in components.items() if not _is_finite(value)]
-    if wrong or "total" in components:
-        raise plugin.wrong(f"gives no torque [N m] for {', '.join(map(str, wrong)) or 'total'}")
-    return summed({str(name): float(value) for name, value in components.items()})
-
-
-def _is_finite(value: object) -> bool:
-    return isinstance(value, int | float) and isfinite(value)
 
 
 def model_torque(

@@ -7,7 +7,6 @@ from ehl.oil.lubricant import Lubricant
 from ..films.asperities import Asperities, LoadSharing, Spectrum
 from ..friction.resistance import Cage, Resistance, resistance_of
 from ..geometry import Bearing
-from ..library.plugins import Plugin
 from ..supply.supply import InletFilm, Supply, cavity_volume, oil_fraction
 from . import skf
 
@@ -51,7 +50,6 @@ class FrictionInput:
     as_printed: bool = False
     # models of single papers are computed beside integrated, SKF, Palmgren and Coulomb
     all_models: bool = False
-    more_models: tuple[Plugin, ...] = ()  # of other distributions, computed, too
 
     @property
     def film_friction(self) -> float:

@@ -11,8 +11,11 @@ from ehl.options import SolverOptions
 from ehl.traction.response.normal import NormalResponse, highest_frequency, normal_response
 
 from ..contacts.contact import BearingContact
+from ..films.operating import OilAtInlets, supplied_films
+from ..films.asperities import Asperities
 from ..geometry import Array, Race, contact_modulus, reduced_radii
 from ..quasistatic.solution import QuasistaticSolution
+from ..supply.supply import AMPLE, InletFilm, Supply
 from .arrays import ContactLawTable
 
 NODES = 600  # of a law, over the logarithm of the approach
@@ -58,6 +61,40 @@ def heaviest(contacts: Sequence[BearingContact], race: Race) -> BearingContact:
     if not worst.load > 0.0:
         raise ValueError(f"no ball is loaded at the {race.value} race: nothing to vibrate on")
     return worst
+
+
+def film_shares(
+    contacts: Sequence[BearingContact],
+    asperities: Asperities,
+    supply: Supply | InletFilm | None,
+    balls: int,
+) -> dict[Race, float]:
+    """Load that the film of the heaviest contact of each race carries, over its whole load.
+
+    Parameters
+    ----------
+    contacts : sequence of BearingContact
+        All contacts of the bearing.
+    asperities : Asperities
+        Roughness of the surfaces and the law by which asperities carry load.
+    supply : Supply or InletFilm or None
+        Supply of oil that limits the films; None: flooded.
+    balls : int
+        Number of balls [-].
+
+    Returns
+    -------
+    dict of Race to float
+        Share of the film [-] of each race whose film a formula gives.
+    """
+    shares = {}
+    for race in Race:
+        contact = heaviest(contacts, race)
+        oil = OilAtInlets(oil=supply or AMPLE, balls=balls)
+        (film,) = supplied_films([contact], [None], oil)
+        if film is not None:
+            shares[race] = 1.0 - asperities.share(contact, film.central.value)
+    return shares
 
 
 def solved_films(

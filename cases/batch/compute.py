@@ -1,4 +1,4 @@
-"""What a point computes: its summary as plain JSON, and files to keep."""
+"""Results of a point: its summary as plain JSON, and its files."""
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -20,7 +20,7 @@ from postprocess.slip.summary import slip_summary
 from postprocess.traction.summary import traction_summary
 
 from ..format.case import Case, ContactCase
-from ..format.traction import fitting_tables, resisted_traction
+from ..format.traction import require_fitting_tables, resisted_traction
 from ..runs.bearing import run_case
 from ..runs.contact import run_contact
 from ..runs.dynamics import run_dynamics
@@ -42,10 +42,25 @@ def compute(
     solve: Solve | None,
     equilibria: Equilibria | None = None,
 ) -> Computed:
-    """Summary of a checked case, and files by suffix.
+    """Compute one point: its summary, and its files by suffix.
 
-    `tables` is the file of traction tables where the point needs them; `solve`, if given, takes
-    the place of `ehl.solve_contact`; `equilibria`: those of points before.
+    Parameters
+    ----------
+    case : Case | ContactCase
+        The checked case of the point.
+    task : Task
+        Quantity to compute and options.
+    tables : Path | None
+        File of traction tables where the point needs them; None otherwise.
+    solve : Solve | None
+        Solver of one film in place of the film model's own.
+    equilibria : Equilibria, optional
+        Equilibria of the points before.
+
+    Returns
+    -------
+    Computed
+        Summary as plain JSON, and contents of files by suffix.
     """
     if isinstance(case, ContactCase):
         return _with_fields(run_contact(case), task)
@@ -113,14 +128,34 @@ def _torque(case: Case, path: Path | None, equilibria: Equilibria | None) -> Com
 def torque_by_tables(
     case: Case, tables: Tables, equilibria: Equilibria | None = None
 ) -> tuple[BearingResults, tuple[str, ...]]:
-    """Results without films, the friction of balls on races from traction tables of both races,
-    and notes on these; as `run_case` of the case with `[friction] traction = "table"`.
+    """Run a bearing without films, the friction of balls on races from traction tables.
 
-    `ValueError` if the tables were made for other bodies or another oil.
+    The result is that of `run_case` with `[friction] traction = "table"`.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    tables : Tables
+        Traction tables of both races.
+    equilibria : Equilibria, optional
+        Equilibria of the points before.
+
+    Returns
+    -------
+    results
+        Results without films.
+    notes
+        Notes on the accuracy and the range of the tables.
+
+    Raises
+    ------
+    ValueError
+        If the tables belong to other bodies or another oil.
     """
     assert case.rheology is not None and case.friction is not None  # of every bearing case
     oil = (case.lubricant, case.rheology)
-    fitting_tables(tables, "the traction table", case.bearing, *oil, case.films.solids)
+    require_fitting_tables(tables, "the traction table", case.bearing, *oil, case.films.solids)
     source = LawTraction(laws=dict(tables))
     traction = resisted_traction(source, case.friction, case.bearing, case.lubricant, case.inlet)
     case = replace(case, film_maps="none", traction=traction)

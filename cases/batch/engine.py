@@ -1,10 +1,11 @@
-"""Execution of a sweep: hand out points, keep what is finished, resume an earlier run."""
+"""Execution of a sweep: points are submitted, stored when they are finished, and resumed."""
 
 import atexit
 from collections.abc import Callable, Collection, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, CancelledError, Future, wait
 from contextlib import contextmanager
 from dataclasses import dataclass
+from itertools import groupby, islice
 from pathlib import Path
 from time import perf_counter
 
@@ -15,9 +16,9 @@ from postprocess.batch.store import PointStore, StoredPoints, is_sound, store_fi
 from ..format.problems import CaseError
 from ..runs.films import Progress
 from ..runs.output_lock import one_writer
-from .points import NO_LIMITS, Limits, Receipt, Sweep, Task
+from .points import NO_LIMITS, Limits, PointResult, Sweep, Task
 from .pools import Pool
-from .shards import ALONE, Shard
+from .shards import SINGLE_WRITER, Shard
 from .shared.tables import prepare_tables, table_path
 from .store import (
     SWEEP_FILE,
@@ -33,26 +34,26 @@ from .worker import failure
 
 TICK = 1.0  # the time left is updated at least as often [s]
 Block = tuple[Task, ...]
-Running = Future[tuple[Receipt, ...]]
+Running = Future[tuple[PointResult, ...]]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Choice:
-    """Which points of a sweep are computed, and how."""
+class PointSelection:
+    """Points of a sweep that are computed, and the limits of each."""
 
-    resume: bool = False  # whether finished points of the folder are taken over
+    resume: bool = False  # finished points of the folder are taken over
     only_failed: bool = False  # only points that failed before
-    shard: Shard = ALONE
+    shard: Shard = SINGLE_WRITER
     limits: Limits = NO_LIMITS
     keep_json: bool = False  # also the summary of each point as a file
 
 
-ALL = Choice()
+ALL_POINTS = PointSelection()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Batch:
-    """What a batch did: points finished before, points left out, and the wall time [s]."""
+    """A batch: its points, its folder, the points finished before, and the wall time [s]."""
 
     sweep: Sweep
     directory: Path
@@ -60,7 +61,7 @@ class Batch:
     wall: float
 
     def _repr_html_(self) -> str:
-        """Where the results are, for a notebook."""
+        """Folder and number of points, for a notebook."""
         points = len(self.sweep.points)
         facts = {
             "points": f"{points}, {len(self.resumed)} of them taken over",
@@ -72,7 +73,15 @@ class Batch:
 
 
 class ProgressEstimate:
-    """Rate and time left, from the points computed so far."""
+    """Rate and time left, from the points computed so far.
+
+    Parameters
+    ----------
+    total : int
+        Points in all [-].
+    notify : callable
+        Called with the points done, the points in all, and a text on rate and time left.
+    """
 
     def __init__(self, total: int, notify: Progress) -> None:
         self.total = total
@@ -81,12 +90,23 @@ class ProgressEstimate:
         self.notify = notify
         self.start = perf_counter()
 
-    def tell(self) -> None:
-        """Show how far the batch is."""
+    def report(self) -> None:
+        """Report the progress of the batch."""
         self.notify(self.done + self.resumed, self.total, self.text(perf_counter() - self.start))
 
     def text(self, elapsed: float) -> str:
-        """Rate and time left in words, after `elapsed` seconds [s]."""
+        """Rate and time left in words.
+
+        Parameters
+        ----------
+        elapsed : float
+            Time since the start [s].
+
+        Returns
+        -------
+        str
+            Text for the progress bar.
+        """
         if not self.done or elapsed <= 0.0:
             return "points"
         rate = self.done / elapsed
@@ -96,7 +116,18 @@ class ProgressEstimate:
 
 
 def duration(seconds: float) -> str:
-    """A time span [s] in words."""
+    """A time span in words.
+
+    Parameters
+    ----------
+    seconds : float
+        The time span [s].
+
+    Returns
+    -------
+    str
+        In seconds, minutes or hours.
+    """
     if seconds < 99.5:
         return f"{seconds:.0f} s"
     if seconds < 5970.0:
@@ -108,7 +139,7 @@ def run_batch(
     sweep: Sweep,
     directory: Path,
     pool: Callable[[], Pool],
-    choice: Choice = ALL,
+    selection: PointSelection = ALL_POINTS,
     *,
     progress: Progress | None = None,
 ) -> Batch:
@@ -116,12 +147,21 @@ def run_batch(
 
     Parameters
     ----------
+    sweep : Sweep
+        The points.
+    directory : Path
+        Folder of the batch.
     pool : callable
         Starts the workers; called only if there is something to compute.
-    choice : Choice, optional
-        Which points; all of them, none of an earlier batch, if left out.
+    selection : PointSelection, optional
+        Points to compute; all of them, none of an earlier batch, if left out.
     progress : callable, optional
-        Called with the points done, the points in all, and a word on rate and time left.
+        Called with the points done, the points in all, and a text on rate and time left.
+
+    Returns
+    -------
+    Batch
+        The finished batch; `cases.batch.results` reads its points.
 
     Raises
     ------
@@ -131,51 +171,35 @@ def run_batch(
         If a finished point cannot be written; all finished before stay.
     """
     start = perf_counter()
-    again = choice.resume or choice.only_failed or choice.shard is not ALONE
-    open_folder(directory, resume=again, alone=choice.shard is ALONE)
-    path = directory / choice.shard.file
-    with one_writer(path):
+    single = selection.shard is SINGLE_WRITER
+    again = selection.resume or selection.only_failed or not single
+    open_folder(directory, resume=again, single_writer=single)
+    file = directory / selection.shard.file
+    with one_writer(file):
         write_file(directory / SWEEP_FILE, sweep.text.encode("utf-8"))
-        finished = _computed(sweep, (directory, path), pool, choice, progress)
-    return Batch(
-        sweep=sweep, directory=directory, resumed=frozenset(finished), wall=perf_counter() - start
-    )
-
-
-def _computed(
-    sweep: Sweep,
-    folder: tuple[Path, Path],
-    pool: Callable[[], Pool],
-    choice: Choice,
-    progress: Progress | None,
-) -> set[str]:
-    """Compute the points that are chosen; those that were finished before.
-
-    `folder`: of the batch, and its file of this writer.
-    """
-    directory, path = folder
-    stored = StoredPoints(store_files(directory))
-    keys = dict.fromkeys(point.key for point in sweep.points if choice.shard.has(point.key))
-    finished, failed = finished_points(directory, keys, stored)
-    broken = path.exists() and (path in stored.damaged or not is_sound(path))
-    chosen = failed if choice.only_failed else keys.keys() - finished
-    pace = ProgressEstimate(len(keys), progress or (lambda done, total, state: None))
-    pace.resumed = len(keys) - len(chosen)
-    pace.tell()
-    with _kept(open_store(path, broken=broken)) as store:
-        work = _Work(directory, store, pace, keep_json=choice.keep_json)
-        chosen = chosen - _without_tables(sweep, chosen, work)
-        if chosen:
-            with _closing(pool(), directory) as workers:
-                shared = str(directory.resolve()) if workers.shares_folder else None
-                execute(_tasks(sweep, chosen, directory, shared, choice.limits), workers, work)
-    return finished
+        finished = _compute(sweep, directory, file, pool, selection, progress)
+    return _batch(sweep, directory, finished, start)
 
 
 def computed_before(sweep: Sweep, directory: Path) -> Batch:
-    """What there is of a batch, of which nothing more is to be computed.
+    """Open a batch of which nothing more is to be computed.
 
-    `CaseError` if the folder holds no points of a batch.
+    Parameters
+    ----------
+    sweep : Sweep
+        Its points.
+    directory : Path
+        Its folder.
+
+    Returns
+    -------
+    Batch
+        The batch with all points that are finished.
+
+    Raises
+    ------
+    CaseError
+        If the folder holds no points of a batch.
     """
     start = perf_counter()
     if not store_files(directory):
@@ -184,13 +208,45 @@ def computed_before(sweep: Sweep, directory: Path) -> Batch:
     write_file(directory / SWEEP_FILE, sweep.text.encode("utf-8"))
     keys = dict.fromkeys(point.key for point in sweep.points)
     finished, _ = finished_points(directory, keys, StoredPoints(store_files(directory)))
+    return _batch(sweep, directory, finished, start)
+
+
+def _batch(sweep: Sweep, directory: Path, finished: set[str], start: float) -> Batch:
     wall = perf_counter() - start
     return Batch(sweep=sweep, directory=directory, resumed=frozenset(finished), wall=wall)
 
 
+def _compute(
+    sweep: Sweep,
+    directory: Path,
+    file: Path,
+    pool: Callable[[], Pool],
+    selection: PointSelection,
+    progress: Progress | None,
+) -> set[str]:
+    """Compute the selected points into a file of the folder; names of those finished before."""
+    stored = StoredPoints(store_files(directory))
+    keys = dict.fromkeys(point.key for point in sweep.points if selection.shard.has(point.key))
+    finished, failed = finished_points(directory, keys, stored)
+    broken = file.exists() and (file in stored.damaged or not is_sound(file))
+    chosen = failed if selection.only_failed else keys.keys() - finished
+    estimate = ProgressEstimate(len(keys), progress or (lambda done, total, state: None))
+    estimate.resumed = len(keys) - len(chosen)
+    estimate.report()
+    with _closing_store(open_store(file, broken=broken)) as store:
+        recorder = _Recorder(directory, store, estimate, keep_json=selection.keep_json)
+        chosen = chosen - _without_tables(sweep, chosen, recorder)
+        if chosen:
+            with _closing_pool(pool(), directory) as workers:
+                shared = str(directory.resolve()) if workers.shares_folder else None
+                tasks = _tasks(sweep, chosen, directory, shared, selection.limits)
+                _execute(tasks, workers, recorder)
+    return finished
+
+
 @contextmanager
-def _kept(store: PointStore) -> Iterator[PointStore]:
-    """A file of points that is closed at the end; what is finished stays, however that comes."""
+def _closing_store(store: PointStore) -> Iterator[PointStore]:
+    """A file of points that is closed at the end; finished points stay, whatever ends the work."""
     try:
         yield store
     except BaseException:
@@ -199,30 +255,47 @@ def _kept(store: PointStore) -> Iterator[PointStore]:
     store.close()
 
 
-class _Work:
-    """Finished points: where they go, and how many there are."""
+@contextmanager
+def _closing_pool(pool: Pool, directory: Path) -> Iterator[Pool]:
+    """A pool that ends with the work inside; files that a worker was writing when it was ended
+    are removed, also where the program ends before it is back here.
+    """
+    atexit.register(remove_unfinished, directory)
+    try:
+        yield pool
+        pool.close(at_once=False)
+    except BaseException:
+        pool.close(at_once=True)
+        remove_unfinished(directory)
+        raise
+    finally:
+        atexit.unregister(remove_unfinished)
+
+
+class _Recorder:
+    """Finished points on their way to the disk, and their number."""
 
     def __init__(
-        self, directory: Path, store: PointStore, pace: ProgressEstimate, *, keep_json: bool
+        self, directory: Path, store: PointStore, estimate: ProgressEstimate, *, keep_json: bool
     ) -> None:
         self.directory = directory
-        self.store = store
-        self.pace = pace
+        self.points = store
+        self.estimate = estimate
         self.keep_json = keep_json
 
-    def keep(self, receipt: Receipt) -> None:
+    def store(self, result: PointResult) -> None:
         """Put a finished point on disk: its own files first."""
-        record = receipt.record
-        write_files(self.directory, record.key, receipt.files)
+        record = result.record
+        write_files(self.directory, record.key, result.files)
         if self.keep_json:
             write_summary(self.directory, record)
-        self.store.put(record)
-        self.pace.done += 1
+        self.points.put(record)
+        self.estimate.done += 1
 
     def tick(self) -> None:
-        """Show how far it is, and put on disk what is due."""
-        self.store.flush()
-        self.pace.tell()
+        """Report the progress, and put on disk what is due."""
+        self.points.flush()
+        self.estimate.report()
 
 
 def _tasks(
@@ -239,7 +312,7 @@ def _tasks(
                 document=point.document,
                 compute=sweep.compute,
                 fields=sweep.fields,
-                share=sweep.share,
+                share_contacts=sweep.share_contacts,
                 folder=folder,
                 keys=sweep.keys,
                 tables=None if tables is None else str(tables.resolve()),
@@ -248,93 +321,58 @@ def _tasks(
             )
 
 
-def _without_tables(sweep: Sweep, keys: Collection[str], work: _Work) -> set[str]:
+def _without_tables(sweep: Sweep, keys: Collection[str], recorder: _Recorder) -> set[str]:
     """Build the traction tables that points need; points for want of them are recorded."""
     if not isinstance(sweep.points, tuple):  # which only points without tables are not
         return set()
     waiting = {point.key: point for point in sweep.points if point.key in keys}
     if all(point.tables is None for point in waiting.values()):
         return set()
-    problems = prepare_tables(sweep, waiting.keys(), work.directory, work.pace.notify)
+    estimate = recorder.estimate
+    problems = prepare_tables(sweep, waiting.keys(), recorder.directory, estimate.notify)
     failed = {key: problems[p.tables] for key, p in waiting.items() if p.tables in problems}
     for key, message in failed.items():
-        work.keep(failure(key, FAILED, message))
-    work.pace.start = perf_counter()  # the rate is that of the points
+        recorder.store(failure(key, FAILED, message))
+    estimate.start = perf_counter()  # the rate is that of the points
     return set(failed)
 
 
-@contextmanager
-def _closing(pool: Pool, directory: Path) -> Iterator[Pool]:
-    """A pool that ends with the work inside; what a worker was writing when it was ended goes
-    with it, also where the program ends before it is back here.
-    """
-    atexit.register(remove_unfinished, directory)
-    try:
-        yield pool
-        pool.close(at_once=False)
-    except BaseException:
-        pool.close(at_once=True)
-        remove_unfinished(directory)
-        atexit.unregister(remove_unfinished)
-        raise
-    atexit.unregister(remove_unfinished)
+def _blocks(tasks: Iterable[Task], size: Callable[[], int]) -> Iterator[Block]:
+    """Tasks in their order, at most `size()` of the same traction tables at a time."""
+    for _, alike in groupby(tasks, key=lambda task: task.tables):
+        while block := tuple(islice(alike, size())):
+            yield block
 
 
-class _Queue:
-    """Tasks in their order, some at a time."""
-
-    def __init__(self, tasks: Iterable[Task]) -> None:
-        self._tasks = iter(tasks)
-        self._next = next(self._tasks, None)
-
-    def block(self, size: int) -> Block:
-        """At most `size` tasks of the same traction tables; empty at the end."""
-        block = list[Task]()
-        while self._next is not None and len(block) < size:
-            if block and self._next.tables != block[0].tables:
-                break
-            block.append(self._next)
-            self._next = next(self._tasks, None)
-        return tuple(block)
-
-
-def execute(tasks: Iterable[Task], pool: Pool, work: _Work) -> None:
+def _execute(tasks: Iterable[Task], pool: Pool, recorder: _Recorder) -> None:
     """Keep every worker busy; the points of a lost worker are tried again, one at a time."""
     running = dict[Running, Block]()
+    blocks = _blocks(tasks, pool.block)
     try:
-        _execute(_Queue(tasks), running, pool, work)
+        block = next(blocks, ())
+        while block or running:
+            while block and len(running) < pool.capacity():
+                running[_submit(pool, block)] = block
+                block = next(blocks, ())
+            done, _ = wait(running, timeout=TICK, return_when=FIRST_COMPLETED)
+            lost = [task for one in done for task in _store(one, running.pop(one), pool, recorder)]
+            if lost:
+                lost += (task for tried in running.values() for task in tried)
+                running.clear()
+                pool.rebuild()
+                for task in lost:
+                    _retry_single(task, pool, recorder)
+            recorder.tick()
     except KeyboardInterrupt:
         for future in running:
             if future.done() and not future.cancelled() and future.exception() is None:
-                for receipt in future.result():
-                    work.keep(receipt)
+                for result in future.result():
+                    recorder.store(result)
         raise
 
 
-def _execute(waiting: _Queue, running: dict[Running, Block], pool: Pool, work: _Work) -> None:
-    suspects = list[Task]()
-    block = waiting.block(pool.block())
-    while block or running or suspects:
-        while block and not suspects and len(running) < pool.capacity():
-            running[_submit(pool, block)] = block
-            block = waiting.block(pool.block())
-        done, _ = wait(running, timeout=TICK, return_when=FIRST_COMPLETED)
-        for future in done:
-            tried = running.pop(future)
-            if not _keep(future, tried, pool, work):
-                suspects += tried
-        if suspects:
-            suspects += (task for tried in running.values() for task in tried)
-            running.clear()
-            pool.rebuild()
-            for task in suspects:
-                _alone(task, pool, work)
-            suspects.clear()
-        work.tick()
-
-
 def _submit(pool: Pool, block: Block) -> Running:
-    """Hand out tasks; a pool that broke meanwhile says so through the future."""
+    """Submit tasks; a pool that broke meanwhile says so through the future."""
     try:
         return pool.submit(block)
     except Exception as error:
@@ -345,40 +383,40 @@ def _submit(pool: Pool, block: Block) -> Running:
         return future
 
 
-def _keep(future: Running, block: Block, pool: Pool, work: _Work) -> bool:
-    """Put finished points on disk; whether their worker was there to the end."""
+def _store(future: Running, block: Block, pool: Pool, recorder: _Recorder) -> Block:
+    """Put finished points on disk; the tasks to try again, since their worker was lost."""
     try:
-        receipts = future.result()
+        results = future.result()
     except (Exception, CancelledError) as error:
         if pool.lost(error):
             if pool.retries:
-                return False
-            words = f"the worker was lost repeatedly: {_words(error)}"
-            receipts = tuple(_given_up(task, words) for task in block)
+                return block
+            text = f"the worker was lost repeatedly: {_text(error)}"
+            results = tuple(_given_up(task, text) for task in block)
         elif isinstance(error, OSError | CancelledError | MemoryError):
             raise
         else:
-            receipts = tuple(failure(task.key, FAILED, _words(error)) for task in block)
-    for receipt in receipts:
-        work.keep(receipt)
-    return True
+            results = tuple(failure(task.key, FAILED, _text(error)) for task in block)
+    for result in results:
+        recorder.store(result)
+    return ()
 
 
-def _alone(task: Task, pool: Pool, work: _Work) -> None:
-    """A point whose worker may have died of it, by itself; recorded if it loses a second one."""
+def _retry_single(task: Task, pool: Pool, recorder: _Recorder) -> None:
+    """Compute a point whose worker may have died of it by itself; a second loss is recorded."""
     future = _submit(pool, (task,))
     while not wait([future], timeout=TICK).done:
-        work.tick()
-    if not _keep(future, (task,), pool, work):
+        recorder.tick()
+    if _store(future, (task,), pool, recorder):
         pool.rebuild()
-        work.keep(_given_up(task, "the worker was lost twice"))
+        recorder.store(_given_up(task, "the worker was lost twice"))
 
 
-def _given_up(task: Task, message: str) -> Receipt:
+def _given_up(task: Task, message: str) -> PointResult:
     limit = "" if task.limits.seconds is None else "; a point beyond its time, too, ends so"
     advice = f"killed from outside, or out of memory; try fewer nodes, or fewer workers{limit}"
     return failure(task.key, LOST, f"{message} ({advice})")
 
 
-def _words(error: BaseException) -> str:
+def _text(error: BaseException) -> str:
     return f"{type(error).__name__}: {' '.join(str(error).split())[:300]}"

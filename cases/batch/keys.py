@@ -12,14 +12,25 @@ from .program import program_digest
 # tables of a case that leave its contacts as they are
 WITHOUT_CONTACTS = ("surface", "slip", "friction", "cage", "dynamics", "load_cases")
 DESCRIBING = ("title", "source", "assumed")  # keys of a case without effect on results
-BESIDE_TRACTION_TABLES = (*DESCRIBING, *WITHOUT_CONTACTS, "ehl")  # likewise, on traction tables
+NOT_IN_TRACTION_TABLES = (*DESCRIBING, *WITHOUT_CONTACTS, "ehl")  # likewise, on traction tables
 
 NAMED = ("materials", "lubricants")  # tables whose keys stand below a name
 
 
 @lru_cache(maxsize=4096)
 def case_path(key: str) -> tuple[str, ...]:
-    """Table and key of a dotted name; names of materials and oils may hold dots themselves."""
+    """Table and key of a dotted name; names of materials and oils may contain dots themselves.
+
+    Parameters
+    ----------
+    key : str
+        Dotted name, as operation.radial_load_N.
+
+    Returns
+    -------
+    tuple[str, ...]
+        The path in a document.
+    """
     table, _, name_in_table = key.partition(".")
     if table in NAMED:
         name, _, last = name_in_table.rpartition(".")
@@ -28,7 +39,20 @@ def case_path(key: str) -> tuple[str, ...]:
 
 
 def value_in(document: dict[str, Any], key: str) -> Any:
-    """Value of a dotted key of a document; None where it does not have it."""
+    """Value of a dotted key of a document.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Tables of a case.
+    key : str
+        Dotted name of the key.
+
+    Returns
+    -------
+    Any
+        The value; None where the document does not have it.
+    """
     node: Any = document
     for part in case_path(key):
         node = node.get(part) if isinstance(node, dict) else None
@@ -36,19 +60,59 @@ def value_in(document: dict[str, Any], key: str) -> Any:
 
 
 def digest(*texts: str | bytes) -> str:
-    """Hash of texts, or of the content of a file."""
+    """Hash of texts, or of the content of a file.
+
+    Parameters
+    ----------
+    *texts : str | bytes
+        Texts or bytes, in their order.
+
+    Returns
+    -------
+    str
+        20 hexadecimal digits.
+    """
     parts = [text if isinstance(text, bytes) else text.encode() for text in texts]
     return hashlib.sha256(b"\n".join(parts)).hexdigest()[:20]
 
 
 def document_text(document: dict[str, Any], without: tuple[str, ...] = ()) -> str:
-    """A document in one line, equal for equal content."""
+    """A document in one line, equal for equal content.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Tables of a case.
+    without : tuple[str, ...], default ()
+        Tables and keys of the top level to leave out.
+
+    Returns
+    -------
+    str
+        JSON with sorted keys.
+    """
     content = {key: value for key, value in document.items() if key not in without}
     return json.dumps(content, sort_keys=True, ensure_ascii=False, default=str)
 
 
 def content_key(*objects: Any) -> str:
-    """Hash of dataclasses and values to the last bit."""
+    """Hash of dataclasses and values to the last bit, and of the program.
+
+    Parameters
+    ----------
+    *objects : Any
+        Dataclasses, arrays, numbers, words and sequences of them.
+
+    Returns
+    -------
+    str
+        32 hexadecimal digits.
+
+    Raises
+    ------
+    TypeError
+        If a value has no defined content.
+    """
     return hashlib.sha256(repr([program_digest(), *map(_plain, objects)]).encode()).hexdigest()[
         :32
     ]

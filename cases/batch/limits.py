@@ -16,10 +16,22 @@ GIGABYTE = 1e9  # [bytes]
 
 @contextmanager
 def limited(limits: Limits) -> Iterator[None]:
-    """Raise TimeoutError or MemoryError where the work inside takes more than its limits.
+    """Limit time and memory of the work inside.
 
-    Compiled code is not interrupted: a worker that has not come back from it `GRACE` seconds after
+    Compiled code is not interrupted: a worker that has not returned from it `GRACE` seconds after
     its time ends as a whole, and its point is recorded as lost.
+
+    Parameters
+    ----------
+    limits : Limits
+        Time [s] and memory [GB] of one point; None: without limit.
+
+    Raises
+    ------
+    TimeoutError
+        If the work takes more time.
+    MemoryError
+        If the work takes more memory.
     """
     with _time_limit(limits.seconds), _memory_limit(limits.memory):
         yield
@@ -52,7 +64,7 @@ def _time_limit(seconds: float | None) -> Iterator[None]:
 
 @contextmanager
 def _memory_limit(gigabytes: float | None) -> Iterator[None]:
-    """Of the address space, beside what is taken when the point begins; on Linux."""
+    """Limit the address space beyond its size at the start of the point; on Linux."""
     if gigabytes is None or not sys.platform.startswith("linux"):
         yield
         return

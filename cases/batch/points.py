@@ -63,12 +63,12 @@ class Sweep:
     plot: tuple[str, ...] = ()
     designs: tuple[Design, ...] = ()
     film_models: tuple[str, ...] = ()  # of the points that were checked
-    share: bool = False  # whether contacts may be equal in several points
+    share_contacts: bool = False  # whether contacts may be equal in several points
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Limits:
-    """What one point may take on a worker."""
+    """Limits of one point on a worker."""
 
     seconds: float | None = None  # [s]
     memory: float | None = None  # beside what the program itself takes [GB]
@@ -79,13 +79,15 @@ NO_LIMITS = Limits()
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Task:
-    """What a worker computes; `folder` is None where it cannot reach the folder of the batch."""
+    """One point for a worker; `folder` is None where the worker cannot reach the folder of the
+    batch.
+    """
 
     key: str
     document: dict[str, Any]
     compute: str
     fields: bool
-    share: bool  # whether contacts may be equal in several points
+    share_contacts: bool  # whether contacts may be equal in several points
     folder: str | None
     keys: tuple[str, ...] = ()  # varied, of which the values as run are kept
     tables: str | None = None  # file of traction tables on the machine of the batch
@@ -95,7 +97,7 @@ class Task:
 
 
 @dataclass(frozen=True, slots=True)
-class Receipt:
+class PointResult:
     """Answer of a worker: record of the point, and files by suffix where it did not write them."""
 
     record: Record
@@ -103,5 +105,5 @@ class Receipt:
 
     @property
     def status(self) -> str:
-        """What became of the point."""
+        """Status of the point: done, failed or lost."""
         return self.record.status

@@ -11,7 +11,23 @@ SUSPECT = (b"NaN", b"Infinity")  # what stands in JSON for numbers that are none
 
 
 def json_of(document: dict[str, Any]) -> bytes:
-    """A document of plain types in UTF-8; ValueError where a number in it is not finite."""
+    """Write a document as JSON.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Values of plain types.
+
+    Returns
+    -------
+    bytes
+        JSON in UTF-8.
+
+    Raises
+    ------
+    ValueError
+        If a number is not finite.
+    """
     text: bytes = to_json(document)
     if any(word in text for word in SUSPECT):
         return json.dumps(document, ensure_ascii=False, allow_nan=False).encode()
@@ -19,6 +35,17 @@ def json_of(document: dict[str, Any]) -> bytes:
 
 
 def document_of(text: bytes) -> dict[str, Any]:
-    """The document that `json_of` has written."""
+    """Read a document that `json_of` has written.
+
+    Parameters
+    ----------
+    text : bytes
+        JSON in UTF-8.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
+    """
     document: dict[str, Any] = from_json(text)
     return document

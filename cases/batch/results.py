@@ -51,9 +51,20 @@ class Stored:
         return len(self.batch.sweep.points)
 
     def pairs(self, only: Sequence[int] | None = None) -> Iterator[list[tuple[Point, Record]]]:
-        """Points with their records, `CHUNK` at a time; `only`: those of some places."""
+        """Points with their records, `CHUNK` at a time.
+
+        Parameters
+        ----------
+        only : Sequence[int] | None, optional
+            Indices of the points to read, from 0; None: all.
+
+        Yields
+        ------
+        Iterator[list[tuple[Point, Record]]]
+            Lists of pairs.
+        """
         points = self.batch.sweep.points
-        wanted = iter(points) if only is None else (points[place] for place in only)
+        wanted = iter(points) if only is None else (points[index] for index in only)
         while chunk := list(islice(wanted, CHUNK)):
             records = self.points.records([point.key for point in chunk])
             yield [
@@ -92,17 +103,17 @@ class Stored:
 
 
 def _converged(record: Record) -> bool:
-    """Whether a point was computed and everything in it converged."""
+    """Tell whether a point was computed and everything in it converged."""
     if record.status != DONE:
         return False
     count = len(record.numbers) // 9
-    place = count + 8 * _place(record.layout)
-    return record.numbers[place : place + 8] != bytes(8)
+    index = count + 8 * _converged_index(record.layout)
+    return record.numbers[index : index + 8] != bytes(8)
 
 
 @lru_cache(maxsize=1024)
-def _place(layout: str) -> int:
-    """Where a point says whether it converged, among its numbers."""
+def _converged_index(layout: str) -> int:
+    """Index of `converged` among the numbers of a point."""
     return [name for part in json.loads(layout) for name in part].index("converged")
 
 
@@ -116,10 +127,20 @@ def _values(point: Point, record: Record) -> dict[str, Any]:
     return {key: value_in(document, key) for key in point.keys}
 
 
-def gathered(batch: Batch, only: Sequence[int] | None = None) -> BatchResults:
-    """Every point of a batch with its summary, in the order of the sweep file.
+def load_results(batch: Batch, only: Sequence[int] | None = None) -> BatchResults:
+    """Read the points of a batch with their summaries, in the order of the sweep file.
 
-    `only`: places of the points that are wanted, counted from 0.
+    Parameters
+    ----------
+    batch : Batch
+        The finished batch.
+    only : Sequence[int] | None, optional
+        Indices of the points to read, from 0; None: all.
+
+    Returns
+    -------
+    BatchResults
+        Results with these points.
     """
     points = [
         _in_memory(batch, point, record)
@@ -154,19 +175,29 @@ def _in_memory(batch: Batch, point: Point, record: Record) -> BatchPoint:
 
 
 @contextmanager
-def collected(batch: Batch) -> Iterator[tuple[BatchResults, Columns]]:
-    """Results of a batch and the columns of all its points, which last as long as the context.
+def collect_results(batch: Batch) -> Iterator[tuple[BatchResults, Columns]]:
+    """Open the results of a batch and the columns of all its points, valid inside the context.
 
     Of a batch of more than `LARGE` points the results have only the counts, and the points of
     [sensitivity], which are few.
+
+    Parameters
+    ----------
+    batch : Batch
+        The finished batch.
+
+    Yields
+    ------
+    Iterator[tuple[BatchResults, Columns]]
+        Results, and columns of all points.
     """
     if len(batch.sweep.points) <= LARGE:
-        yield gathered(batch), columns_of(Stored(batch, BytesIO()))
+        yield load_results(batch), columns_of(Stored(batch, BytesIO()))
         return
     with tempfile.TemporaryFile(dir=batch.directory) as file:
         tally = _Tally(Stored(batch, file))
         columns = columns_of(tally)
-        results = replace(gathered(batch, tally.few), counts=tally.counts(batch))
+        results = replace(load_results(batch, tally.few), counts=tally.counts(batch))
         yield results, replace(columns, source=tally.stored)
 
 
@@ -208,7 +239,20 @@ class _Tally:
 
 
 def shard_counts(batch: Batch, shard: Shard) -> dict[str, int]:
-    """How the points of a shard ended, by the words of a batch's summary."""
+    """Count the points of a shard by their status.
+
+    Parameters
+    ----------
+    batch : Batch
+        The batch.
+    shard : Shard
+        The shard.
+
+    Returns
+    -------
+    dict[str, int]
+        Number of points by the words of a batch's summary [-].
+    """
     stored = StoredPoints(store_files(batch.directory))
     counts = dict.fromkeys(("points", "done", "converged", "failed", "lost", "missing"), 0)
     keys = {point.key: None for point in batch.sweep.points if shard.has(point.key)}
@@ -221,7 +265,20 @@ def shard_counts(batch: Batch, shard: Shard) -> dict[str, int]:
 
 
 def batched(keys: Iterable[str], size: int) -> Iterator[list[str]]:
-    """Some of the keys at a time."""
+    """Split keys into lists of limited size.
+
+    Parameters
+    ----------
+    keys : Iterable[str]
+        The keys.
+    size : int
+        Keys of a list at most [-].
+
+    Yields
+    ------
+    Iterator[list[str]]
+        One list after the other.
+    """
     left = iter(keys)
     while chunk := list(islice(left, size)):
         yield chunk
@@ -240,8 +297,18 @@ def write_batch(
 ) -> None:
     """Write the table, the data set and, last, the summary of a batch.
 
-    `columns`: of all points, made of `results` if left out; `others`: writers of further files by
-    their names; `table`: also the CSV file.
+    Parameters
+    ----------
+    results : BatchResults
+        Results of the batch.
+    directory : Path
+        Folder of the batch.
+    columns : Columns | None, optional
+        Columns of all points; made of `results` if left out.
+    others : Mapping[str, Writer], default MappingProxyType({})
+        Writers of further files by their names.
+    table : bool, default True
+        True: also the CSV file.
     """
     columns = columns or columns_of(InMemory(results))
     writers = ({TABLE: write_batch_csv} if table else {}) | dict(others)

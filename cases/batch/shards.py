@@ -22,18 +22,45 @@ class Shard:
         return "points.sqlite" if self.count == 1 else f"points-{self}.sqlite"
 
     def has(self, key: str) -> bool:
-        """Whether a point belongs to it."""
+        """Tell whether a point belongs to the shard.
+
+        Parameters
+        ----------
+        key : str
+            Name of the point.
+
+        Returns
+        -------
+        bool
+            True if it does.
+        """
         return int(key[:DIGITS], 16) % self.count == self.number - 1
 
     def __str__(self) -> str:
         return f"{self.number}-of-{self.count}"
 
 
-ALONE = Shard(1, 1)
+SINGLE_WRITER = Shard(1, 1)
 
 
 def shard_of(text: str) -> Shard:
-    """The shard that `I/N` names; `CaseError` if it names none."""
+    """The shard that `I/N` names.
+
+    Parameters
+    ----------
+    text : str
+        The option as given.
+
+    Returns
+    -------
+    Shard
+        The shard.
+
+    Raises
+    ------
+    CaseError
+        If it names none.
+    """
     match = re.fullmatch(r"(\d+)/(\d+)", text.strip())
     if match:
         number, count = map(int, match.groups())

@@ -27,7 +27,7 @@ from postprocess.batch.store import (
 
 from ..format.problems import CaseError
 from ..runs.integrity import DIGESTS
-from ..runs.interrupt import say
+from ..runs.interrupt import print_message
 from ..runs.output_directory import check_output
 from .keys import digest
 
@@ -41,12 +41,22 @@ DATA = "results.nc"
 PARQUET = "batch.parquet"
 
 
-def open_folder(directory: Path, *, resume: bool, alone: bool = True) -> None:
+def open_folder(directory: Path, *, resume: bool, single_writer: bool = True) -> None:
     """Make the folder of a batch, or open that of an earlier one.
 
-    `CaseError` if it holds something else, or finished points and `resume` is not wanted, or
-    cannot be written. `alone`: no other program writes into it, so that what is unfinished there
-    is left of killed ones.
+    Parameters
+    ----------
+    directory : Path
+        The folder.
+    resume : bool
+        True: finished points in it are taken over.
+    single_writer : bool, default True
+        True: no other program writes into it; unfinished files are left of killed ones.
+
+    Raises
+    ------
+    CaseError
+        If the folder contains something else, or finished points, or cannot be written.
     """
     check_output(directory)
     if directory.exists() and any(directory.iterdir()) and not (directory / SWEEP_FILE).exists():
@@ -61,24 +71,41 @@ def open_folder(directory: Path, *, resume: bool, alone: bool = True) -> None:
             wanted = "is a folder in the place of a file of the batch; allowed: without it"
             raise CaseError(f"{file}: {wanted}, or another -o")
     (directory / POINTS).mkdir(parents=True, exist_ok=True)
-    if alone:
+    if single_writer:
         remove_unfinished(directory)
 
 
 def has_points(directory: Path) -> bool:
-    """Whether a folder holds points of a batch; those of old versions are files of their own."""
+    """Tell whether a folder contains points of a batch; those of old versions are single files.
+
+    Parameters
+    ----------
+    directory : Path
+        The folder.
+
+    Returns
+    -------
+    bool
+        True if it does.
+    """
     return any(map(holds_rows, store_files(directory))) or any((directory / POINTS).glob("*.json"))
 
 
 def remove_unfinished(directory: Path) -> None:
-    """Remove what processes that were killed were writing."""
+    """Remove files that killed processes were writing.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the batch.
+    """
     for folder in (POINTS, CONTACTS, TABLES):
         for left in (directory / folder).glob(f".*{PARTIAL}*"):
             left.unlink(missing_ok=True)
 
 
 def _own_files(directory: Path) -> Iterator[Path]:
-    """What stands where files of a batch belong."""
+    """Files and folders in the place of files of the batch."""
     names = (SWEEP_FILE, SUMMARY, TABLE, DATA, PARQUET, DIGESTS)
     yield from (directory / name for name in names)
     yield from directory.glob(PATTERN)
@@ -87,18 +114,44 @@ def _own_files(directory: Path) -> Iterator[Path]:
 
 
 def write_file(path: Path, data: bytes) -> None:
-    """Write a file so that it is there as a whole or not at all, also after a power cut."""
+    """Write a file so that it exists as a whole or not at all, also after a power cut.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    data : bytes
+        Its content.
+    """
     write_bytes(path, data, durable=True)
 
 
 def write_files(directory: Path, key: str, files: dict[str, bytes]) -> None:
-    """Write the files of a point beside its record, by suffix."""
+    """Write the files of a point beside its record.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the batch.
+    key : str
+        Name of the point.
+    files : dict[str, bytes]
+        Contents by suffix.
+    """
     for suffix, content in files.items():
         write_file(directory / POINTS / f"{key}{suffix}", content)
 
 
 def write_summary(directory: Path, record: Record) -> None:
-    """Write the summary of a point as JSON."""
+    """Write the summary of a point as JSON.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the batch.
+    record : Record
+        Record of the point.
+    """
     content = {"key": record.key, "status": record.status, "message": record.message}
     document = content | {"summary": summary_of(record)}
     text = json.dumps(document, ensure_ascii=False, allow_nan=False)
@@ -106,14 +159,29 @@ def write_summary(directory: Path, record: Record) -> None:
 
 
 def open_store(path: Path, *, broken: bool = False) -> PointStore:
-    """The file of a writer; a broken one is replaced by what is whole of it."""
+    """Open the file of a writer.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    broken : bool, default False
+        True: the file is replaced by its undamaged records.
+
+    Returns
+    -------
+    PointStore
+        The open file.
+    """
     if not broken:
         return PointStore(path)
     whole = [record for _, record in whole_records(path) if record is not None]
     for name in (path.name, f"{path.name}-wal"):
         if path.with_name(name).exists():
             os.replace(path.with_name(name), path.with_name(f"{name}.damaged"))
-    say(f"oilfilm: {path}: damaged; {len(whole)} points of it are kept, see {path.name}.damaged")
+    print_message(
+        f"oilfilm: {path}: damaged; {len(whole)} points of it are kept, see {path.name}.damaged"
+    )
     store = PointStore(path)
     for record in whole:
         store.put(record)
@@ -124,12 +192,28 @@ def open_store(path: Path, *, broken: bool = False) -> PointStore:
 def finished_points(
     directory: Path, keys: Iterable[str], stored: StoredPoints
 ) -> tuple[set[str], set[str]]:
-    """Those of `keys` that have been computed, and those that failed or were lost.
+    """Sort points into computed ones and failed ones.
 
-    Points with a damaged record or file count among neither, and it is said.
+    A point with a damaged record or file counts among neither; a message says so.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the batch.
+    keys : Iterable[str]
+        Names of the points.
+    stored : StoredPoints
+        Records of the folder.
+
+    Returns
+    -------
+    finished
+        Names of the points that are computed.
+    failed
+        Names of those that failed or were lost.
     """
     for path, count in stored.damaged.items():
-        say(f"oilfilm: {path}: {count} points are damaged; they are computed anew")
+        print_message(f"oilfilm: {path}: {count} points are damaged; they are computed anew")
     done = set()
     failed = set()
     for key in keys:
@@ -149,6 +233,6 @@ def _with_damaged_files(directory: Path, stored: StoredPoints, keys: set[str]) -
         for suffix, expected in json.loads(record.files if record else "{}").items():
             file = directory / POINTS / f"{key}{suffix}"
             if not file.is_file() or digest(file.read_bytes()) != expected:
-                say(f"oilfilm: {file}: damaged; the point is computed anew")
+                print_message(f"oilfilm: {file}: damaged; the point is computed anew")
                 damaged.add(key)
     return damaged

@@ -7,13 +7,12 @@ from functools import partial
 from pathlib import Path as FilePath
 from typing import Any, NamedTuple
 
-from pydantic import ValidationError
-
 from postprocess.batch.results import Design
 
 from ..format.case import Case, ContactCase, case_of_document
 from ..format.document import parse, read_text
-from ..format.problems import CaseError, CaseFault, faults_error, schema_faults
+from ..format.fields import validated
+from ..format.problems import CaseError, CaseProblem, faults_error
 from ..format.shipped import find_case, find_sweep
 from .keys import WITHOUT_CONTACTS, digest, value_in
 from .planning.alternatives import PointDocuments, replaced_keys, with_values
@@ -56,7 +55,7 @@ class _Source:
     name: str
     folder: FilePath
 
-    def error(self, faults: Iterable[CaseFault]) -> CaseError:
+    def error(self, faults: Iterable[CaseProblem]) -> CaseError:
         """The faults with their lines."""
         return faults_error(faults, self.name, self.text)
 
@@ -64,7 +63,20 @@ class _Source:
 def read_sweep(name_or_path: str | FilePath) -> Sweep:
     """Read a sweep file, or a shipped one by its name, and check each of its points as a case.
 
-    `CaseError` with one line for every error.
+    Parameters
+    ----------
+    name_or_path : str | FilePath
+        The file or its name.
+
+    Returns
+    -------
+    Sweep
+        The sweep, ready to run.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong, with one line for every error.
     """
     path = find_sweep(name_or_path)
     return sweep_from_text(read_text(path), str(path), path.parent)
@@ -81,7 +93,27 @@ def _sweep_tables(text: str, name: str) -> dict[str, Any]:
 
 
 def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Sweep:
-    """The sweep that the text of a file describes; its case is sought in `folder` first."""
+    """The sweep that the text of a file describes.
+
+    Parameters
+    ----------
+    text : str
+        Content of the file.
+    name : str
+        Name of the file in messages.
+    folder : FilePath | None, optional
+        Folder in which the case is looked for first.
+
+    Returns
+    -------
+    Sweep
+        The sweep, ready to run.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong, with one line for every error.
+    """
     source = _Source(text, name, folder or FilePath())
     file = _file(source)
     case_file = _case_file(file.case, source)
@@ -96,7 +128,7 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
         raise source.error(problems)
     keys = tuple(dict.fromkeys(s.key for variation in examples for s in variation.settings))
     document = partial(_document, PointDocuments(base), torque=file.compute == "torque")
-    plan = Plan(blocks, document, PointName(file, base).of, keys)
+    plan = Plan(blocks, document, PointName(file, base).name_of, keys)
     checked = _checked(plan, file, base, fixed, source)
     sharing = {number: common for number, (common, _) in checked.items() if common is not None}
     points: Sequence[Point] = plan
@@ -119,28 +151,28 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
         plot=file.plot,
         designs=tuple(designs),
         film_models=tuple(sorted({_film_model(case) for _, case in checked.values()})),
-        share=_shares(blocks, keys),
+        share_contacts=_may_share_contacts(blocks, keys),
     )
 
 
 def _file(source: _Source) -> SweepFile:
     """The content of a sweep file, checked against its format."""
-    try:
-        return SweepFile.model_validate(_sweep_tables(source.text, source.name))
-    except ValidationError as error:
-        schema = SweepFile.model_json_schema()
-        raise source.error(schema_faults(error.errors(include_url=False), schema)) from None
+    tables = _sweep_tables(source.text, source.name)
+    file, faults = validated(SweepFile, tables)
+    if file is None:
+        raise source.error(faults)
+    return file
 
 
 def _document(documents: PointDocuments, variation: Variation, *, torque: bool) -> Document:
     """A point as a case; one of torque in traction equilibrium."""
-    document = documents.of(variation)
+    document = documents.document(variation)
     return with_equilibrium(document) if torque else document
 
 
-def _shares(blocks: Sequence[Sequence[Variation]], keys: tuple[str, ...]) -> bool:
-    """Whether contacts may be equal in several points: where values repeat, as those of all balls
-    without load at one speed, or keys vary that leave the contacts as they are.
+def _may_share_contacts(blocks: Sequence[Sequence[Variation]], keys: tuple[str, ...]) -> bool:
+    """Tell whether contacts may be equal in several points: where values repeat, as those of all
+    balls without load at one speed, or keys vary that leave the contacts unchanged.
     """
     repeated = any(len(block) > 1 and not isinstance(block, Sampled) for block in blocks)
     return repeated or any(key.partition(".")[0] in WITHOUT_CONTACTS for key in keys)
@@ -188,10 +220,10 @@ def _table_file(
     if not examples:
         law = 'no law in friction.traction, or dynamics.friction = "table"'
         allowed = f'allowed: with compute = "torque" and {law}'
-        faults = [CaseFault(("table",), "no point needs traction tables", allowed)]
+        faults = [CaseProblem(("table",), "no point needs traction tables", allowed)]
     elif unreadable is not None:
         allowed = "allowed: a file that `oilfilm table` wrote"
-        faults = [CaseFault(("table",), unreadable, allowed)]
+        faults = [CaseProblem(("table",), unreadable, allowed)]
     else:
         faults = [_foreign(*wrong) for wrong in foreign_points(path, common, examples).items()]
     if faults:
@@ -199,13 +231,13 @@ def _table_file(
     return path
 
 
-def _foreign(reason: str, numbers: list[int]) -> CaseFault:
+def _foreign(reason: str, numbers: list[int]) -> CaseProblem:
     """Tables of other bodies or another oil than some points have."""
     others = f" and {len(numbers) - 1} others" if len(numbers) > 1 else ""
     allowed = (
         "allowed: tables that `oilfilm table` made of the same bearing and oil, or table left out"
     )
-    return CaseFault(("table",), f"{reason}: point {numbers[0]}{others}", allowed)
+    return CaseProblem(("table",), f"{reason}: point {numbers[0]}{others}", allowed)
 
 
 def _title(case: str, keys: tuple[str, ...]) -> str:
@@ -217,13 +249,9 @@ def _title(case: str, keys: tuple[str, ...]) -> str:
 def _case_file(case: str, source: _Source) -> FilePath:
     """The case beside the sweep file if there is one, else as every command finds it."""
     try:
-        for name in (case, f"{case}.toml"):
-            beside = source.folder / name
-            if beside.is_file():
-                return beside
-        return find_case(case)
+        return find_case(case, source.folder)
     except (CaseError, OSError, ValueError) as error:
-        raise source.error([CaseFault(("case",), str(error).partition("\n")[0])]) from None
+        raise source.error([CaseProblem(("case",), str(error).partition("\n")[0])]) from None
 
 
 class _Blocks(NamedTuple):
@@ -232,7 +260,7 @@ class _Blocks(NamedTuple):
     variations: list[Sequence[Variation]]
     designs: list[Design]
     notes: list[str]
-    problems: list[CaseFault]
+    problems: list[CaseProblem]
 
 
 def _blocks(file: SweepFile, base: Document) -> _Blocks:
@@ -245,7 +273,7 @@ def _blocks(file: SweepFile, base: Document) -> _Blocks:
     most = MOST_CHECKED if file.compute in EVERY_POINT else MOST_POINTS
     if count > most:
         allowed = f"allowed: at most {most}"
-        problems.append(CaseFault((), f"{count} points", allowed, line=1))
+        problems.append(CaseProblem((), f"{count} points", allowed, line=1))
     if problems:
         return _Blocks([], [], [], problems)
     blocks: list[Sequence[Variation]] = [combinations, listed(file)]
@@ -259,25 +287,25 @@ def _blocks(file: SweepFile, base: Document) -> _Blocks:
         problems += faults
     if not any(map(len, blocks)) and not problems:
         allowed = "needed: [sweep], [[combinations]], [latin_hypercube] or [sensitivity] with keys"
-        problems.append(CaseFault((), "no points", allowed, line=1))
+        problems.append(CaseProblem((), "no points", allowed, line=1))
     return _Blocks(blocks, designs, notes, problems)
 
 
 def _sensitivity(
     table: SensitivityTable, base: Document
-) -> tuple[list[Variation], list[str], list[CaseFault]]:
+) -> tuple[list[Variation], list[str], list[CaseProblem]]:
     try:
         case = case_of_document(base)
     except CaseError as error:
         finding = "the case itself cannot be run"
-        return [], [], [CaseFault(("sensitivity",), finding, _faults(error)[0].finding)]
+        return [], [], [CaseProblem(("sensitivity",), finding, _faults(error)[0].finding)]
     keys = case.assumed if table.keys == "assumed" else tuple(table.keys)
     return differences(table, keys, {key: value_in(case.document, key) for key in keys})
 
 
-def _faults(error: CaseError) -> list[CaseFault]:
+def _faults(error: CaseError) -> list[CaseProblem]:
     """Faults of a case; of a bound of the physics only its message is known."""
-    return [*error.problems] or [CaseFault((), message, line=1) for message in error.messages]
+    return [*error.problems] or [CaseProblem((), message, line=1) for message in error.messages]
 
 
 def _checked(
@@ -293,12 +321,12 @@ def _checked(
     ends = [plan.variation(0), plan.variation(len(plan) - 1)]
     problems = list(overridden_names(base, ends))
     checked: Checked = {}
-    for place in _places(plan, file.compute):
-        variation = plan.variation(place)
+    for index in _checked_indices(plan, file.compute):
+        variation = plan.variation(index)
         try:
-            case = case_of_document(plan.document(variation), f"point {place + 1}")
+            case = case_of_document(plan.document(variation), f"point {index + 1}")
         except CaseError as error:
-            problems += located_faults(_faults(error), variation, fixed, place + 1)
+            problems += located_faults(_faults(error), variation, fixed, index + 1)
             if len(problems) > MOST_FAULTS:
                 break
             continue
@@ -306,14 +334,14 @@ def _checked(
             continue
         shares = isinstance(case, Case) and needs_tables(case, file.compute)
         common = bodies_and_oil(case) if shares and isinstance(case, Case) else None
-        checked[place] = (common, case)
-        problems += _kind(file, case, place + 1)
+        checked[index] = (common, case)
+        problems += _kind(file, case, index + 1)
     if problems:
         raise source.error(problems)
     return checked
 
 
-def _places(plan: Plan, compute: str) -> Sequence[int]:
+def _checked_indices(plan: Plan, compute: str) -> Sequence[int]:
     """Places of the points that are checked at once: of a large sweep first of all those where a
     key of a factorial block takes each end of its list, then a sample.
     """
@@ -324,15 +352,15 @@ def _places(plan: Plan, compute: str) -> Sequence[int]:
     start = 0
     for block, end in zip(plan.blocks, plan.ends, strict=True):
         if isinstance(block, Factorial):
-            chosen |= {start + place for place in block.edges()}
+            chosen |= {start + index for index in block.edges()}
         elif not isinstance(block, Sampled):
             chosen |= set(range(start, min(end, start + CHECKED)))
         start = end
     return sorted(chosen)
 
 
-def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[CaseFault]:
-    """Whether what is to be computed can be computed of this case."""
+def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[CaseProblem]:
+    """A problem where the quantity cannot be computed of this case."""
     wrong = None
     if not isinstance(case, Case):
         wrong = "the case is a single contact" if file.compute != "run" else None
@@ -341,4 +369,4 @@ def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[Ca
     elif file.compute in ("torque", "table") and len(case.rows or ()) > 1:
         wrong = "the case has several rows of balls"
     if wrong is not None:
-        yield CaseFault(("compute",), f"point {number}: {wrong}", 'allowed: "run"')
+        yield CaseProblem(("compute",), f"point {number}: {wrong}", 'allowed: "run"')

@@ -123,7 +123,7 @@ Names = Annotated[
 
 
 class GoalTable(Table):
-    """What is to be small, and what large."""
+    """Numbers that are to be small, and numbers that are to be large."""
 
     minimise: Names = described("numbers that are to be small", ())
     maximise: Names = described("numbers that are to be large", ())

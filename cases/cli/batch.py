@@ -15,12 +15,12 @@ import typer
 from bearing.files import is_disk_failure
 
 from ..format.problems import CaseError
-from ..runs.interrupt import finish_first, say
+from ..runs.interrupt import finish_first, print_message
 from ..runs.output_lock import scratch_folder
 from ..runs.processes import POINTS, fork_server
 from .app import Json, Output, Quiet, app
-from .cost import batch_cost, tell_cost
-from .output import held_directory, report
+from .cost import batch_cost, report_cost
+from .output import lock_output_directory, report
 from .progress import progress_bar
 from .terminal import FAILED, NOT_CONVERGED, guarded, print_json
 
@@ -28,11 +28,11 @@ if TYPE_CHECKING:
     from postprocess.batch.columns import Columns
     from postprocess.batch.results import BatchResults
 
-    from ..batch.engine import Batch, Choice
+    from ..batch.engine import Batch, PointSelection
     from ..batch.points import Sweep
     from ..batch.pools import Pool
 
-MOST_TOLD = 10  # points without a result that are named
+MOST_LISTED = 10  # points without a result that are named
 Workers = Annotated[
     int | None, typer.Option(min=1, metavar="N", help="Processes; default: cores.")
 ]
@@ -60,7 +60,7 @@ PointMemory = Annotated[
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Wanted:
-    """What is written beside the results, and where they are computed."""
+    """Further files that are written, and the workers that compute."""
 
     workers: int | None
     scheduler: str | None
@@ -110,10 +110,10 @@ def batch(  # noqa: PLR0913
     """Run many points of one case: factorial, listed, sampled."""
     # loads while this process plans
     with fork_server(POINTS, wanted=not (scheduler or executor or collect)):
-        from ..batch.engine import Choice
+        from ..batch.engine import PointSelection, computed_before
         from ..batch.points import Limits
-        from ..batch.results import collected
-        from ..batch.shards import ALONE, shard_of
+        from ..batch.results import collect_results
+        from ..batch.shards import SINGLE_WRITER, shard_of
         from ..batch.sweep import read_sweep
 
         wanted = _Wanted(
@@ -125,11 +125,11 @@ def batch(  # noqa: PLR0913
             csv=csv,
         )
         limits = Limits(seconds=point_seconds, memory=point_memory)
-        _check(wanted, limits, alone=shard is None)
-        choice = Choice(
+        _check(wanted, limits, single_writer=shard is None)
+        choice = PointSelection(
             resume=resume or retry_failed or collect or shard is not None,
             only_failed=retry_failed,
-            shard=ALONE if shard is None else shard_of(shard),
+            shard=SINGLE_WRITER if shard is None else shard_of(shard),
             limits=limits,
             keep_json=keep_json,
         )
@@ -137,24 +137,21 @@ def batch(  # noqa: PLR0913
         keep = output is not None or choice.resume or not as_json
         directory = output or Path(f"{Path(sweep).stem}_results")
         with _folder(directory, keep=keep, shared=shard is not None) as folder:
-            done = _computed(plan, folder, wanted, choice, _Told(keep, quiet, not collect))
+            if collect:
+                done = computed_before(plan, folder)
+            else:
+                done = _compute(plan, folder, wanted, choice, keep=keep, quiet=quiet)
             if shard is not None:
                 return _report_shard(done, choice, as_json=as_json, quiet=quiet)
-            with kept(folder if keep else None), collected(done) as (results, columns):
+            with (
+                report_stored_points(folder if keep else None),
+                collect_results(done) as (results, columns),
+            ):
                 _write(results, columns, folder, wanted)
                 return _report(results, columns, folder if keep else None, as_json, quiet)
 
 
-@dataclass(frozen=True, slots=True)
-class _Told:
-    """Whether the folder stays, whether there is silence, whether points are computed."""
-
-    keep: bool
-    quiet: bool
-    compute: bool
-
-
-def _check(wanted: _Wanted, limits: Any, *, alone: bool) -> None:
+def _check(wanted: _Wanted, limits: Any, *, single_writer: bool) -> None:
     """`CaseError` for options that exclude each other, and for libraries that are not there."""
     names = ("workers", "scheduler", "executor")
     given = [f"--{name}" for name in names if getattr(wanted, name) is not None]
@@ -163,7 +160,7 @@ def _check(wanted: _Wanted, limits: Any, *, alone: bool) -> None:
     if wanted.scheduler is not None and (limits.seconds or limits.memory):
         allowed = "allowed: the limits of Dask, distributed.worker.memory and --lifetime"
         raise CaseError(f"--point-seconds, --point-memory: found with --scheduler; {allowed}")
-    if not alone and (wanted.plot or wanted.parquet or wanted.csv):
+    if not single_writer and (wanted.plot or wanted.parquet or wanted.csv):
         allowed = "allowed with --collect, when all shards are done"
         raise CaseError(f"--plot, --parquet, --csv: found with --shard; {allowed}")
     if wanted.parquet:
@@ -174,14 +171,21 @@ def _check(wanted: _Wanted, limits: Any, *, alone: bool) -> None:
             raise CaseError(f"--parquet: needs the package pyarrow: {needed}") from None
 
 
-def _computed(plan: Sweep, directory: Path, wanted: _Wanted, choice: Choice, told: _Told) -> Batch:
-    """Compute the points that are wanted; none where results are only collected."""
-    from ..batch.engine import computed_before, run_batch
+def _compute(
+    plan: Sweep,
+    directory: Path,
+    wanted: _Wanted,
+    choice: PointSelection,
+    *,
+    keep: bool,
+    quiet: bool,
+) -> Batch:
+    """Compute the points that are selected."""
+    from ..batch.engine import run_batch
 
-    if not told.compute:
-        return computed_before(plan, directory)
-    _tell(plan, wanted.workers, choice.shard.count, quiet=told.quiet)
-    with kept(directory if told.keep else None), progress_bar(quiet=told.quiet) as progress:
+    _report_cost(plan, wanted.workers, choice.shard.count, quiet=quiet)
+    stored = report_stored_points(directory if keep else None)
+    with stored, progress_bar(quiet=quiet) as progress:
         return run_batch(plan, directory, _pool(plan, wanted), choice, progress=progress)
 
 
@@ -207,8 +211,8 @@ def _others(wanted: _Wanted) -> dict[str, Callable[[Columns, Path], None]]:
     return {PARQUET: write_batch_parquet}
 
 
-def _tell(plan: Sweep, workers: int | None, shards: int, *, quiet: bool) -> None:
-    """Say what the points of one of the shards will take, from the first of all."""
+def _report_cost(plan: Sweep, workers: int | None, shards: int, *, quiet: bool) -> None:
+    """Announce the time that the points of one shard will take, estimated from the first point."""
     from ehl.multigrid.threads import cores
 
     from ..format.case import case_of_document
@@ -219,23 +223,29 @@ def _tell(plan: Sweep, workers: int | None, shards: int, *, quiet: bool) -> None
     points = max(1, len(plan.points) // shards)
     what, seconds = batch_cost(first, points, plan.compute)
     count = workers or cores()
-    tell_cost((f"{what}, {count} at a time", seconds / count), quiet=quiet)
-    say("oilfilm: the time left is shown from the first point on")
+    report_cost((f"{what}, {count} at a time", seconds / count), quiet=quiet)
+    print_message("oilfilm: the time left is shown from the first point on")
 
 
 @contextmanager
 def _folder(directory: Path, *, keep: bool, shared: bool) -> Iterator[Path]:
     """The folder of the batch; one that goes away where only the JSON is wanted."""
     if keep:
-        yield held_directory(directory, shared=shared)
+        yield lock_output_directory(directory, shared=shared)
         return
     with scratch_folder() as temporary:
         yield temporary
 
 
 @contextmanager
-def kept(directory: Path | None) -> Iterator[None]:
-    """Say what is left of a batch that was stopped, or that the machine failed."""
+def report_stored_points(directory: Path | None) -> Iterator[None]:
+    """Report the points that are stored when a batch is interrupted, or the machine fails.
+
+    Parameters
+    ----------
+    directory : Path | None
+        Folder of the batch; None: nothing is stored.
+    """
     from ..batch.store import has_points
 
     try:
@@ -244,7 +254,7 @@ def kept(directory: Path | None) -> Iterator[None]:
         if directory is not None and has_points(directory):
             full = is_disk_failure(stop)
             go_on = f"{'make room, then ' if full else ''}continue with --resume"
-            say(f"finished points are kept in {directory}; {go_on}")
+            print_message(f"finished points are kept in {directory}; {go_on}")
         raise
 
 
@@ -252,14 +262,14 @@ def _pool(plan: Sweep, wanted: _Wanted) -> Callable[[], Pool]:
     def start() -> Pool:
         from ehl.multigrid.threads import cores
 
-        from ..batch.pools import ClusterPool, ExecutorPool, LocalPool
+        from ..batch.pools import ClusterPool, LocalPool, Pool, executor_factory
         from ..runs.kernel_cache import compiled_stamp
 
         if wanted.scheduler is not None:
             return ClusterPool(wanted.scheduler)
         if wanted.executor is not None:
             sys.path.insert(0, os.getcwd())  # where a user's own module is
-            return ExecutorPool(wanted.executor)
+            return Pool(executor_factory(wanted.executor))
         stamp = compiled_stamp(f"{plan.compute} {list(plan.film_models)}")
         return LocalPool(wanted.workers or cores(), stamp)
 
@@ -270,13 +280,15 @@ def _plot(results: BatchResults, directory: Path) -> None:
     from postprocess.batch.plots import write_batch_plots
 
     if results.counts is not None:
-        say("oilfilm: plots: not drawn of more than 10000 points; batch.parquet has them")
+        print_message(
+            "oilfilm: plots: not drawn of more than 10000 points; batch.parquet has them"
+        )
         return
     for problem in write_batch_plots(results, directory):
-        say(f"oilfilm: {problem}")
+        print_message(f"oilfilm: {problem}")
 
 
-def _report_shard(done: Batch, choice: Choice, *, as_json: bool, quiet: bool) -> int:
+def _report_shard(done: Batch, choice: PointSelection, *, as_json: bool, quiet: bool) -> int:
     """Say how the points of a shard ended."""
     from ..batch.results import shard_counts
 
@@ -287,7 +299,7 @@ def _report_shard(done: Batch, choice: Choice, *, as_json: bool, quiet: bool) ->
     if not quiet or failed:
         named = (f"{number} {name}" for name, number in counts.items() if number)
         words = ", ".join(named) or "no points"
-        say(f"oilfilm: shard {choice.shard} in {done.directory}: {words}")
+        print_message(f"oilfilm: shard {choice.shard} in {done.directory}: {words}")
     if counts["lost"]:
         return FAILED
     return NOT_CONVERGED if counts["converged"] < counts["points"] else 0
@@ -305,10 +317,10 @@ def _report(
     counts = results.counts or counts_of(results)
     failed = counts.points - counts.done
     if failed:
-        say(f"oilfilm: {failed} of {counts.points} points have no result:")
+        print_message(f"oilfilm: {failed} of {counts.points} points have no result:")
         named = [point for point in results.points if point.summary is None]
-        for point in named[:MOST_TOLD]:
-            say(f"  point {point.number} ({point.label}): {point.message}")
+        for point in named[:MOST_LISTED]:
+            print_message(f"  point {point.number} ({point.label}): {point.message}")
         for message, number in counts.reasons:
-            say(f"  {number}: {message}")
+            print_message(f"  {number}: {message}")
     return FAILED if counts.lost else code

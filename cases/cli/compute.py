@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from ..format.problems import CaseError
-from ..runs.interrupt import say
+from ..runs.interrupt import print_message
 from .app import CaseName, Json, Output, Quiet, app
-from .cost import film_seconds, run_cost, slip_cost, table_cost, tell_cost, temperatures_cost
-from .output import held_file, load_bearing, report, results_directory, save, save_with
+from .cost import film_seconds, report_cost, run_cost, slip_cost, table_cost, temperatures_cost
+from .output import load_bearing, lock_output_file, report, results_directory, save, save_with
 from .progress import progress_bar
 from .terminal import guarded
 
@@ -58,7 +58,7 @@ def run(
 
         from ..runs.bearing import Interrupted, run_case
 
-        tell_cost(run_cost(loaded, workers or cores()), quiet=quiet)
+        report_cost(run_cost(loaded, workers or cores()), quiet=quiet)
         try:
             with progress_bar(quiet=quiet) as progress:
                 results = run_case(
@@ -70,7 +70,7 @@ def run(
                 target = Path(f"{directory}_interrupted") if directory.exists() else directory
                 drawing.stop()
                 save(stop.results, target, drawing)
-                say(f"finished films in {target}")
+                print_message(f"finished films in {target}")
             raise KeyboardInterrupt from None
     return report(summary(results), lambda: bearing_table(results), directory, as_json, quiet)
 
@@ -102,7 +102,7 @@ def contact(
 
         elements = method is Method.FINITE_ELEMENT
         film = f"one film on at most {loaded.solver.most_points} nodes"
-        tell_cost((film, film_seconds(loaded.solver)), quiet=quiet)
+        report_cost((film, film_seconds(loaded.solver)), quiet=quiet)
         with progress_bar(quiet=quiet) as progress:
             progress(0, 1, "film")
             results = run_contact(loaded, finite_element=elements, workers=cores())
@@ -149,12 +149,12 @@ def slip(
 
     from ..runs.slip import run_slip
 
-    tell_cost(slip_cost(loaded, workers or cores()), quiet=quiet)
+    report_cost(slip_cost(loaded, workers or cores()), quiet=quiet)
     try:
         with progress_bar(quiet=quiet) as progress:
             results = run_slip(loaded, case, workers, progress)
     except KeyboardInterrupt:
-        say("oilfilm: of unfinished slip maps nothing is kept")
+        print_message("oilfilm: of unfinished slip maps nothing is kept")
         raise
     from postprocess.slip.summary import slip_summary
     from postprocess.slip.table import slip_table
@@ -230,7 +230,7 @@ def temperatures(
     from ..runs.bearing import run_case
     from ..runs.studies.temperatures import run_temperatures
 
-    tell_cost(temperatures_cost(loaded), quiet=quiet)
+    report_cost(temperatures_cost(loaded), quiet=quiet)
     duration = None if hours is None else 3600.0 * hours
     with progress_bar(quiet=quiet) as progress:
         study = partial(run_temperatures, loaded, case, run_case, duration, progress)
@@ -295,7 +295,7 @@ def table(  # noqa: PLR0913
             f"{path}: cannot be written; allowed with -o: a file in a folder that exists"
         )
     if path is not None:
-        held_file(path)
+        lock_output_file(path)
     from ehl.multigrid.threads import cores
 
     from ..runs import traction_table as runs
@@ -305,12 +305,12 @@ def table(  # noqa: PLR0913
     count = 1 if over is None else len(over.temperatures)
     atlas = loaded.file.friction.table_films == "atlas"
     cost = table_cost(points, count, workers or cores(), atlas=atlas)
-    tell_cost(cost, quiet=quiet)
+    report_cost(cost, quiet=quiet)
     from postprocess.traction.summary import traction_summary
     from postprocess.traction.table import traction_table
     from postprocess.traction.write import save_tables, write_traction
 
-    with _films_kept(path) as sample:
+    with _film_sampler(path) as sample:
         with progress_bar(quiet=quiet) as progress:
             results = runs.run_table(loaded, points, workers, progress, over, sample, wish)
         if path is not None:
@@ -325,23 +325,25 @@ def table(  # noqa: PLR0913
 
 
 @contextmanager
-def _films_kept(path: Path | None) -> Iterator[FilmSampler]:
+def _film_sampler(path: Path | None) -> Iterator[FilmSampler]:
     """Solves films and keeps them beside the table until that is complete."""
     from ehl.traction.table.film import film_sample
 
-    from ..batch.shared.table_films import forget_films, kept_films
+    from ..batch.shared.table_films import remove_films, stored_film_sampler
 
     if path is None:
         yield film_sample
         return
     folder = path.with_name(f"{path.stem}_films")
     try:
-        yield kept_films(folder)
+        yield stored_film_sampler(folder)
     except (KeyboardInterrupt, OSError) as stop:
         with suppress(OSError):
             folder.rmdir()  # without a film
         if folder.exists():
             room = "make room, then " * isinstance(stop, OSError)
-            say(f"finished films are kept in {folder}; {room}the same command goes on with them")
+            print_message(
+                f"finished films are kept in {folder}; {room}the same command goes on with them"
+            )
         raise
-    forget_films(folder)
+    remove_films(folder)

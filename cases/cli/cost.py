@@ -1,10 +1,10 @@
-"""What long work will cost, told before it begins; estimates within a factor of two or so."""
+"""Estimated time of long work, announced before it begins; within a factor of two or so."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ..runs.interrupt import say
+from ..runs.interrupt import print_message
 
 if TYPE_CHECKING:
     from ehl import SolverOptions
@@ -36,27 +36,70 @@ TABLE_FILMS = 120  # of the tables of both races, without refinement
 ATLAS_FILM_SECONDS = 0.25  # of a film of a table by the atlas, its shear [s]
 
 
-def tell_cost(cost: tuple[str, float], *, quiet: bool) -> None:
-    """Say what is to be computed and about how long it takes [s], if that is long."""
+def report_cost(cost: tuple[str, float], *, quiet: bool) -> None:
+    """Announce long work and its estimated time.
+
+    Parameters
+    ----------
+    cost : tuple[str, float]
+        Description of the work, and its time [s].
+    quiet : bool
+        True: no message.
+    """
     what, seconds = cost
     if not quiet and seconds > LONG:
-        say(f"oilfilm: {what}: about {_duration(seconds)}")
+        print_message(f"oilfilm: {what}: about {_duration(seconds)}")
 
 
 def film_seconds(options: SolverOptions) -> float:
-    """Processor time of one film, at most [s]."""
+    """Processor time of one film, at most.
+
+    Parameters
+    ----------
+    options : SolverOptions
+        Grid of the solver.
+
+    Returns
+    -------
+    float
+        Time [s].
+    """
     return FILM_SECONDS * (options.most_points / FILM_POINTS) ** 2
 
 
 def run_cost(case: Case, workers: int) -> tuple[str, float]:
-    """What a run solves, and its time [s]; equal contacts are solved once."""
+    """Work and time of a run; equal contacts are solved once.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    workers : int
+        Contacts solved at a time [-].
+
+    Returns
+    -------
+    tuple[str, float]
+        Description, and time [s].
+    """
     films = run_films(case)
     text = f"at most {films} films on at most {case.solver.most_points} nodes"
     return f"{text}, {workers} at a time", films * film_seconds(case.solver) / workers
 
 
 def run_films(case: Case) -> int:
-    """Films of a run at most [-]."""
+    """Films of a run at most.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+
+    Returns
+    -------
+    int
+        Number of films [-].
+    """
     maps = case.film_maps
     balls = case.bearing.balls * len(case.rows or (None,))
     balls = balls if isinstance(maps, str) else min(balls, len(maps))
@@ -66,8 +109,23 @@ def run_films(case: Case) -> int:
 def table_cost(
     points: int, temperatures: int, workers: int, *, atlas: bool = False
 ) -> tuple[str, float]:
-    """What tables of both races take [s], without refinement; with films of the atlas, where it
-    has them.
+    """Work and time of the traction tables of both races, without refinement.
+
+    Parameters
+    ----------
+    points : int
+        Nodes of each film along x [-].
+    temperatures : int
+        Temperatures of the oil [-].
+    workers : int
+        Films solved at a time [-].
+    atlas : bool, default False
+        True: films of the film atlas, where it has them.
+
+    Returns
+    -------
+    tuple[str, float]
+        Description, and time [s].
     """
     films = TABLE_FILMS * temperatures
     seconds = films * FILM_SECONDS * (points / FILM_POINTS) ** 2 / workers
@@ -78,21 +136,56 @@ def table_cost(
 
 
 def slip_cost(case: Case, workers: int) -> tuple[str, float]:
-    """What slip maps take [s]; nothing without [slip], which is an error later."""
+    """Work and time of slip maps; nothing without [slip], which is an error later.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    workers : int
+        Processes [-].
+
+    Returns
+    -------
+    tuple[str, float]
+        Description, and time [s].
+    """
     points = 0 if case.file.slip is None else case.file.slip.points
     text = f"slip at {points} speeds and {points} loads, {workers} processes"
     return text, points**2 * EQUILIBRIUM_SECONDS / workers
 
 
 def temperatures_cost(case: Case) -> tuple[str, float]:
-    """What temperatures over speed and time take [s]."""
+    """Work and time of temperatures over speed and time.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+
+    Returns
+    -------
+    tuple[str, float]
+        Description, and time [s].
+    """
     balls = case.bearing.balls * len(case.rows or (None,))
     text = "temperatures over the speed and from the start, some 100 states"
     return text, 100.0 * balls * STATE_SECONDS
 
 
 def dynamics_cost(case: Case) -> tuple[str, float]:
-    """What a simulation takes [s], beside its traction tables; nothing without [dynamics]."""
+    """Work and time of a simulation without its traction tables; nothing without [dynamics].
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+
+    Returns
+    -------
+    tuple[str, float]
+        Description, and time [s].
+    """
     table = case.file.dynamics
     simulated = 0.0 if table is None else table.end_time_s * table.starts
     planar = table is not None and table.equations == "planar"
@@ -104,7 +197,7 @@ def dynamics_cost(case: Case) -> tuple[str, float]:
 
 
 def _one_ball(case: Case, table: DynamicsTable) -> bool:
-    """Whether a simulation most likely solves one ball: thrust alone throughout."""
+    """Tell whether a simulation most likely solves one ball: thrust alone throughout."""
     across = any(case.operation.force[1:]) or any(table.gravity_m_s2[1:])
     plain = table.load_table_N is None and table.moment_table_N_mm is None
     return (
@@ -116,7 +209,18 @@ def _one_ball(case: Case, table: DynamicsTable) -> bool:
 
 
 def transient_cost(case: ContactCase) -> tuple[str, float]:
-    """What a contact over time takes [s]; nothing without [transient], which is an error later."""
+    """Work and time of a contact over time; nothing without [transient], which is an error later.
+
+    Parameters
+    ----------
+    case : ContactCase
+        The contact.
+
+    Returns
+    -------
+    tuple[str, float]
+        Description, and time [s].
+    """
     if case.transient is None:
         return "", 0.0
     from ehl.transient.run import planned_steps
@@ -132,7 +236,18 @@ def transient_cost(case: ContactCase) -> tuple[str, float]:
 
 
 def vibration_cost(case: Case) -> tuple[str, float]:
-    """What a vibration takes [s], films included."""
+    """Work and time of a vibration, films included.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+
+    Returns
+    -------
+    tuple[str, float]
+        Description, and time [s].
+    """
     table = case.file.vibration
     given = None if table is None else table.duration_s
     end = None if case.file.dynamics is None else case.file.dynamics.end_time_s
@@ -143,8 +258,21 @@ def vibration_cost(case: Case) -> tuple[str, float]:
 
 
 def batch_cost(first: Case | ContactCase, points: int, compute: str) -> tuple[str, float]:
-    """Points like the first one and their time [s] on one core, each without what it shares with
-    others.
+    """Work and time of points like the first one on one core.
+
+    Parameters
+    ----------
+    first : Case | ContactCase
+        Case of the first point.
+    points : int
+        Number of points [-].
+    compute : str
+        Quantity that is computed.
+
+    Returns
+    -------
+    tuple[str, float]
+        Description, and time [s].
     """
     from ..format.case import Case
 

@@ -7,9 +7,9 @@ from typing import Annotated
 import typer
 
 from ..format.problems import CaseError
-from ..runs.interrupt import say
+from ..runs.interrupt import print_message
 from .app import app
-from .output import held_directory, held_file
+from .output import lock_output_directory, lock_output_file
 from .reading import reading
 from .terminal import NOT_CONVERGED, guarded, print_json, print_table
 
@@ -38,12 +38,12 @@ def report(directory: Directory, quiet: Errors = False) -> None:
     from postprocess.report.page import write_report
 
     with reading(directory):
-        path = write_report(held_directory(directory))
+        path = write_report(lock_output_directory(directory))
     from ..runs.output_directory import add_to_manifest
 
     add_to_manifest(directory, path.name)
     if not quiet:
-        say(f"report in {path}")
+        print_message(f"report in {path}")
 
 
 @app.command()
@@ -73,10 +73,12 @@ def compare(
         print_table(comparison_table(comparison))
     for name, converged in zip(comparison.names, comparison.converged, strict=True):
         if not converged:
-            say(f"oilfilm: {name}: not converged")
+            print_message(f"oilfilm: {name}: not converged")
     differs = within is not None and comparison.largest > within
     if differs:
-        say(f"oilfilm: a result differs by more than {within:g}: {comparison.largest:.3g}")
+        print_message(
+            f"oilfilm: a result differs by more than {within:g}: {comparison.largest:.3g}"
+        )
     return NOT_CONVERGED if differs or not all(comparison.converged) else 0
 
 
@@ -98,8 +100,8 @@ def cut(
     from postprocess.contact.line_cut import write_line_cut
 
     with reading(directory):
-        file = held_file(output or Path("cut.csv"))
-        say(f"table in {write_line_cut(directory, file, contact, axis.value, at)}")
+        file = lock_output_file(output or Path("cut.csv"))
+        print_message(f"table in {write_line_cut(directory, file, contact, axis.value, at)}")
 
 
 @app.command()
@@ -128,8 +130,8 @@ def interferogram(
     with reading(directory):
         lengths = tuple(value * NANOMETRE for value in wavelength) if wavelength else (SODIUM,)
         optics = Optics(wavelengths=lengths, refractive_index=index)
-        file = held_file(output or Path("interferogram.png"))
-        say(f"picture in {write_interferogram(directory, file, contact, optics)}")
+        file = lock_output_file(output or Path("interferogram.png"))
+        print_message(f"picture in {write_interferogram(directory, file, contact, optics)}")
 
 
 @app.command()
@@ -160,9 +162,11 @@ def diagram(
     from postprocess.batch.read import read_batch
 
     with reading(directory):
-        file = held_file(output or Path("diagram.png"))
+        file = lock_output_file(output or Path("diagram.png"))
         results = read_batch(directory)
-        say(f"picture in {write_diagram(results, file, tuple(over or ()), tuple(of or ()))}")
+        print_message(
+            f"picture in {write_diagram(results, file, tuple(over or ()), tuple(of or ()))}"
+        )
 
 
 @app.command()
@@ -189,12 +193,12 @@ def export(
     if file.suffix.lower() != f".{file_format}":
         raise CaseError(f"--output {file}: allowed: a .{file_format} file, as --format says")
     with reading(directory):
-        held_file(file)
+        lock_output_file(file)
         files = _write_document(directory, file, file_format) or _write_meshes(directory, file)
     if not quiet:
         for path in files:
             kind = DOCUMENTS.get(file_format, "mesh" if path.suffix == file.suffix else "values")
-            say(f"{kind} in {path}")
+            print_message(f"{kind} in {path}")
 
 
 def _write_document(directory: Path, file: Path, kind: str) -> tuple[Path, ...]:

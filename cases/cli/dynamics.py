@@ -14,10 +14,10 @@ import typer
 from bearing.files import is_disk_failure
 
 from ..format.problems import CaseError
-from ..runs.interrupt import finish_first, say
+from ..runs.interrupt import finish_first, print_message
 from ..runs.output_lock import TEMPORARY, home, scratch_folder
 from .app import CaseName, Json, Output, Quiet, app
-from .cost import dynamics_cost, tell_cost
+from .cost import dynamics_cost, report_cost
 from .output import load_bearing, report, results_directory, save_with
 from .over_time.vibration import run_and_report
 from .progress import progress_bar
@@ -73,7 +73,9 @@ def dynamics(  # noqa: PLR0913
     if loaded.file.form is not None or loaded.file.support is not None:
         if any(option is not None for option in (restart, table, animation)):
             raise CaseError(f"{case}: --restart, --table, --animate: not with [form] or [support]")
-        say("oilfilm: with [form] or [support] as 'oilfilm vibration': the cage turns the balls")
+        print_message(
+            "oilfilm: with [form] or [support] as 'oilfilm vibration': the cage turns the balls"
+        )
         return run_and_report(case, output, as_json=as_json, quiet=quiet)
     directory = results_directory(case, output, as_json)
     if animation is not None and (directory is None or animation.suffix.lower() != ".gif"):
@@ -82,7 +84,7 @@ def dynamics(  # noqa: PLR0913
     shown = _window(window, animation, loaded)
     from ..runs.dynamics import Interrupted, run_dynamics
 
-    tell_cost(dynamics_cost(loaded), quiet=quiet)
+    report_cost(dynamics_cost(loaded), quiet=quiet)
     with _history_folder(directory) as folder:
         history = Path(folder) / "history.nc"
         try:
@@ -159,7 +161,7 @@ def _animate(directory: Path, file: Path, window: tuple[float, float] | None) ->
     except (RenderingError, OSError, ValueError) as problem:
         if is_disk_failure(problem):
             raise
-        say(f"oilfilm: {problem}")
+        print_message(f"oilfilm: {problem}")
 
 
 def _keep(
@@ -179,4 +181,4 @@ def _keep(
     with finish_first(f"history so far in {directory}"):
         save_restart(simulation, path, case_key(case))
         save_with(lambda target: write_dynamics(results, target, lambda: True), directory)
-    say(f"history so far in {directory}; go on with --restart {path}")
+    print_message(f"history so far in {directory}; go on with --restart {path}")

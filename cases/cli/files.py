@@ -15,9 +15,9 @@ from bearing.library.plugins import PluginError
 from ehl.units import from_si, to_si
 
 from ..format.problems import CaseError
-from ..runs.interrupt import say
+from ..runs.interrupt import print_message
 from .app import app
-from .output import say_notes
+from .output import print_notes
 from .terminal import BAD_INPUT, guarded, print_json, print_lines
 
 if TYPE_CHECKING:
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class Listing(StrEnum):
-    """What `oilfilm list` shows."""
+    """Kinds of names that `oilfilm list` prints."""
 
     CASES = "cases"
     SWEEPS = "sweeps"
@@ -77,10 +77,10 @@ def validate(
             errors = error.messages
         report[case] = {"valid": not errors, "errors": errors}
         for message in () if as_json else errors:
-            say(message)
+            print_message(message)
         if not (errors or quiet or as_json):
             print_lines(f"{case}: valid")
-            say_notes(notes)
+            print_notes(notes)
     if as_json:
         print_json(report)
     return 0 if all(checked["valid"] for checked in report.values()) else BAD_INPUT
@@ -246,7 +246,18 @@ def schema() -> None:
 
 
 def listing(kind: str) -> dict[str, str]:
-    """Names and remarks of one kind: cases, bearings, materials, lubricants, ..."""
+    """Names and remarks of one kind.
+
+    Parameters
+    ----------
+    kind : str
+        Cases, bearings, materials, lubricants or another value of `Listing`.
+
+    Returns
+    -------
+    dict[str, str]
+        Remark by name.
+    """
     from ..format.shipped import shipped_cases, shipped_sweeps, title
 
     if kind == "cases":
@@ -278,7 +289,7 @@ def listing(kind: str) -> dict[str, str]:
 
 
 def _plugins() -> dict[str, str]:
-    """What other distributions bring, and what is wrong with it."""
+    """Oils that other distributions bring, and their faults."""
     from bearing.library.plugins import KINDS, plugins
 
     found: dict[str, str] = {}

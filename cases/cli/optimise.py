@@ -10,9 +10,9 @@ import typer
 from ..runs.interrupt import finish_first
 from .app import Json, Output, Quiet, app
 from .batch import Workers
-from .output import held_directory, report
+from .output import lock_output_directory, report
 from .progress import progress_bar
-from .terminal import guarded, hold
+from .terminal import enter_context, guarded
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from rich.console import Group
     from rich.table import Table
 
-    from ..optimise.designs import Design, Found
+    from ..optimise.designs import Design, OptimisationResult
     from ..optimise.study import Study
 
 MOST_SHOWN = 4  # designs of a front in the terminal
@@ -49,7 +49,7 @@ def optimise(
     study = read_study(find_optimisation(file))
     keep = output is not None or resume or not as_json
     directory = (
-        held_directory(output or Path(f"{Path(file).stem}_results")) if keep else _scratch()
+        lock_output_directory(output or Path(f"{Path(file).stem}_results")) if keep else _scratch()
     )
     found = _found(study, directory, workers, resume=resume, quiet=quiet)
     with finish_first(f"results in {directory}"):
@@ -61,64 +61,75 @@ def optimise(
 def _scratch() -> Path:
     from ..runs.output_lock import scratch_folder
 
-    return hold(scratch_folder())
+    return enter_context(scratch_folder())
 
 
 def _found(
     study: Study, directory: Path, workers: int | None, *, resume: bool, quiet: bool
-) -> Found:
+) -> OptimisationResult:
     """Search with workers that stay until the end."""
     from ehl.multigrid.threads import cores
 
-    from ..optimise.search import KeptPool, searched
+    from ..optimise.search import PersistentPool, search_designs
     from ..runs.kernel_cache import compiled_stamp
-    from .batch import kept
+    from .batch import report_stored_points
 
-    pools: list[KeptPool] = []
+    pools: list[PersistentPool] = []
 
-    def pool() -> KeptPool:
+    def pool() -> PersistentPool:
         if not pools:
-            pools.append(KeptPool(workers or cores(), compiled_stamp("run ['None']")))
+            pools.append(PersistentPool(workers or cores(), compiled_stamp("run ['None']")))
         return pools[0]
 
     try:
-        with kept(directory), progress_bar(quiet=quiet) as progress:
-            return searched(study, directory, pool, resume, progress)
+        with report_stored_points(directory), progress_bar(quiet=quiet) as progress:
+            return search_designs(study, directory, pool, resume, progress)
     finally:
         for own in pools:
             own.end()
 
 
-def optimisation_table(found: Found) -> Group:
-    """The front, or the best design, and its proof, for a terminal of 80 columns."""
+def optimisation_table(found: OptimisationResult) -> Group:
+    """The front, or the best design, and its confirmation, for a terminal of 80 columns.
+
+    Parameters
+    ----------
+    found : OptimisationResult
+        Result of the optimisation.
+
+    Returns
+    -------
+    Group
+        The table.
+    """
     from rich.console import Group
     from rich.text import Text
 
     from postprocess.text import evenly_chosen
 
-    from ..optimise.proof import improvement, proof_messages
+    from ..optimise.proof import confirmation_messages, improvement
 
     study = found.study
     names = list(dict.fromkeys([n for n, _ in study.goals] + [one.name for one in study.limits]))
     front = [found.designs[number - 1] for number in found.front]
     chosen = [front[k] for k in evenly_chosen(len(front), MOST_SHOWN)] if front else []
     columns = {f"design {design.number}": design for design in chosen}
-    if study.place_of_case() is not None:
+    if study.position_of_case() is not None:
         columns = {"case": found.designs[0]} | columns
     parts: list[Any] = [Text(study.title, style="bold"), _columns(columns, study.keys, names)]
     if len(front) > len(chosen):
         parts.append(f"{len(chosen)} of the {len(front)} designs of the front")
-    if found.proved:
-        parts += ["proof:", _columns(dict(found.proved), (), names)]
+    if found.confirmed:
+        parts += ["proof:", _columns(dict(found.confirmed), (), names)]
     gain = improvement(found)
     if gain is not None:
         parts.append(_gain(gain))
-    parts += proof_messages(found)
+    parts += confirmation_messages(found)
     return Group(*parts)
 
 
 def _gain(gain: dict[str, Any]) -> str:
-    """What is gained, and how far it is known."""
+    """The improvement and its error, in words."""
     shown = f"{gain['goal']}: {gain['case']:.4g} to {gain['best']:.4g} by {gain['design']}"
     if gain["error"] is None:
         return shown

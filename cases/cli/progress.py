@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from time import monotonic
 
-from ..runs.interrupt import say
+from ..runs.interrupt import print_message
 
 FIRST_LINE = 5.0  # after the start of the work [s]; each further one after twice the time
 LONGEST_SILENCE = 60.0  # [s]
@@ -17,11 +17,22 @@ LONGEST_SILENCE = 60.0  # [s]
 
 @contextmanager
 def progress_bar(*, quiet: bool) -> Iterator[Callable[[int, int, str], None]]:
-    """A callback that shows progress on standard error, unless `quiet`."""
+    """A callback that shows progress on standard error.
+
+    Parameters
+    ----------
+    quiet : bool
+        True: nothing is shown.
+
+    Yields
+    ------
+    Iterator[Callable[[int, int, str], None]]
+        Function of steps done, steps in all, and a text.
+    """
     if quiet:
         yield lambda done, total, state: None
         return
-    with _compilation_told(), _bar() if sys.stderr.isatty() else _lines() as show:
+    with _report_compilation(), _bar() if sys.stderr.isatty() else _lines() as show:
         yield show
 
 
@@ -53,7 +64,7 @@ def _lines() -> Iterator[Callable[[int, int, str], None]]:
     def speak() -> None:
         pause = FIRST_LINE
         while not over.wait(pause):
-            say(f"oilfilm: after {monotonic() - began:.0f} s: {last[0]}")
+            print_message(f"oilfilm: after {monotonic() - began:.0f} s: {last[0]}")
             pause = min(2.0 * pause, LONGEST_SILENCE)
 
     threading.Thread(target=speak, daemon=True).start()
@@ -69,11 +80,11 @@ class _CompilationNotice(logging.Handler):
     def emit(self, record: logging.LogRecord) -> None:
         """Print the message of the first record and leave the logger."""
         logging.getLogger(record.name).removeHandler(self)
-        say(f"oilfilm: {record.getMessage()}")
+        print_message(f"oilfilm: {record.getMessage()}")
 
 
 @contextmanager
-def _compilation_told() -> Iterator[None]:
+def _report_compilation() -> Iterator[None]:
     """Tell when kernels are compiled."""
     logger = logging.getLogger("ehl.compiled")
     notice = _CompilationNotice()

@@ -8,14 +8,25 @@ from bearing.files import is_disk_failure
 
 from ..format.problems import CaseError
 from ..runs.integrity import damaged_files
-from ..runs.interrupt import say
+from ..runs.interrupt import print_message
 
 ANEW = "compute the results again"
 
 
 @contextmanager
 def reading(*directories: Path) -> Iterator[None]:
-    """Say which files are damaged; what is wrong with a folder of results is bad input."""
+    """Read folders of results inside; damaged files are reported.
+
+    Parameters
+    ----------
+    *directories : Path
+        The folders.
+
+    Raises
+    ------
+    CaseError
+        If a folder does not exist, or its content is damaged or wrong.
+    """
     for directory in directories:
         if not directory.is_dir():
             raise CaseError(f"{directory}: no such directory; allowed: a directory of results")
@@ -33,4 +44,4 @@ def reading(*directories: Path) -> Iterator[None]:
             raise CaseError(str(error)) from error
         raise
     for path in damaged:
-        say(f"oilfilm: {path}: changed since it was written; {ANEW}")
+        print_message(f"oilfilm: {path}: changed since it was written; {ANEW}")

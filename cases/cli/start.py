@@ -17,7 +17,7 @@ def main() -> None:
     signal.signal(signal.SIGTERM, _leave)
     import gc
 
-    from ..runs.interrupt import end_now, end_unless_obeyed, interrupt, say
+    from ..runs.interrupt import end_after_signal, end_now, interrupt, print_message
     from ..runs.processes import COLLECTED
 
     gc.set_threshold(COLLECTED)
@@ -26,7 +26,7 @@ def main() -> None:
     from .terminal import exit_code
 
     prepare_streams()
-    came = end_unless_obeyed(INTERRUPTED)
+    came = end_after_signal(INTERRUPTED)
     signal.signal(signal.SIGTERM, interrupt)
     signal.signal(signal.SIGINT, interrupt)
     code: str | int | None
@@ -37,7 +37,7 @@ def main() -> None:
     for number in (signal.SIGINT, signal.SIGTERM):
         signal.signal(number, signal.SIG_IGN)  # it is done, one way or the other
     if code == ABORTED or (code == NOT_CONVERGED and came()):
-        say("oilfilm: interrupted")
+        print_message("oilfilm: interrupted")
         code = INTERRUPTED
     if code == INTERRUPTED:
         end_now(INTERRUPTED)

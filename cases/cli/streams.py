@@ -4,7 +4,7 @@ import os
 import sys
 from contextlib import suppress
 
-from ..runs.interrupt import say
+from ..runs.interrupt import print_message
 
 STREAMS = (0, 1, 2)
 
@@ -34,15 +34,15 @@ def drop_output() -> None:
 
 
 def output_is_written() -> bool:
-    """Whether standard output took everything; a message if its disk is full, none if its reader
-    has seen enough.
+    """Tell whether standard output took everything; a message if its disk is full, none if its
+    reader has ended.
     """
     try:
         sys.stdout.flush()
     except BrokenPipeError:
         drop_output()
     except OSError as error:
-        say(f"oilfilm: failed: standard output: {error.strerror or error}")
+        print_message(f"oilfilm: failed: standard output: {error.strerror or error}")
         drop_output()
         return False
     return True

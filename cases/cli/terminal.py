@@ -1,4 +1,4 @@
-"""What a command shows: progress, messages, results, exit codes."""
+"""Exit codes, error messages, and printing of results."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ import typer
 from bearing.library.plugins import PluginError
 
 from ..format.problems import CaseError
-from ..runs.interrupt import interrupt, say
+from ..runs.interrupt import interrupt, print_message
 from ..runs.kernel_cache import ensure_kernel_cache
 from .streams import drop_output
 
@@ -34,18 +34,29 @@ MOST_MESSAGES = 20  # lines of errors shown; a file of garbage has hundreds
 P = ParamSpec("P")
 T = TypeVar("T")
 
-HELD: ContextVar[ExitStack] = ContextVar("HELD")  # what a command holds until its end
+EXIT_STACK: ContextVar[ExitStack] = ContextVar("HELD")  # what a command holds until its end
 
 
 def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
-    """Turn what a command raises or returns into an exit code and a message, no traceback."""
+    """Turn the result or the error of a command into an exit code and a message without traceback.
+
+    Parameters
+    ----------
+    command : Callable[P, int | None]
+        The command.
+
+    Returns
+    -------
+    Callable[P, None]
+        The command for Typer.
+    """
 
     @functools.wraps(command)
     def run(*args: P.args, **kwargs: P.kwargs) -> None:
         def prepared() -> int | None:
             ensure_kernel_cache()  # before anything imports numba
             with ExitStack() as stack:
-                HELD.set(stack)
+                EXIT_STACK.set(stack)
                 return command(*args, **kwargs)
 
         code = exit_code(prepared)
@@ -55,25 +66,47 @@ def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
     return run
 
 
-def hold(manager: AbstractContextManager[T]) -> T:
-    """Enter a context that ends with the command."""
-    return HELD.get().enter_context(manager)
+def enter_context(manager: AbstractContextManager[T]) -> T:
+    """Enter a context that ends with the command.
+
+    Parameters
+    ----------
+    manager : AbstractContextManager[T]
+        The context.
+
+    Returns
+    -------
+    T
+        Its value.
+    """
+    return EXIT_STACK.get().enter_context(manager)
 
 
 def exit_code(command: Callable[[], int | None]) -> int:
-    """Run a command: 0 done, 1 not converged, 2 bad input, 3 interrupted, 4 failure [-]."""
+    """Run a command: 0 done, 1 not converged, 2 bad input, 3 interrupted, 4 failure [-].
+
+    Parameters
+    ----------
+    command : Callable[[], int | None]
+        The command.
+
+    Returns
+    -------
+    int
+        Exit code.
+    """
     main = threading.current_thread() is threading.main_thread()
     previous = signal.signal(signal.SIGTERM, interrupt) if main else None
     try:
         return command() or 0
     except CaseError as error:
-        _say_errors(error.messages)
+        _print_errors(error.messages)
         return BAD_INPUT
     except PluginError as error:
-        say(f"oilfilm: {error}")
+        print_message(f"oilfilm: {error}")
         return BAD_INPUT
     except KeyboardInterrupt:
-        say("oilfilm: interrupted")
+        print_message("oilfilm: interrupted")
         return INTERRUPTED
     except BrokenPipeError:  # the reader of a pipe has seen enough
         drop_output()
@@ -82,25 +115,27 @@ def exit_code(command: Callable[[], int | None]) -> int:
         return stop.exit_code
     except Exception as error:
         if _is_of_an_interrupt(error):
-            say("oilfilm: interrupted")
+            print_message("oilfilm: interrupted")
             return INTERRUPTED
-        say(f"oilfilm: {_machine_failure(error)}; details: {_log(error)}")
+        print_message(f"oilfilm: {_machine_failure(error)}; details: {_log(error)}")
         return FAILED
     finally:
         if main:
             signal.signal(signal.SIGTERM, previous)
 
 
-def _say_errors(messages: Iterable[str]) -> None:
+def _print_errors(messages: Iterable[str]) -> None:
     lines = list(messages)
     for line in lines[:MOST_MESSAGES]:
-        say(line)
+        print_message(line)
     if len(lines) > MOST_MESSAGES:
-        say(f"... and {len(lines) - MOST_MESSAGES} more errors")
+        print_message(f"... and {len(lines) - MOST_MESSAGES} more errors")
 
 
 def _is_of_an_interrupt(error: BaseException | None) -> bool:
-    """Whether an interrupt led to the error, as where a compiled library takes it for its own."""
+    """Tell whether an interrupt led to the error, as where a compiled library takes it for its
+    own.
+    """
     while error is not None and not isinstance(error, KeyboardInterrupt):
         error = error.__cause__ or error.__context__
     return error is not None
@@ -129,17 +164,35 @@ def _log(error: Exception) -> str:
 
 
 def print_lines(text: str) -> None:
-    """Plain text to standard output."""
+    """Print plain text to standard output.
+
+    Parameters
+    ----------
+    text : str
+        The text.
+    """
     print(text, flush=True)  # noqa: T201
 
 
 def print_json(document: object) -> None:
-    """A document to standard output."""
+    """Print a document as JSON to standard output.
+
+    Parameters
+    ----------
+    document : object
+        Values of plain types.
+    """
     print_lines(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False))
 
 
 def print_table(table: RenderableType) -> None:
-    """A table to standard output."""
+    """Print a table to standard output.
+
+    Parameters
+    ----------
+    table : RenderableType
+        The table.
+    """
     from rich.console import Console
 
     Console().print(table)

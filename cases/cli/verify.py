@@ -11,10 +11,10 @@ import typer
 from verification.names import SectionName
 
 from ..format.problems import CaseError
-from ..runs.interrupt import finish_first, say
+from ..runs.interrupt import finish_first, print_message
 from .app import Json, Quiet, app
-from .cost import tell_cost
-from .output import held_directory, load_bearing
+from .cost import report_cost
+from .output import load_bearing, lock_output_directory
 from .progress import progress_bar
 from .terminal import NOT_CONVERGED, guarded, print_json, print_table
 
@@ -77,7 +77,7 @@ def verify(
     printed = as_json and output is None and robustness is None
     directory = None if printed else output or DIRECTORY
     if directory is not None:
-        held_directory(directory)
+        lock_output_directory(directory)
     try:
         if robustness is None or directory is None:
             sections = _page(list(section or SectionName), directory, quick, quiet)
@@ -96,7 +96,7 @@ def _page(
     if directory is not None:
         check_page(directory, PAGE)
     seconds = SECTION_SECONDS[quick] * len(names)
-    tell_cost((f"{len(names)} sections of the verification", seconds), quiet=quiet)
+    report_cost((f"{len(names)} sections of the verification", seconds), quiet=quiet)
     finished: list[Section] = []
     try:
         with progress_bar(quiet=quiet) as progress:
@@ -117,14 +117,14 @@ def _keep(finished: list[Section], directory: Path | None) -> None:
     from verification.run import PAGE, write_page
 
     if directory is None or not finished:
-        say("oilfilm: no section is finished, nothing is kept")
+        print_message("oilfilm: no section is finished, nothing is kept")
         return
     target = directory
     if (directory / PAGE).exists():
         target = directory.with_name(f"{directory.name}_interrupted")
     with finish_first(f"finished sections in {target}"):
         write_page(finished, target, PAGE)
-    say(f"finished sections in {target}")
+    print_message(f"finished sections in {target}")
 
 
 def _run_bearing() -> BearingResults:
@@ -150,7 +150,9 @@ def _sweep(draws: tuple[int, int | None], directory: Path, quick: bool, quiet: b
         with progress_bar(quiet=quiet) as progress:
             finished = sweep(count, seed, file, progress, QUICK_OPTIONS if quick else None)
     except KeyboardInterrupt:
-        say(f"finished contacts are kept in {file}; the same command continues with them")
+        print_message(
+            f"finished contacts are kept in {file}; the same command continues with them"
+        )
         raise
     section = robustness_section(finished, seed)
     with finish_first(f"results in {directory}"):
@@ -163,16 +165,16 @@ def _report(sections: list[Section], directory: Path | None, as_json: bool, quie
 
     results = document(sections)
     if directory is not None and not quiet:
-        say(f"results in {directory}")
+        print_message(f"results in {directory}")
     if as_json:
         print_json(results)
     elif not quiet:
         print_table(_table(sections))
     if results["converged"]:
         return 0
-    say("oilfilm: these statements do not hold:")
+    print_message("oilfilm: these statements do not hold:")
     for message in results["messages"]:
-        say(f"  {message}")
+        print_message(f"  {message}")
     return NOT_CONVERGED
 
 

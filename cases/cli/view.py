@@ -8,16 +8,16 @@ from typing import Annotated
 import typer
 
 from ..format.problems import CaseError
-from ..runs.interrupt import say
+from ..runs.interrupt import print_message
 from .app import app
-from .output import held_file
+from .output import lock_output_file
 from .progress import progress_bar
 from .reading import reading
 from .terminal import FAILED, guarded
 
 
 class Quantity(StrEnum):
-    """What the colours of the view show."""
+    """Quantities that the colours of the view show."""
 
     FILM = "film"
     PRESSURE = "pressure"
@@ -56,7 +56,7 @@ def view(
         )
     for file in (screenshot, html, movie):
         if file is not None:
-            held_file(file)
+            lock_output_file(file)
     from postprocess.scene import scene
 
     factors = None if magnification is None else (magnification, magnification)
@@ -67,20 +67,20 @@ def view(
         with reading(directory), progress_bar(quiet=False) as progress:
             if screenshot is not None:
                 progress(0, 1, f"drawing {screenshot}")
-                say(f"picture in {scene.screenshot(directory, screenshot, options)}")
+                print_message(f"picture in {scene.screenshot(directory, screenshot, options)}")
             if html is not None:
                 progress(0, 1, f"drawing {html}")
-                say(f"page in {scene.export_html(directory, html, options)}")
+                print_message(f"page in {scene.export_html(directory, html, options)}")
             if movie is not None:
                 progress(0, 1, f"drawing {movie}")
                 small = replace(options, size=scene.MOVIE_SIZE)
-                say(f"movie in {scene.movie(directory, movie, small)}")
+                print_message(f"movie in {scene.movie(directory, movie, small)}")
         if screenshot is None and html is None and movie is None:
             with reading(directory):
                 scene.show(directory, options)
     except CaseError:
         raise
     except scene.RenderingError as error:
-        say(f"oilfilm: {error}")
+        print_message(f"oilfilm: {error}")
         return FAILED
     return 0

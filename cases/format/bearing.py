@@ -16,7 +16,7 @@ from bearing.torque.skf import Series, series_of, skf_series
 from ehl.units import MICROMETRE, from_si, to_si
 
 from .fields import Name, OneOf, Table, above, between, described, length, within
-from .problems import CaseFault, shown
+from .problems import CaseProblem, shown
 from .rules import Below, CaseValues, Needs, Where, bounded
 
 
@@ -125,15 +125,26 @@ RELATIONS = (
 )
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
-    """What the relations of [bearing] do not say: parts that fit into each other, the series."""
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
+    """Conflicts of [bearing] beyond its relations: parts that do not fit together, a wrong series.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     yield from _clearance_faults(values)
     yield from _class_faults(values)
     yield from _dimension_faults(values)
     yield from _series_faults(values)
 
 
-def _dimension_faults(values: CaseValues) -> Iterator[CaseFault]:
+def _dimension_faults(values: CaseValues) -> Iterator[CaseProblem]:
     """Grooves, balls, bore, outside diameter and shoulders that fit together."""
     diameter = values.get("bearing", "ball_diameter_mm")
     pitch = values.get("bearing", "pitch_diameter_mm")
@@ -165,7 +176,7 @@ def _dimension_faults(values: CaseValues) -> Iterator[CaseFault]:
     yield from bounded(values, "bearing.outside_diameter_mm", lambda x: x > outer, allowed)
 
 
-def _clearance_faults(values: CaseValues) -> Iterator[CaseFault]:
+def _clearance_faults(values: CaseValues) -> Iterator[CaseProblem]:
     """cos(alpha_0) = 1 - P_d/(2 A), A = r_i + r_o - D; both are given only if they agree."""
     distance = _groove_distance(values)
     clearance, angle = (values.get("bearing", name) for name in CLEARANCE)
@@ -177,7 +188,7 @@ def _clearance_faults(values: CaseValues) -> Iterator[CaseFault]:
             "ends excluded"
         )
         finding = f"found {shown(clearance)}"
-        yield CaseFault(("bearing", CLEARANCE[0]), finding, allowed)
+        yield CaseProblem(("bearing", CLEARANCE[0]), finding, allowed)
     elif angle is not None:
         expected = 2.0 * distance * (1.0 - cos(radians(angle)))
         if abs(clearance - expected) > max(CLEARANCE_AGREEMENT_UM, 0.01 * abs(expected)):
@@ -187,7 +198,7 @@ def _clearance_faults(values: CaseValues) -> Iterator[CaseFault]:
                 f"allowed: one of them, or {derived:.4g} deg with this clearance, "
                 f"{expected:.5g} um with this angle"
             )
-            yield CaseFault(("bearing", CLEARANCE[1]), finding, allowed)
+            yield CaseProblem(("bearing", CLEARANCE[1]), finding, allowed)
 
 
 def _groove_distance(values: CaseValues) -> float | None:
@@ -199,7 +210,7 @@ def _groove_distance(values: CaseValues) -> float | None:
     return float(from_si(CLEARANCE[0], inner + outer - ball))
 
 
-def _class_faults(values: CaseValues) -> Iterator[CaseFault]:
+def _class_faults(values: CaseValues) -> Iterator[CaseProblem]:
     """A clearance class is one of deep groove bearings, and a clearance beside it lies in it."""
     name, bore = (values.get("bearing", key) for key in ("clearance_class", "bore_mm"))
     if name is None or bore is None:
@@ -207,21 +218,21 @@ def _class_faults(values: CaseValues) -> Iterator[CaseFault]:
     path = ("bearing", "clearance_class")
     if values.get("bearing", "type") == BearingType.ANGULAR_CONTACT.value:
         finding = f"found {shown(name)} for an angular contact bearing"
-        yield CaseFault(path, finding, "allowed: free_contact_angle_deg")
+        yield CaseProblem(path, finding, "allowed: free_contact_angle_deg")
         return
     try:
         low, high = clearance_class(bore, name)
     except ValueError:
         finding = f"found {shown(name)} with bore_mm = {shown(bore)}"
-        yield CaseFault(path, finding, "allowed: with bores above 2.5 mm, up to 120 mm")
+        yield CaseProblem(path, finding, "allowed: with bores above 2.5 mm, up to 120 mm")
         return
     clearance = values.get("bearing", CLEARANCE[0])
     if clearance is not None and not low <= clearance <= high:
         finding = f"found {shown(name)} together with {CLEARANCE[0]} = {shown(clearance)}"
-        yield CaseFault(path, finding, f"allowed: one of them, or {low:g} to {high:g} um")
+        yield CaseProblem(path, finding, f"allowed: one of them, or {low:g} to {high:g} um")
 
 
-def _series_faults(values: CaseValues) -> Iterator[CaseFault]:
+def _series_faults(values: CaseValues) -> Iterator[CaseProblem]:
     """A series of SKF's friction model, of the type of the bearing where that is known."""
     given = values.get("bearing", "skf_series")
     if given is None:
@@ -234,7 +245,7 @@ def _series_faults(values: CaseValues) -> Iterator[CaseFault]:
         finding += f" for {'an' if kind.startswith('a') else 'a'} {kind} bearing{how}"
     if given not in allowed:
         listed = f"allowed: {', '.join(allowed)}"
-        yield CaseFault(("bearing", "skf_series"), finding, listed)
+        yield CaseProblem(("bearing", "skf_series"), finding, listed)
 
 
 def _known_type(values: CaseValues) -> tuple[str | None, str]:
@@ -259,7 +270,18 @@ def _free_angle(values: CaseValues) -> float | None:
 
 
 def material_names(table: BearingTable) -> tuple[str, str, str]:
-    """Names of the materials of balls, inner ring and outer ring [-]."""
+    """Names of the materials of balls, inner ring and outer ring.
+
+    Parameters
+    ----------
+    table : BearingTable
+        The checked table.
+
+    Returns
+    -------
+    tuple[str, str, str]
+        The three names.
+    """
     inner = table.inner_ring_material or table.ring_material
     outer = table.outer_ring_material or table.ring_material
     assert table.ball_material and inner and outer  # checked before
@@ -267,7 +289,22 @@ def material_names(table: BearingTable) -> tuple[str, str, str]:
 
 
 def bearing(table: BearingTable, materials: dict[str, Material], title: str) -> Bearing:
-    """Geometry [m, rad] and materials of the bearing; `title` stands in for its name."""
+    """Geometry and materials of the bearing.
+
+    Parameters
+    ----------
+    table : BearingTable
+        The checked table.
+    materials : dict[str, Material]
+        Materials by name.
+    title : str
+        Name of the bearing where the table has none.
+
+    Returns
+    -------
+    Bearing
+        The bearing, SI.
+    """
     ball, inner, outer = material_names(table)
     delivered = Bearing(
         name=table.name or title or "bearing",
@@ -314,14 +351,38 @@ def _clearance(table: BearingTable) -> float:
 
 
 def nominal_contact_angle(table: BearingTable) -> float:
-    """Nominal contact angle: as given, else the free one, else zero [rad]."""
+    """Nominal contact angle: as given, else the free one, else zero.
+
+    Parameters
+    ----------
+    table : BearingTable
+        The checked table.
+
+    Returns
+    -------
+    float
+        The angle [rad].
+    """
     si = table.si()
     nominal = si["nominal_contact_angle"]
     return float(si["free_contact_angle"] or 0.0 if nominal is None else nominal)
 
 
 def rating(table: BearingTable, contamination_factor: float | None) -> RatingInput:
-    """Inputs of the rating life: C_r, C_0 [N], nominal contact angle [rad], e_C [-]."""
+    """Inputs of the rating life.
+
+    Parameters
+    ----------
+    table : BearingTable
+        The checked table.
+    contamination_factor : float | None
+        e_C of ISO 281 [-].
+
+    Returns
+    -------
+    RatingInput
+        Ratings [N] and nominal contact angle [rad].
+    """
     si = table.si()
     return RatingInput(
         dynamic_rating=si["basic_dynamic_rating"],
@@ -332,7 +393,18 @@ def rating(table: BearingTable, contamination_factor: float | None) -> RatingInp
 
 
 def spectrum(table: SurfaceTable | None) -> Spectrum | None:
-    """Lengths of the waves of the roughness [m]; None where they are not given."""
+    """Wavelengths of the roughness.
+
+    Parameters
+    ----------
+    table : SurfaceTable | None
+        The checked table [surface], where there is one.
+
+    Returns
+    -------
+    Spectrum | None
+        The wavelengths [m]; None where they are not given.
+    """
     if table is None or table.shortest_wavelength_um is None:
         return None
     si = table.si("shortest_wavelength_um", "longest_wavelength_um")
@@ -344,7 +416,18 @@ def spectrum(table: SurfaceTable | None) -> Spectrum | None:
 
 
 def roughness(table: SurfaceTable | None) -> tuple[float, float] | None:
-    """Root mean square of race and balls together, inner and outer [m]."""
+    """Root mean square of race and balls together.
+
+    Parameters
+    ----------
+    table : SurfaceTable | None
+        The checked table [surface], where there is one.
+
+    Returns
+    -------
+    tuple[float, float] | None
+        Inner and outer race [m]; None without [surface].
+    """
     if table is None:
         return None
     rings = (table.inner_ring_roughness_um, table.outer_ring_roughness_um)

@@ -37,7 +37,7 @@ from .load_cases import load_case_files
 from .lubricant import Oil, lubricant, lubricant_keys, oil_of
 from .operation import model, operation
 from .over_time.transient import transient, transient_options
-from .problems import CaseError, UnfitKey, key_lines
+from .problems import CaseError, InvalidKeyError, key_lines
 from .rows import rows
 from .shipped import find_case
 from .traction import ball_traction
@@ -45,7 +45,7 @@ from .traction import ball_traction
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AnyCase:
-    """What every case has, SI."""
+    """Fields of every case, SI."""
 
     title: str
     source: str
@@ -103,20 +103,74 @@ class ContactCase(AnyCase):
 
 
 def load_case(name_or_path: str | Path, *, own_table: bool = True) -> Case | ContactCase:
-    """Read a case, SI: a case file, or the name (stem) of a shipped case; `CaseError` with one
-    line for every error of the file; own_table as `validate_text`.
+    """Read a case, SI: a case file, or a shipped case by its name.
+
+    Parameters
+    ----------
+    name_or_path : str | Path
+        The file, or the stem of a shipped case.
+    own_table : bool, default True
+        As in `validate_text`.
+
+    Returns
+    -------
+    Case | ContactCase
+        The case.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong, with one line for every error.
     """
     path = find_case(name_or_path)
     return case_from_text(read_text(path), str(path), own_table=own_table)
 
 
 def case_from_text(text: str, name: str, *, own_table: bool = True) -> Case | ContactCase:
-    """The case that the text of a case file describes; `name` stands for the file in messages."""
+    """The case that the text of a case file describes.
+
+    Parameters
+    ----------
+    text : str
+        Content of the file.
+    name : str
+        Name of the file in messages.
+    own_table : bool, default True
+        As in `validate_text`.
+
+    Returns
+    -------
+    Case | ContactCase
+        The case, SI.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong, with one line for every error.
+    """
     return case_of_file(validate_text(text, name, own_table=own_table), name, text)
 
 
 def case_of_document(document: dict[str, Any], name: str = "case") -> Case | ContactCase:
-    """The case of a parsed document that has no lines; `CaseError` with its faults."""
+    """The case of a parsed document, which has no lines.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Tables of a case.
+    name : str, default 'case'
+        Name of the document in messages.
+
+    Returns
+    -------
+    Case | ContactCase
+        The case, SI.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong, with its problems.
+    """
     file, faults = check_document(document)
     if file is None or faults:
         raise CaseError((fault.text(name, {}) for fault in faults), faults)
@@ -124,12 +178,32 @@ def case_of_document(document: dict[str, Any], name: str = "case") -> Case | Con
 
 
 def case_of_file(file: BearingFile | ContactFile, name: str, text: str = "") -> Case | ContactCase:
-    """The case of a checked file; `name` and the lines of `text` stand in messages."""
+    """The case of a checked file.
+
+    Parameters
+    ----------
+    file : BearingFile | ContactFile
+        The checked tables.
+    name : str
+        Name of the file in messages.
+    text : str, default ''
+        Content of the file, for lines in messages.
+
+    Returns
+    -------
+    Case | ContactCase
+        The case, SI.
+
+    Raises
+    ------
+    CaseError
+        If a value turns out wrong on conversion.
+    """
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
             case = _bearing_case(file) if isinstance(file, BearingFile) else _contact_case(file)
-        except UnfitKey as error:
+        except InvalidKeyError as error:
             raise CaseError([error.fault.text(name, key_lines(text))], [error.fault]) from error
         except ValueError as error:  # a bound of the physics that no table knows
             raise CaseError(f"{name}: {error}") from error
@@ -151,20 +225,44 @@ def _load_cases(
         alone = file.model_copy(update={"operation": table, "load_cases": None})
         case = case_of_file(alone, name, text)
         assert isinstance(case, Case)  # a bearing
-        own = tuple(own_notes(case.warnings, known))
+        own = tuple(new_notes(case.warnings, known))
         yield LoadCaseInput(time_share=share, case=replace(case, warnings=own))
 
 
-def own_notes(notes: Iterable[str], known: Iterable[str]) -> list[str]:
-    """Warnings of a state of the duty cycle that are not those of [operation], nor on the shear of
-    its films, which are not sheared.
+def new_notes(notes: Iterable[str], known: Iterable[str]) -> list[str]:
+    """Warnings of a state of the duty cycle beyond those of [operation].
+
+    Warnings on the shear of its films are left out, since these are not sheared.
+
+    Parameters
+    ----------
+    notes : Iterable[str]
+        Warnings of the state.
+    known : Iterable[str]
+        Warnings of [operation].
+
+    Returns
+    -------
+    list[str]
+        The other warnings.
     """
     seen = set(known)
     return [note for note in notes if note not in seen and not note.startswith(SHEAR_ASSUMED)]
 
 
 def oil_of_file(file: BearingFile | ContactFile) -> Oil:
-    """Keys of the oil of a checked file."""
+    """Keys of the oil of a checked file.
+
+    Parameters
+    ----------
+    file : BearingFile | ContactFile
+        The checked tables.
+
+    Returns
+    -------
+    Oil
+        The keys, in the units of the file.
+    """
     document = file.model_dump(exclude_none=True, include={"lubricant", "lubricants"})
     return oil_of(document["lubricant"], document["lubricants"])
 
@@ -212,7 +310,7 @@ def _bearing_case(file: BearingFile) -> Case:
 
 
 def _has_traction(file: BearingFile, assumptions: QuasistaticModel) -> bool:
-    """Whether the motion of the balls, or the case by name, takes friction of balls on races."""
+    """Tell whether the motion of the balls or the case by name takes friction on races."""
     balanced = assumptions.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
     return balanced or file.friction.traction is not None
 
@@ -232,17 +330,17 @@ def _inlet_layer(file: BearingFile, torque: FrictionInput) -> InletLayer | Suppl
 
 
 def _starvation(file: BearingFile) -> contacts.Starvation | None:
-    """What oil at the inlets of a bearing does to its films; None without."""
+    """Effect of the oil at the inlets of a bearing on its films; None without."""
     if file.lubricant.inlet_film_um is None:
         given = file.ehl.starvation
         return None if given is None else contacts.Starvation(given)
     flooded = file.lubricant.supply == "flooded"
-    untold = contacts.Starvation.NONE if flooded else contacts.Starvation.TABULATED
-    return contacts.starvation(file.ehl, file.lubricant, untold)
+    default = contacts.Starvation.NONE if flooded else contacts.Starvation.TABULATED
+    return contacts.starvation(file.ehl, file.lubricant, default)
 
 
 def _friction(file: BearingFile, delivered: Bearing) -> FrictionInput:
-    """What the friction models take."""
+    """Inputs of the friction models."""
     return friction(
         file.friction,
         file.bearing,
@@ -256,7 +354,7 @@ def _friction(file: BearingFile, delivered: Bearing) -> FrictionInput:
 def _inlet(
     file: BearingFile, bearing: Bearing, oil: Lubricant, friction: FrictionInput
 ) -> InletFactors:
-    """What inlet heating and replenishment leave of the rolling moment [-]."""
+    """Factors of inlet heating and replenishment on the rolling moment [-]."""
     speed = abs(operation(file.operation).shaft_speed)
     supplied = friction.supply is not None and not friction.flooded
     return inlet_factors(
@@ -288,7 +386,7 @@ def _warn(file: BearingFile) -> None:
 
 
 def _grease_text(name: str) -> str:
-    """What films mean that are computed for the base oil of a grease."""
+    """Meaning of films that are computed for the base oil of a grease."""
     grease = load_grease(name)
     fresh_low, fresh_high = grease.fresh_film
     aged_low, aged_high = grease.aged_film

@@ -30,7 +30,7 @@ from .fields import (
     within,
 )
 from .lubricant import LubricantTable
-from .problems import CaseFault, UnfitKey, shown
+from .problems import CaseProblem, InvalidKeyError, shown
 from .rules import CaseValues, Excludes, Needs, OnlyWith, Relation, Where
 
 
@@ -43,7 +43,7 @@ class FilmModel(Enum):
 
 
 class Starvation(Enum):
-    """What a layer at the inlet does to the film."""
+    """Effect of a layer at the inlet on the film."""
 
     SOLVED = "solved"
     TABULATED = "tabulated"
@@ -233,21 +233,47 @@ RELATIONS: tuple[Relation, ...] = (
 
 
 def starvation(
-    table: GridTable, lubricant: LubricantTable, untold: Starvation = Starvation.NONE
+    table: GridTable, lubricant: LubricantTable, default: Starvation = Starvation.NONE
 ) -> Starvation | None:
-    """What the layer at the inlet does to the films; None without a layer. A Newtonian film takes
-    `untold` where the table does not say.
+    """Effect of the layer at the inlet on the films.
+
+    Parameters
+    ----------
+    table : GridTable
+        The checked table [ehl].
+    lubricant : LubricantTable
+        The checked table [lubricant].
+    default : Starvation, default Starvation.NONE
+        Effect on a Newtonian film where the table does not say.
+
+    Returns
+    -------
+    Starvation | None
+        The effect; None without a layer.
     """
     if lubricant.inlet_film_um is None and lubricant.inlet_film_dimensionless is None:
         return None
     if table.starvation is not None:
         return Starvation(table.starvation)
     newtonian = table.film_model == FilmModel.NEWTONIAN.value
-    return untold if newtonian else Starvation.NONE
+    return default if newtonian else Starvation.NONE
 
 
 def inlet_layer(chosen: Starvation | None, lubricant: LubricantTable) -> InletLayer | None:
-    """Layer that films are solved behind [m], in Moes' groups [a^2/Rx]; None: flooded."""
+    """Layer that films are solved behind.
+
+    Parameters
+    ----------
+    chosen : Starvation | None
+        Effect of the layer.
+    lubricant : LubricantTable
+        The checked table [lubricant].
+
+    Returns
+    -------
+    InletLayer | None
+        The layer [m], in Moes' groups [a^2/Rx]; None: flooded.
+    """
     if chosen in (None, Starvation.NONE):
         return None
     thickness = lubricant.inlet_film_dimensionless
@@ -259,49 +285,92 @@ def inlet_layer(chosen: Starvation | None, lubricant: LubricantTable) -> InletLa
 def track_passes(
     table: ContactEhlTable, conditions: ContactConditions | MoesConditions
 ) -> TrackPasses | None:
-    """Contacts behind one another on one track; None where there is one. `UnfitKey` where the oil
-    is not entrained along a principal direction: the profile would not meet the next contact.
+    """Contacts behind one another on one track.
+
+    Parameters
+    ----------
+    table : ContactEhlTable
+        The checked table [ehl].
+    conditions : ContactConditions | MoesConditions
+        The contact.
+
+    Returns
+    -------
+    TrackPasses | None
+        The passes; None where there is one contact.
+
+    Raises
+    ------
+    InvalidKeyError
+        If the entrainment is not along a principal direction: the profile would not meet the next
+        contact.
     """
     if table.track_passes is None:
         return None
     if abs(sin(conditions.entrainment_angle)) > ALIGNED:
         finding = f"found {table.track_passes} with entrainment at an angle to the ellipse"
-        raise UnfitKey(("ehl", "track_passes"), finding, "allowed: entrainment along x")
+        raise InvalidKeyError(("ehl", "track_passes"), finding, "allowed: entrainment along x")
     moes = isinstance(conditions, MoesConditions)
     added = table.track_added_dimensionless if moes else table.si()["track_added"]
     return TrackPasses(number=table.track_passes, loss=table.track_loss, added=added)
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
-    """A film of a thinning oil or with heat has lengths, one with heat bodies by material; two
-    velocities entrain oil.
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
+    """Conflicts of [contact] and [ehl]: film models without lengths or bodies, no entrainment.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
     """
     velocities = [values.get("contact", name) for name in VELOCITIES]
     if all(velocity is not None for velocity in velocities):
         try:
             surface_motion(*velocities)
         except ValueError as problem:
-            yield CaseFault(("contact", VELOCITIES[0]), str(problem), "allowed: a mean above zero")
+            yield CaseProblem(
+                ("contact", VELOCITIES[0]), str(problem), "allowed: a mean above zero"
+            )
     if values.given("ehl", "track_passes"):
         # what leaves a contact is known where its film is solved behind its layer
         needed = {"starvation": Starvation.SOLVED.value, "film_model": FilmModel.NEWTONIAN.value}
         for name, wanted in needed.items():
             if (found := values.get("ehl", name)) not in (None, wanted):
                 finding = f"found {shown(found)} with track_passes"
-                yield CaseFault(("ehl", name), finding, f"allowed: {shown(wanted)}")
+                yield CaseProblem(("ehl", name), finding, f"allowed: {shown(wanted)}")
     film_model = values.get("ehl", "film_model")
     if film_model in ("thermal", "shear-thinning") and values.given("contact", "moes_M"):
         finding = f"found {shown(film_model)} with Moes' groups"
-        yield CaseFault(("ehl", "film_model"), finding, 'allowed: dimensions, or "newtonian"')
+        yield CaseProblem(("ehl", "film_model"), finding, 'allowed: dimensions, or "newtonian"')
     if film_model == "thermal" and values.given("contact", MODULUS):
         finding = f"found {MODULUS} with film_model thermal"
-        yield CaseFault(("contact", MODULUS), finding, "allowed: material_1 and material_2")
+        yield CaseProblem(("contact", MODULUS), finding, "allowed: material_1 and material_2")
 
 
 def contact(
     table: ContactTable, materials: Mapping[str, Material], oil: Lubricant
 ) -> ContactConditions | MoesConditions:
-    """The contact: load [N], radii [m], E' [Pa], speeds [m/s, rad/s]; or Moes' groups [-]."""
+    """The contact: dimensions, or Moes' groups.
+
+    Parameters
+    ----------
+    table : ContactTable
+        The checked table.
+    materials : Mapping[str, Material]
+        Materials by name.
+    oil : Lubricant
+        The lubricant.
+
+    Returns
+    -------
+    ContactConditions | MoesConditions
+        Load [N], radii [m], E' [Pa], speeds [m/s, rad/s]; or Moes' groups [-].
+    """
     si = table.si()
     if table.moes_M is not None and table.moes_L is not None:
         return MoesConditions(
@@ -343,7 +412,18 @@ def _coating(table: ContactTable, materials: Mapping[str, Material]) -> Coating 
 
 
 def contact_defaults(table: ContactTable) -> dict[str, float]:
-    """Defaults of [contact], by dimensions or by Moes' groups."""
+    """Defaults of [contact], by dimensions or by Moes' groups.
+
+    Parameters
+    ----------
+    table : ContactTable
+        The checked table.
+
+    Returns
+    -------
+    dict[str, float]
+        Values by key.
+    """
     if table.moes_M is not None:
         return {"radius_ratio": 1.0}
     return {"slide_roll_ratio": 0.0, "spin_rad_s": 0.0}

@@ -3,19 +3,18 @@
 import tomllib
 from collections.abc import Iterator
 from dataclasses import replace
-from functools import cache
 from itertools import chain, pairwise
 from pathlib import Path as FilePath
 from types import ModuleType
 from typing import Any
 
-from pydantic import PrivateAttr, TypeAdapter, ValidationError
+from pydantic import PrivateAttr, TypeAdapter
 
 from . import bearing, contact, dynamics, fits, friction, load_cases, lubricant, operation, rows
 from .bearing import BearingTable, SurfaceTable
 from .contact import ContactEhlTable, ContactTable, EhlTable
 from .dynamics import RENAMED, CageTable, DynamicsTable
-from .fields import Table, between, described
+from .fields import Table, between, described, schema_of, validated
 from .fits import FitTable, RingsTable, TemperaturesTable
 from .friction import FrictionTable
 from .library import MaterialTable, name_faults, with_catalogue, with_library_names
@@ -28,13 +27,12 @@ from .over_time.vibration import FormTable, SupportTable, VibrationTable
 from .problems import (
     MISSING,
     CaseError,
-    CaseFault,
+    CaseProblem,
     Path,
     dotted,
     faults_error,
     nearest_name,
     resolved,
-    schema_faults,
     shown,
 )
 from .rows import RowTable
@@ -58,7 +56,7 @@ SWEEP_TABLES = ("sweep", "combinations", "latin_hypercube")
 
 
 class CaseFile(Table):
-    """What every case file holds."""
+    """Keys of every case file."""
 
     schema_version: int = between(1, 1, "version of this format", ...)
     title: str = described("one line for tables and plots", "")
@@ -69,12 +67,18 @@ class CaseFile(Table):
     _notes: tuple[str, ...] = PrivateAttr(())  # on keys of an older version
 
     def model_post_init(self, context: Any) -> None:
-        """Keep the notes that the file was read with."""
+        """Store the notes that the file was read with.
+
+        Parameters
+        ----------
+        context : Any
+            The notes.
+        """
         self._notes = tuple(context or ())
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What was read in another way than it is written."""
+        """Notes on keys that were read in another way than they are written."""
         return self._notes
 
 
@@ -106,7 +110,7 @@ class BearingFile(CaseFile):
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """Those on keys, and that two laws of friction are named."""
+        """Notes on keys, and on two laws of friction that differ."""
         law = self.friction.traction
         if self.dynamics is None or law in (None, "films", self.dynamics.friction):
             return self._notes
@@ -144,7 +148,7 @@ OF_BEARINGS = (
 OF_CONTACTS = (lubricant, contact, transient)
 
 
-def _conflicts(values: CaseValues, tables: tuple[ModuleType, ...]) -> Iterator[CaseFault]:
+def _conflicts(values: CaseValues, tables: tuple[ModuleType, ...]) -> Iterator[CaseProblem]:
     """Every conflict between values that are valid by themselves."""
     relations = chain.from_iterable(table.RELATIONS for table in tables)
     yield from relation_faults(relations, values)
@@ -152,17 +156,33 @@ def _conflicts(values: CaseValues, tables: tuple[ModuleType, ...]) -> Iterator[C
     yield from chain.from_iterable(table.faults(values) for table in tables)
 
 
-def _load_case_conflicts(values: CaseValues, known: list[CaseFault]) -> Iterator[CaseFault]:
+def _load_case_conflicts(values: CaseValues, known: list[CaseProblem]) -> Iterator[CaseProblem]:
     """Conflicts that only a load case in the place of [operation] brings, at its keys."""
     before = {(fault.path, fault.finding) for fault in known}
     for index, own in load_cases.load_case_tables(values):
-        for fault in _conflicts(load_cases.in_its_place(values, own), OF_BEARINGS):
+        for fault in _conflicts(load_cases.with_load_case(values, own), OF_BEARINGS):
             if (fault.path, fault.finding) not in before:
-                yield load_cases.of_load_case(fault, index, own)
+                yield load_cases.load_case_problem(fault, index, own)
 
 
 def read_text(path: FilePath) -> str:
-    """Text of a case file; `CaseError` if it cannot be read."""
+    """Read the text of a case file.
+
+    Parameters
+    ----------
+    path : FilePath
+        The file.
+
+    Returns
+    -------
+    str
+        Its content.
+
+    Raises
+    ------
+    CaseError
+        If it cannot be read.
+    """
     try:
         data = path.read_bytes() if path.stat().st_size <= LARGEST_FILE else None
     except OSError as error:
@@ -176,9 +196,26 @@ def read_text(path: FilePath) -> str:
 
 
 def validate_text(text: str, name: str, *, own_table: bool = True) -> BearingFile | ContactFile:
-    """The checked file, in its units, catalogue values filled in; `name` stands in messages.
+    """Check the text of a case file.
 
-    own_table: False for `oilfilm table`, which makes the file of `friction.traction_table`.
+    Parameters
+    ----------
+    text : str
+        Content of the file.
+    name : str
+        Name of the file in messages.
+    own_table : bool, default True
+        False for `oilfilm table`, which makes the file of `friction.traction_table`.
+
+    Returns
+    -------
+    BearingFile | ContactFile
+        The checked tables in their units, catalogue values filled in.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong, with one line for every error.
     """
     document = parse(text, name)
     if not own_table:
@@ -190,7 +227,25 @@ def validate_text(text: str, name: str, *, own_table: bool = True) -> BearingFil
 
 
 def parse(text: str, name: str) -> dict[str, Any]:
-    """The tables of a TOML file that is not empty; `CaseError` with its line if it is none."""
+    """Parse a TOML file that is not empty.
+
+    Parameters
+    ----------
+    text : str
+        Content of the file.
+    name : str
+        Name of the file in messages.
+
+    Returns
+    -------
+    dict[str, Any]
+        Its tables.
+
+    Raises
+    ------
+    CaseError
+        If it is no TOML, with the line.
+    """
     try:
         document = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -215,11 +270,24 @@ def _syntax_line(message: str, text: str) -> int:
 
 def check_document(
     document: dict[str, Any],
-) -> tuple[BearingFile | ContactFile | None, list[CaseFault]]:
-    """The checked file, or None, and every fault of a document in the units of a file."""
+) -> tuple[BearingFile | ContactFile | None, list[CaseProblem]]:
+    """Check a document in the units of a file.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Tables of a case.
+
+    Returns
+    -------
+    file
+        The checked tables; None where a value is wrong.
+    problems
+        Every problem.
+    """
     if any(key in document for key in SWEEP_TABLES):
         allowed = "run it with 'oilfilm batch'"
-        return None, [CaseFault((), "a sweep", allowed, line=1)]
+        return None, [CaseProblem((), "a sweep", allowed, line=1)]
     # 1. what this version does not take, or takes under another name
     document, faults = _set_aside(document)
     document, renamed, more = _with_new_names(document)
@@ -228,7 +296,7 @@ def check_document(
     if "contact" in document and "bearing" in document:
         finding = "found together with [bearing]"
         allowed = "allowed: a bearing, or a single contact"
-        faults.append(CaseFault(("contact",), finding, allowed))
+        faults.append(CaseProblem(("contact",), finding, allowed))
         document = {key: value for key, value in document.items() if key != "contact"}
     # 2. values of the libraries
     document, unknown = with_catalogue(with_library_names(document))
@@ -246,7 +314,9 @@ def check_document(
     return file, _without_consequences(faults, unknown_bearing=bool(unknown))
 
 
-def _without_consequences(faults: list[CaseFault], *, unknown_bearing: bool) -> list[CaseFault]:
+def _without_consequences(
+    faults: list[CaseProblem], *, unknown_bearing: bool
+) -> list[CaseProblem]:
     """The faults without those that follow from a misspelt key or an unknown bearing."""
     meant = {(*fault.path[:-1], fault.nearest) for fault in faults if fault.nearest}
     if unknown_bearing:
@@ -254,13 +324,13 @@ def _without_consequences(faults: list[CaseFault], *, unknown_bearing: bool) -> 
     return [fault for fault in faults if fault.finding != MISSING or fault.path not in meant]
 
 
-def _set_aside(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseFault]]:
+def _set_aside(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseProblem]]:
     """Take out, with a fault, what the format knows and this version does not."""
     faults = []
     model = document.get("model")
     if isinstance(model, dict) and model.get("ball_kinematics") == NOT_OFFERED:
         path = ("model", "ball_kinematics")
-        faults.append(CaseFault(path, f"found {shown(NOT_OFFERED)}", WHY_NOT_OFFERED))
+        faults.append(CaseProblem(path, f"found {shown(NOT_OFFERED)}", WHY_NOT_OFFERED))
         others = {key: value for key, value in model.items() if key != path[1]}
         document = {**document, "model": others}
     return document, faults
@@ -268,7 +338,7 @@ def _set_aside(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseFault
 
 def _with_new_names(
     document: dict[str, Any],
-) -> tuple[dict[str, Any], dict[Path, Path], list[CaseFault]]:
+) -> tuple[dict[str, Any], dict[Path, Path], list[CaseProblem]]:
     """The document with keys of [dynamics] that now belong to [friction], their paths in the file
     by their new ones, and a fault where both are given and differ.
     """
@@ -295,7 +365,7 @@ def _with_new_names(
         if friction.get(new, value) != value:
             both = f"found together with friction.{new}"
             allowed = f"allowed: friction.{new}, which replaces it"
-            faults.append(CaseFault(("dynamics", key), both, allowed))
+            faults.append(CaseProblem(("dynamics", key), both, allowed))
         else:
             friction[new] = value
             renamed["friction", new] = ("dynamics", key)
@@ -306,31 +376,24 @@ def _with_new_names(
 
 def _validate(
     model: type[BearingFile | ContactFile], document: dict[str, Any], renamed: dict[Path, Path]
-) -> tuple[BearingFile | ContactFile | None, list[CaseFault]]:
+) -> tuple[BearingFile | ContactFile | None, list[CaseProblem]]:
     missing = []
     if "schema_version" not in document:
         document = {**document, "schema_version": 1}
         allowed = "needed: schema_version = 1"
-        missing = [CaseFault(("schema_version",), MISSING, allowed, line=1)]
+        missing = [CaseProblem(("schema_version",), MISSING, allowed, line=1)]
     later = "and will not be read under its old name by the next version"
     notes = [f"{dotted(old)}: is now {dotted(new)}, {later}" for new, old in renamed.items()]
-    try:
-        return model.model_validate(document, context=notes), missing
-    except ValidationError as error:
-        return None, missing + schema_faults(error.errors(include_url=False), _schema_of(model))
+    file, faults = validated(model, document, notes)
+    return file, missing + faults
 
 
-@cache
-def _schema_of(model: type[BearingFile | ContactFile]) -> dict[str, Any]:
-    return model.model_json_schema()
-
-
-def _assumed(values: CaseValues) -> Iterator[CaseFault]:
+def _assumed(values: CaseValues) -> Iterator[CaseProblem]:
     """Names under `assumed` that are no keys of a case file."""
     assumed = values.get("assumed")
     if not assumed:
         return
-    schema = _schema_of(ContactFile if "contact" in values.document else BearingFile)
+    schema = schema_of(ContactFile if "contact" in values.document else BearingFile)
     tables = {
         table: resolved(schema, node).get("properties", ())
         for table, node in schema["properties"].items()
@@ -342,7 +405,7 @@ def _assumed(values: CaseValues) -> Iterator[CaseFault]:
         table, _, rest = name.partition(".")
         if rest.rpartition(".")[2] not in NAMED_TABLES.get(table, Table).model_fields:
             finding = f"unknown key {shown(name)}"
-            yield CaseFault(("assumed",), finding, nearest=nearest_name(name, known))
+            yield CaseProblem(("assumed",), finding, nearest=nearest_name(name, known))
 
 
 def json_schema() -> dict[str, Any]:

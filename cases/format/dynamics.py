@@ -28,7 +28,7 @@ from .fields import (
 )
 from .friction import SIMULATED, FrictionTable
 from .over_time import programs
-from .problems import CaseFault, shown
+from .problems import CaseProblem, shown
 from .rules import Below, CaseValues, Excludes, Needs, OnlyWith, Relation, Where, bounded
 
 
@@ -174,17 +174,28 @@ RELATIONS: tuple[Relation, ...] = (
 )
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
-    """A history of bearable length; tables for a lubricated contact; what presses a dry land."""
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
+    """Conflicts of [dynamics] and [cage]: a history that is too long, a law without its table.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     share = values.get("cage", "land_oil_share")
     if share is not None and share < 1.0:
         for name in ("land_friction", "mass_g"):
             if not values.get("cage", name):
                 finding = f"missing with land_oil_share = {shown(share)}"
-                yield CaseFault(("cage", name), finding, "needed: what rubs on a dry land")
+                yield CaseProblem(("cage", name), finding, "needed: what rubs on a dry land")
         if values.get("cage", "guided_by") not in RACES:
             finding = f"found {shown(share)} for a cage that balls guide"
-            yield CaseFault(("cage", "land_oil_share"), finding, "allowed with a guiding ring")
+            yield CaseProblem(("cage", "land_oil_share"), finding, "allowed with a guiding ring")
     end = values.get("dynamics", "end_time_s")
     if end is not None:
         least = from_si("output_interval_us", end / LARGEST_HISTORY)
@@ -196,23 +207,56 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     if lubricated and values.get("dynamics", "friction") != "table":
         path = ("dynamics", "contact_law")
         allowed = 'needed: friction = "table", which holds film and damping'
-        yield CaseFault(path, 'found "lubricated"', allowed)
+        yield CaseProblem(path, 'found "lubricated"', allowed)
 
 
 def sample_interval(table: DynamicsTable) -> float:
-    """Time between rows of the history [s]."""
+    """Time between rows of the history.
+
+    Parameters
+    ----------
+    table : DynamicsTable
+        The checked table.
+
+    Returns
+    -------
+    float
+        The time [s].
+    """
     interval = table.si()["output_interval"]
     return table.end_time_s / SAMPLES if interval is None else min(interval, table.end_time_s)
 
 
 def simulated_friction(table: FrictionTable) -> dict[str, float]:
-    """The four constants and Coulomb's mu of a simulation [-], by their keys in [friction]."""
+    """The four constants and Coulomb's mu of a simulation.
+
+    Parameters
+    ----------
+    table : FrictionTable
+        The checked table [friction].
+
+    Returns
+    -------
+    dict[str, float]
+        Values by key [-].
+    """
     given = {name: getattr(table, name) for name in SIMULATED}
     return {name: SIMULATED[name] if x is None else x for name, x in given.items()}
 
 
 def cage_friction(table: CageTable | None) -> Cage | None:
-    """Friction of the cage [m]; None without a pocket's coefficient."""
+    """Friction of the cage.
+
+    Parameters
+    ----------
+    table : CageTable | None
+        The checked table [cage], where there is one.
+
+    Returns
+    -------
+    Cage | None
+        The cage, SI; None without a pocket's coefficient.
+    """
     if table is None or table.pocket_friction is None:
         return None
     land = table.si(*LAND) if table.guided_by in RACES else {}
@@ -229,7 +273,18 @@ def cage_friction(table: CageTable | None) -> Cage | None:
 
 
 def guiding_land(table: CageTable | None) -> tuple[Race, float] | None:
-    """The race that guides the cage, with the diameter of its land [m]; None where balls do."""
+    """The race that guides the cage, and the diameter of its land.
+
+    Parameters
+    ----------
+    table : CageTable | None
+        The checked table [cage], where there is one.
+
+    Returns
+    -------
+    tuple[Race, float] | None
+        Race and diameter [m]; None where balls guide it.
+    """
     if table is None or table.guided_by not in RACES or table.land_diameter_mm is None:
         return None
     return RACES[table.guided_by], table.si()["land_diameter"]

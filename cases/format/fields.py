@@ -1,11 +1,12 @@
 """Types, ranges and checks of single values, of which the tables of a case file consist."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from dataclasses import fields as dataclass_fields
 from enum import Enum
 from functools import cache
 from itertools import pairwise
 from math import inf, isfinite
-from typing import Annotated, Any, TypeGuard
+from typing import Annotated, Any, TypeGuard, TypeVar
 
 from pydantic import (
     BaseModel,
@@ -13,12 +14,17 @@ from pydantic import (
     ConfigDict,
     Field,
     StringConstraints,
+    ValidationError,
     WithJsonSchema,
 )
 from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
-from bearing.library.plugins import GROUP, PluginError, plugin
 from ehl.units import to_si, without_unit
+
+from .problems import CaseProblem, schema_faults
+
+T = TypeVar("T", bound="Table")
+D = TypeVar("D")
 
 FREE_WORD = "free"
 FILM_MAPS = ["all", "loaded", "none"]
@@ -36,16 +42,108 @@ class Table(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False)
 
     def si(self, *keys: str) -> dict[str, Any]:
-        """Values in SI of some or all keys by their names without units; keys that differ in the
-        unit only keep it.
+        """Values in SI by the names of the keys without units.
+
+        Keys that differ in the unit only keep it.
+
+        Parameters
+        ----------
+        *keys : str
+            Keys to convert; all if left out.
+
+        Returns
+        -------
+        dict[str, Any]
+            Values by name.
         """
         chosen = keys or tuple(type(self).model_fields)
         return {name: _si(key, getattr(self, key)) for name, key in names_in_si(chosen)}
 
+    def build(self, kind: type[D], **given: Any) -> D:
+        """Build an object of a dataclass whose fields have the names of keys without their units.
+
+        Words become members of its enums; keys that are left out leave its defaults.
+
+        Parameters
+        ----------
+        kind : type
+            The dataclass, SI.
+        **given : Any
+            Fields that follow from something else than the key of their name.
+
+        Returns
+        -------
+        object
+            An instance of `kind`, SI.
+        """
+        own = self.si()
+        values: dict[str, Any] = {}
+        for field in dataclass_fields(kind):  # type: ignore[arg-type]
+            value = own.get(field.name)
+            if value is not None:
+                member = isinstance(field.type, type) and issubclass(field.type, Enum)
+                values[field.name] = field.type(value) if member else value  # type: ignore[operator]
+        return kind(**values | given)
+
+
+def validated(
+    model: type[T], document: Mapping[str, Any], context: Any = None
+) -> tuple[T | None, list[CaseProblem]]:
+    """Check a document against its tables.
+
+    Parameters
+    ----------
+    model : type of Table
+        The tables of the file.
+    document : mapping
+        Values by key, as parsed.
+    context : Any, optional
+        Context of the validation.
+
+    Returns
+    -------
+    file
+        The checked tables; None where a value is wrong.
+    problems
+        All values that are wrong.
+    """
+    try:
+        return model.model_validate(document, context=context), []
+    except ValidationError as error:
+        return None, schema_faults(error.errors(include_url=False), schema_of(model))
+
+
+@cache
+def schema_of(model: type[Table]) -> dict[str, Any]:
+    """JSON Schema of the tables of a file, computed once.
+
+    Parameters
+    ----------
+    model : type of Table
+        The tables of the file.
+
+    Returns
+    -------
+    dict
+        The schema.
+    """
+    return model.model_json_schema()
+
 
 @cache
 def names_in_si(keys: tuple[str, ...]) -> tuple[tuple[str, str], ...]:
-    """Names without units of keys, and the keys; those that differ in the unit only keep it."""
+    """Names without units of keys; keys that differ in the unit only keep it.
+
+    Parameters
+    ----------
+    keys : tuple[str, ...]
+        The keys.
+
+    Returns
+    -------
+    tuple[tuple[str, str], ...]
+        Pairs of name and key.
+    """
     names = [name_in_si(key) for key in keys]
     pairs = zip(names, keys, strict=True)
     return tuple((name if names.count(name) == 1 else key, key) for name, key in pairs)
@@ -53,7 +151,18 @@ def names_in_si(keys: tuple[str, ...]) -> tuple[tuple[str, str], ...]:
 
 @cache
 def name_in_si(key: str) -> str:
-    """A key without its unit."""
+    """A key without its unit.
+
+    Parameters
+    ----------
+    key : str
+        The key.
+
+    Returns
+    -------
+    str
+        Its name.
+    """
     return without_unit(key).replace(" ", "_")
 
 
@@ -68,7 +177,18 @@ def _si(key: str, value: Any) -> Any:
 
 
 def is_number(value: object) -> TypeGuard[float]:
-    """Whether `value` is a finite number [-]; a bool is none, nor an integer beyond the floats."""
+    """Tell whether a value is a finite number; a bool is none, nor an integer beyond the floats.
+
+    Parameters
+    ----------
+    value : object
+        The value.
+
+    Returns
+    -------
+    TypeGuard[float]
+        True if it is.
+    """
     try:
         return not isinstance(value, bool) and isinstance(value, int | float) and isfinite(value)
     except OverflowError:
@@ -76,37 +196,134 @@ def is_number(value: object) -> TypeGuard[float]:
 
 
 def rounded(value: float) -> float:
-    """`value` without the noise of a conversion of units [-]."""
+    """Round off the noise of a conversion of units.
+
+    Parameters
+    ----------
+    value : float
+        The value [-].
+
+    Returns
+    -------
+    float
+        The value to `DIGITS` digits.
+    """
     return float(f"{value:.{DIGITS}g}")
 
 
 def above(low: float, high: float, description: str, default: Any = None) -> Any:
-    """A number above `low`, up to `high`."""
+    """A number above a limit.
+
+    Parameters
+    ----------
+    low : float
+        Limit, excluded.
+    high : float
+        Limit, included.
+    description : str
+        Text for the reference and the schema.
+    default : Any, optional
+        Value where the key is left out.
+
+    Returns
+    -------
+    Any
+        The field.
+    """
     return Field(default, gt=low, le=high, description=description)
 
 
 def between(low: float, high: float, description: str, default: Any = None) -> Any:
-    """A number from `low` to `high`."""
+    """A number between two limits.
+
+    Parameters
+    ----------
+    low, high : float
+        Limits, included.
+    description : str
+        Text for the reference and the schema.
+    default : Any, optional
+        Value where the key is left out.
+
+    Returns
+    -------
+    Any
+        The field.
+    """
     return Field(default, ge=low, le=high, description=description)
 
 
 def length(description: str) -> Any:
-    """An optional length of a part [mm]."""
+    """An optional length of a part [mm].
+
+    Parameters
+    ----------
+    description : str
+        Text for the reference and the schema.
+
+    Returns
+    -------
+    Any
+        The field.
+    """
     return between(LENGTH_MINIMUM, LENGTH_MAXIMUM, description)
 
 
 def within(limit: float, description: str, default: Any = None) -> Any:
-    """A number from -limit to limit."""
+    """A number from -limit to limit.
+
+    Parameters
+    ----------
+    limit : float
+        Limit of its magnitude, included.
+    description : str
+        Text for the reference and the schema.
+    default : Any, optional
+        Value where the key is left out.
+
+    Returns
+    -------
+    Any
+        The field.
+    """
     return between(-limit, limit, description, default)
 
 
 def described(description: str, default: Any = None, **limits: Any) -> Any:
-    """A value whose type, and `limits`, say what is allowed."""
+    """A value whose type, and limits, define the allowed values.
+
+    Parameters
+    ----------
+    description : str
+        Text for the reference and the schema.
+    default : Any, optional
+        Value where the key is left out.
+    **limits : Any
+        Further arguments of `pydantic.Field`.
+
+    Returns
+    -------
+    Any
+        The field.
+    """
     return Field(default, description=description, **limits)
 
 
 def checked(parse: Callable[[object], object], allowed: str) -> BeforeValidator:
-    """A check by a function that gives the value, or None where it is not `allowed`."""
+    """A validator from a function.
+
+    Parameters
+    ----------
+    parse : Callable[[object], object]
+        Gives the value, or None where it is not allowed.
+    allowed : str
+        Text for messages.
+
+    Returns
+    -------
+    BeforeValidator
+        The validator.
+    """
 
     def check(value: object) -> object:
         parsed = parse(value)
@@ -129,35 +346,6 @@ class OneOf:
         return core_schema.literal_schema(self.words)
 
 
-class OrPlugin:
-    """One of these words, or the name of a plug-in of a kind."""
-
-    def __init__(self, kind: str, *words: str) -> None:
-        self.kind = kind
-        self.words = words
-
-    def _check(self, value: object) -> str:
-        if isinstance(value, str):
-            if value in self.words:
-                return value
-            try:
-                found = plugin(self.kind, value)
-            except PluginError as error:
-                raise PydanticCustomError("plugin", "{told}", {"told": str(error)}) from None
-            if found is not None:
-                return found.name
-        names = "".join(f'"{word}", ' for word in self.words)
-        allowed = f"{names}a plug-in of {GROUP}{self.kind} (see 'oilfilm list plugins')"
-        raise PydanticCustomError("choice", "{allowed}", {"allowed": allowed, "words": self.words})
-
-    def __get_pydantic_core_schema__(self, *_: Any) -> CoreSchema:
-        return core_schema.no_info_plain_validator_function(self._check)
-
-    def __get_pydantic_json_schema__(self, *_: Any) -> dict[str, Any]:
-        named = {"type": "string", "description": f"a plug-in of {GROUP}{self.kind}"}
-        return {"anyOf": [{"enum": list(self.words)}, named]} if self.words else named
-
-
 def _list_schema(length: int, *, free: bool = False) -> WithJsonSchema:
     """JSON Schema of a list of numbers, or of the word "free"."""
     number: dict[str, Any] = {"type": "number"}
@@ -172,7 +360,22 @@ def _entries(value: object) -> list[Any]:
 
 
 def numbers(value: object, length: int, limit: float) -> tuple[float, ...] | None:
-    """A list of so many numbers within +-`limit`; None if `value` is none."""
+    """A list of a given number of numbers.
+
+    Parameters
+    ----------
+    value : object
+        The value as parsed.
+    length : int
+        Number of entries [-].
+    limit : float
+        Largest magnitude.
+
+    Returns
+    -------
+    tuple[float, ...] | None
+        The numbers; None if the value is something else.
+    """
     entries = _entries(value)
     fits = len(entries) == length and all(is_number(x) and abs(x) <= limit for x in entries)
     return tuple(map(float, entries)) if fits else None
@@ -181,8 +384,23 @@ def numbers(value: object, length: int, limit: float) -> tuple[float, ...] | Non
 def parse_vector(
     entries: list[Any], length: int, limit: float, *, free: bool
 ) -> tuple[float | str, ...] | None:
-    """So many numbers within +-`limit`, with the word "free" for any of them; None if there are
-    others.
+    """A list of numbers, or the word "free" in place of any of them.
+
+    Parameters
+    ----------
+    entries : list[Any]
+        The entries as parsed.
+    length : int
+        Number of entries [-].
+    limit : float
+        Largest magnitude.
+    free : bool
+        True: the word is allowed.
+
+    Returns
+    -------
+    tuple[float | str, ...] | None
+        The entries; None if there are others.
     """
     words = [free and entry == FREE_WORD for entry in entries]
     fixed = [0.0 if word else x for word, x in zip(words, entries, strict=True)]
@@ -269,16 +487,6 @@ def _azimuths(value: object) -> tuple[float, ...] | None:
     return numbers(azimuths, len(azimuths), 360.0) if azimuths else None
 
 
-def _constants(value: object) -> object:
-    named = isinstance(value, dict) and all(map(is_number, value.values()))
-    return value if named else None
-
-
-Constants = Annotated[
-    Any,
-    checked(_constants, "a table of numbers by name"),
-    WithJsonSchema({"type": "object", "additionalProperties": {"type": "number"}}),
-]
 Name = Annotated[str, StringConstraints(min_length=1, max_length=200)]
 Points = Annotated[
     int,

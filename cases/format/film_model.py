@@ -12,7 +12,7 @@ from ehl.solid.heat import SolidThermal
 from ehl.traction.response.normal import highest_frequency
 
 from .contact import ContactEhlTable, FilmModel, GridTable, Starvation
-from .problems import UnfitKey, shown
+from .problems import InvalidKeyError, shown
 
 WIDE_RANGE = 1.5  # of a conductivity, from which on a result with heat says so [-]
 
@@ -28,7 +28,20 @@ class FilmPhysics:
     notes: tuple[str, ...] = ()  # on the properties that heat takes
 
     def solve(self, conditions: ContactConditions, options: SolverOptions) -> ContactSolution:
-        """Film of one contact; lengths in [m], pressures in [Pa]."""
+        """Film of one contact.
+
+        Parameters
+        ----------
+        conditions : ContactConditions
+            The contact.
+        options : SolverOptions
+            Grid of the solver.
+
+        Returns
+        -------
+        ContactSolution
+            The film [m] and the pressure [Pa].
+        """
         if self.model is FilmModel.NEWTONIAN or self.rheology is None:
             return solve_contact(conditions, options)
         base = self.rheology.unlimited  # at the limit the flow has no finite tangent
@@ -76,16 +89,30 @@ def case_films(
     bodies: Sequence[Material],
     starvation: Starvation | None = None,
 ) -> CaseFilms:
-    """Grid [-] and physics of the films, SI; `ValueError` if they have heat and a body, ball or
-    race, no thermal properties. `starvation`: what a layer does to them, None without.
+    """Grid and physics of the films.
+
+    Parameters
+    ----------
+    table : GridTable
+        The checked table [ehl].
+    shear : Rheology | None
+        Shear law of the oil.
+    bodies : Sequence[Material]
+        Materials of ball and race.
+    starvation : Starvation | None, optional
+        Effect of a layer at the inlet; None without one.
+
+    Returns
+    -------
+    CaseFilms
+        The films, SI.
+
+    Raises
+    ------
+    ValueError
+        If films have heat and a body no thermal properties.
     """
-    options = SolverOptions(
-        points=table.points,
-        domain=table.domain,
-        tolerance=table.tolerance,
-        certify=table.certify,
-        tabulated=starvation is Starvation.TABULATED,
-    )
+    options = table.build(SolverOptions, tabulated=starvation is Starvation.TABULATED)
     model = FilmModel(table.film_model)
     solids = None
     if model is FilmModel.THERMAL:
@@ -99,7 +126,9 @@ def case_films(
 
 
 def _conductivity_note(body: Material) -> str:
-    """What the library says of a body's conductivity, where it is wide or the case goes beyond."""
+    """A note on a body's conductivity, where its range in the library is wide or the case is
+    outside.
+    """
     key = "thermal_conductivity_W_m_K"
     data = material_data(body.name).get(key) if body.name in list_materials() else None
     k = body.thermal_conductivity
@@ -115,16 +144,27 @@ def _conductivity_note(body: Material) -> str:
 def require_frequencies(
     table: ContactEhlTable, conditions: ContactConditions | MoesConditions
 ) -> None:
-    """`UnfitKey` where a frequency of the response is beyond what a mesh carries, or the contact
-    has no lengths.
+    """Check the frequencies of the response.
+
+    Parameters
+    ----------
+    table : ContactEhlTable
+        The checked table [ehl].
+    conditions : ContactConditions | MoesConditions
+        The contact.
+
+    Raises
+    ------
+    InvalidKeyError
+        If a frequency is beyond what a mesh resolves, or the contact has no lengths.
     """
     given = table.response_frequencies_Hz
     if not given:
         return
     key = ("ehl", "response_frequencies_Hz")
     if isinstance(conditions, MoesConditions):
-        raise UnfitKey(key, f"{shown(given)}", "nothing: Moes' groups have no unit of time")
+        raise InvalidKeyError(key, f"{shown(given)}", "nothing: Moes' groups have no unit of time")
     limit = highest_frequency(conditions)
     if max(given) > limit:
         allowed = f"at most {limit:.4g}: faster, the film's wave is shorter than a mesh carries"
-        raise UnfitKey(key, shown(max(given)), allowed)
+        raise InvalidKeyError(key, shown(max(given)), allowed)

@@ -43,7 +43,7 @@ from .fields import (
 )
 from .friction import FrictionTable, rheology
 from .lubricant import Oil, lubricant
-from .problems import CaseFault, UnfitKey, shown
+from .problems import CaseProblem, InvalidKeyError, shown
 from .rules import CaseValues, Excludes, Needs, Where, bounded
 
 
@@ -120,8 +120,19 @@ RELATIONS = (
 )
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
-    """Shaft and housing around the bearing, their tolerances."""
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
+    """Conflicts of [fit] with the bearing: shaft, housing and their tolerances.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     yield from _seat_faults(values)
     bore = values.get("bearing", "bore_mm")
     if bore is not None:
@@ -165,7 +176,7 @@ NAMED_SEATS = (
 )
 
 
-def _seat_faults(values: CaseValues) -> Iterator[CaseFault]:
+def _seat_faults(values: CaseValues) -> Iterator[CaseProblem]:
     """Tolerances that there are, each in place of its interference."""
     for seat in NAMED_SEATS:
         name = values.get("fit", seat.key)
@@ -175,11 +186,11 @@ def _seat_faults(values: CaseValues) -> Iterator[CaseFault]:
         path = ("fit", seat.key)
         if values.get("fit", seat.interference_key):
             finding = f"found together with {seat.interference_key}"
-            yield CaseFault(path, finding, "allowed: one of them")
+            yield CaseProblem(path, finding, "allowed: one of them")
         try:
             seat.interference(name, TOLERANCE_CLASSES[0], size)
         except ValueError as error:
-            yield CaseFault(path, f"found {shown(name)}: {error}")
+            yield CaseProblem(path, f"found {shown(name)}: {error}")
 
 
 def _interference(table: FitTable, bearing: BearingTable, seat: NamedSeat) -> float:
@@ -202,7 +213,22 @@ def _interference(table: FitTable, bearing: BearingTable, seat: NamedSeat) -> fl
 def fit(
     table: FitTable | None, materials: Mapping[str, Material], bearing: BearingTable
 ) -> Fit | None:
-    """Fits of the rings [m]; None where the case gives none."""
+    """Fits of the rings.
+
+    Parameters
+    ----------
+    table : FitTable | None
+        The checked table, where there is one.
+    materials : Mapping[str, Material]
+        Materials by name.
+    bearing : BearingTable
+        The checked table [bearing].
+
+    Returns
+    -------
+    Fit | None
+        Interferences and diameters [m]; None without [fit].
+    """
     if table is None:
         return None
     inner, outer = (_interference(table, bearing, seat) for seat in NAMED_SEATS)
@@ -221,8 +247,28 @@ def elastic_rings(
     given: Bearing,
     materials: Mapping[str, Material],
 ) -> ElasticRings | None:
-    """The rings that [rings] makes elastic [m]; None without. `UnfitKey` where a section is not
-    known or impossible.
+    """The rings that [rings] makes elastic.
+
+    Parameters
+    ----------
+    table : RingsTable | None
+        The checked table [rings], where there is one.
+    seats : FitTable | None
+        The checked table [fit], where there is one.
+    given : Bearing
+        The bearing as delivered.
+    materials : Mapping[str, Material]
+        Materials by name.
+
+    Returns
+    -------
+    ElasticRings | None
+        The rings [m]; None without [rings].
+
+    Raises
+    ------
+    InvalidKeyError
+        If a section is not known or impossible.
     """
     if table is None or table.inner_seat is table.outer_seat is None:
         return None
@@ -242,22 +288,39 @@ def elastic_rings(
         shoulder = shoulder_diameter(given, race)
         if shoulder is None:
             key = f"{race.value}_shoulder_diameter_mm"
-            raise UnfitKey(("bearing", key), f"needed with rings.{race.value}_seat; no estimate")
+            raise InvalidKeyError(
+                ("bearing", key), f"needed with rings.{race.value}_seat; no estimate"
+            )
         body = (diameter, materials[material]) if seat == "elastic" else None
         places = getattr(table, f"{race.value}_supports_deg") or ()
         supports = tuple(radians(azimuth) for azimuth in places)
         try:
             rings[race.value] = elastic_ring(given, race, Seat(seat), shoulder, body, supports)
         except ValueError as error:
-            raise UnfitKey(("rings", f"{race.value}_seat"), f"no such ring: {error}") from error
+            raise InvalidKeyError(
+                ("rings", f"{race.value}_seat"), f"no such ring: {error}"
+            ) from error
     return ElasticRings(**rings)
 
 
 def part_temperatures(
     table: TemperaturesTable | None, parts: Mapping[str, float]
 ) -> TemperaturesTable:
-    """Temperatures of the parts as a network of heat found them [degrees Celsius]; the outer ring
-    has the mean of its halves, the reference stays.
+    """Temperatures of the parts from a network of heat.
+
+    The outer ring has the mean of its halves; the reference stays.
+
+    Parameters
+    ----------
+    table : TemperaturesTable | None
+        The checked table [temperatures], where there is one.
+    parts : Mapping[str, float]
+        Temperature by node [degrees Celsius].
+
+    Returns
+    -------
+    TemperaturesTable
+        The table with these temperatures.
     """
     outer = 0.5 * (parts["outer_ring_loaded"] + parts["outer_ring_unloaded"])
     values = {
@@ -292,8 +355,27 @@ def in_operation(
     table: TemperaturesTable | None,
     cage: tuple[Material | None, tuple[Race, float] | None],
 ) -> tuple[Bearing, ClearanceBudget | None]:
-    """The bearing with its clearance in operation [m], and the budget, if that differs; `cage`:
-    its material, race and diameter of its land [m].
+    """The bearing with its clearance in operation.
+
+    Parameters
+    ----------
+    given : Bearing
+        The bearing as delivered.
+    operation : Operation
+        Speeds and loads.
+    seats : Fit | None
+        Fits of the rings, where there are any.
+    table : TemperaturesTable | None
+        The checked table [temperatures], where there is one.
+    cage : tuple[Material | None, tuple[Race, float] | None]
+        Material of the cage, and race and diameter of its land [m].
+
+    Returns
+    -------
+    bearing
+        The bearing.
+    budget
+        Parts of the clearance [m]; None where it does not change.
     """
     if seats is None and table is None:
         return given, None
@@ -316,7 +398,20 @@ class Seats:
 
 
 def seats_of(fit: Fit | None, table: TemperaturesTable | None) -> Seats:
-    """Seats [m] and temperatures [K] of a case."""
+    """Seats and temperatures of a case.
+
+    Parameters
+    ----------
+    fit : Fit | None
+        Fits of the rings, where there are any.
+    table : TemperaturesTable | None
+        The checked table [temperatures], where there is one.
+
+    Returns
+    -------
+    Seats
+        Seats [m] and temperatures [K].
+    """
     if table is None:
         return Seats(fit=fit, rise=None, reference=REFERENCE)
     return Seats(fit=fit, rise=_rises(table), reference=table.si()["reference"])
@@ -328,7 +423,7 @@ REFERENCE = to_si("reference_C", TemperaturesTable.model_fields["reference_C"].d
 
 @dataclass(frozen=True, kw_only=True)
 class HeatingInput:
-    """What the heat balance takes beyond the bearing and its operation, SI."""
+    """Inputs of the heat balance besides the bearing and its operation, SI."""
 
     delivered: Bearing  # with its clearance before mounting, where there are fits or temperatures
     oil: Callable[[float], Lubricant]  # at a temperature [K]
@@ -349,8 +444,33 @@ def heating(
     delivered: Bearing,
     fit: Fit | None,
 ) -> HeatingInput | None:
-    """Surroundings [W/K], oil over temperature [K], fits; None where no heat transfer is given.
-    `UnfitKey` if oil removes heat and its specific heat is not known.
+    """Inputs of the heat balance.
+
+    Parameters
+    ----------
+    table : FrictionTable
+        The checked table [friction].
+    temperatures : TemperaturesTable | None
+        The checked table [temperatures], where there is one.
+    oil : Oil
+        Keys of the oil.
+    at_operation : Lubricant
+        The oil at the temperature of operation.
+    delivered : Bearing
+        The bearing as delivered.
+    fit : Fit | None
+        Fits of the rings, where there are any.
+
+    Returns
+    -------
+    HeatingInput | None
+        Surroundings [W/K], oil over temperature [K] and fits; None where no heat transfer is
+        given.
+
+    Raises
+    ------
+    InvalidKeyError
+        If oil removes heat and its specific heat is not known.
     """
     if table.heat_transfer_W_K is None:
         return None
@@ -378,7 +498,7 @@ def _surroundings(table: FrictionTable, oil: Lubricant, fit: Fit | None) -> Surr
     flow = to_si(key, getattr(table, key))
     if flow and oil.thermal is None:
         needs = "the heat that oil carries needs lubricant.specific_heat_J_kg_K"
-        raise UnfitKey(("friction", key), needs)
+        raise InvalidKeyError(("friction", key), needs)
     steel = load_material(FitTable.model_fields["shaft_material"].default)
     air = (Lubrication.GREASE.value, Lubrication.OIL_AIR.value)
     # a flow that is to cool wets the walls, whatever lubricates

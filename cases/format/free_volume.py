@@ -20,7 +20,7 @@ from ehl.oil.pressure_laws import pressure_viscosity_modulus, pressure_viscosity
 from ehl.units import GIGAPASCAL, ZERO_CELSIUS, to_si
 
 from .fields import name_in_si
-from .problems import MISSING, CaseFault, Path, UnfitKey, shown
+from .problems import MISSING, CaseProblem, InvalidKeyError, Path, shown
 from .rules import CaseValues
 
 TAIT = ("tait_bulk_modulus_GPa", "tait_bulk_modulus_derivative")
@@ -53,7 +53,7 @@ LAWS = {  # constants that a law takes
     ("viscosity_law", "modulus"): (),  # of oils of the library
     ("viscosity_law", "scaled-volume"): (),
 }
-OF_LIBRARY = {  # constants that an oil of the library has for a law, one of them
+LIBRARY_CONSTANTS = {  # constants that an oil of the library has for a law, one of them
     "tait-doolittle": ("doolittle",),
     "tait": ("doolittle", "tait"),
     "yasutomi": (),
@@ -84,8 +84,23 @@ class _OilFile:
 
 def free_volume_faults(
     keys: dict[str, Any], values: CaseValues, *, of_library: bool
-) -> Iterator[CaseFault]:
-    """A law has its constants, and constants in [lubricant] have their law."""
+) -> Iterator[CaseProblem]:
+    """Conflicts of laws and their constants.
+
+    Parameters
+    ----------
+    keys : dict[str, Any]
+        Keys of the oil.
+    values : CaseValues
+        The valid values of the file.
+    of_library : bool
+        True: the name of the oil is one of the library.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     oil = _OilFile(keys, values)
     given = [key for key in KEYS if key in keys]
     chosen = [law for law in LAWS if keys.get(law[0]) == law[1]]
@@ -94,7 +109,7 @@ def free_volume_faults(
             yield from _no_constants(oil, law, of_library=of_library)
     for key, reason in _needed(keys, given, chosen).items():
         if key not in keys:
-            yield CaseFault(oil.place(key), MISSING, f"needed with {reason}")
+            yield CaseProblem(oil.place(key), MISSING, f"needed with {reason}")
     yield from _expansivity_faults(oil, given)
     yield from _without_law(oil, given, chosen)
 
@@ -115,10 +130,12 @@ def _needed(
     return needed if follows is None else needed | {TEMPERATURE: follows}
 
 
-def _no_constants(oil: _OilFile, law: tuple[str, str], *, of_library: bool) -> Iterator[CaseFault]:
+def _no_constants(
+    oil: _OilFile, law: tuple[str, str], *, of_library: bool
+) -> Iterator[CaseProblem]:
     name = oil.keys.get("name")
     names = list_lubricants()
-    sets = OF_LIBRARY[law[1]]
+    sets = LIBRARY_CONSTANTS[law[1]]
     suitable = [one for one in names if any(key in lubricant_data(one) for key in sets)]
     # an unknown name is a fault of its own
     if of_library and (name in suitable or name not in names):
@@ -129,34 +146,47 @@ def _no_constants(oil: _OilFile, law: tuple[str, str], *, of_library: bool) -> I
     ways += ["another law"]
     finding = f"found {shown(law[1])}, for which {subject} has no constants"
     allowed = f"allowed: {'; or '.join(ways)}"
-    yield CaseFault(oil.place(law[0]), finding, allowed)
+    yield CaseProblem(oil.place(law[0]), finding, allowed)
 
 
-def _expansivity_faults(oil: _OilFile, given: list[str]) -> Iterator[CaseFault]:
+def _expansivity_faults(oil: _OilFile, given: list[str]) -> Iterator[CaseProblem]:
     """One form of Yasutomi's law."""
     forms = [key for key in EXPANSIVITY if key in given]
     if len(forms) == len(EXPANSIVITY):
         finding = f"found together with {forms[0]}"
-        yield CaseFault(oil.place(forms[1]), finding, "allowed: one of them")
+        yield CaseProblem(oil.place(forms[1]), finding, "allowed: one of them")
     elif not forms and any(key in YASUTOMI for key in given):
         allowed = f"needed: {' or '.join(EXPANSIVITY)}"
-        yield CaseFault(oil.place(EXPANSIVITY[0]), MISSING, allowed)
+        yield CaseProblem(oil.place(EXPANSIVITY[0]), MISSING, allowed)
 
 
 def _without_law(
     oil: _OilFile, given: list[str], chosen: list[tuple[str, str]]
-) -> Iterator[CaseFault]:
+) -> Iterator[CaseProblem]:
     """In [lubricant] only constants that a law takes; an oil of [lubricants] may have more."""
     for key in given:
         family = key.partition("_")[0]
         if oil.place(key)[0] == "lubricant" and not any(family in law for _, law in chosen):
             laws = [f'{name} = "{law}"' for name, law in LAWS if family in law]
             allowed = f"allowed: {' or '.join(laws)}"
-            yield CaseFault(("lubricant", key), "found without its law", allowed)
+            yield CaseProblem(("lubricant", key), "found without its law", allowed)
 
 
 def free_volume(keys: dict[str, Any], temperature: float) -> dict[str, Any]:
-    """Constants of an oil as fields of `Lubricant`, SI, at a temperature [K]."""
+    """Constants of an oil as fields of `Lubricant`.
+
+    Parameters
+    ----------
+    keys : dict[str, Any]
+        Keys of the oil.
+    temperature : float
+        Temperature of the oil [K].
+
+    Returns
+    -------
+    dict[str, Any]
+        Fields by name, SI.
+    """
     constants: dict[str, Any] = {}
     tait, doolittle, yasutomi = (_of_family(family, keys) for family in FAMILIES)
     if tait:
@@ -200,8 +230,24 @@ def _coefficient(given: dict[str, Any]) -> float | None:
 
 
 def with_coefficient(given: dict[str, Any], keys: dict[str, Any]) -> dict[str, Any]:
-    """Fields of `Lubricant` with the coefficient of the law's constants; `UnfitKey` if the case
-    gives another one, or the law does not hold at the temperature.
+    """Fields of `Lubricant` with the pressure-viscosity coefficient of the constants of its law.
+
+    Parameters
+    ----------
+    given : dict[str, Any]
+        Fields by name, SI.
+    keys : dict[str, Any]
+        Keys of the oil.
+
+    Returns
+    -------
+    dict[str, Any]
+        The fields with the coefficient [1/Pa].
+
+    Raises
+    ------
+    InvalidKeyError
+        If the case gives another coefficient, or the law does not hold at the temperature.
     """
     of_constants = _coefficient(given)
     key = "pressure_viscosity_1_GPa"
@@ -209,7 +255,7 @@ def with_coefficient(given: dict[str, Any], keys: dict[str, Any]) -> dict[str, A
         return given
     if of_constants <= 0.0:
         finding = "its constants give no viscosity that rises with pressure"
-        raise UnfitKey(("lubricant", "viscosity_law"), finding)
+        raise InvalidKeyError(("lubricant", "viscosity_law"), finding)
     if key not in keys:
         return {**given, "pressure_viscosity": of_constants}
     difference = abs(keys[key] / GIGAPASCAL - of_constants)
@@ -218,12 +264,22 @@ def with_coefficient(given: dict[str, Any], keys: dict[str, Any]) -> dict[str, A
             f"found {keys[key]:g}, and the constants of the law give "
             f"{of_constants * GIGAPASCAL:.4g}"
         )
-        raise UnfitKey(("lubricant", key), finding, "allowed: left out, or that of the constants")
+        raise InvalidKeyError(
+            ("lubricant", key), finding, "allowed: left out, or that of the constants"
+        )
     return given
 
 
 def warn_of_temperature(oil: Lubricant, measured_at: float | None) -> None:
-    """Warn where constants are used at a temperature [K] that they do not hold at."""
+    """Warn of constants used at a temperature that they do not hold at.
+
+    Parameters
+    ----------
+    oil : Lubricant
+        The lubricant.
+    measured_at : float | None
+        Temperature of the constants [K].
+    """
     doolittle = oil.doolittle if oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE else None
     used = oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE or oil.density_law is DensityLaw.TAIT
     if measured_at is None or not used or oil.temperature is None or oil.tait is None:

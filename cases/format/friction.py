@@ -13,7 +13,6 @@ from bearing.library.bearings import named_designation
 from bearing.library.catalogue import nearest_series
 from bearing.library.lubricants import lubricant_data
 from bearing.library.oil_sets import limiting_coefficient
-from bearing.library.plugins import FRICTION, TORQUE, Plugin, PluginError, plugin
 from bearing.operation import BallKinematics
 from bearing.supply.supply import CAPTURED, InletFilm, Supply
 from bearing.torque.inputs import FrictionInput
@@ -24,17 +23,16 @@ from ehl.traction.coefficient_kernels import COEFFICIENTS, Constant
 from ehl.units import to_si
 
 from .bearing import BearingTable, SurfaceTable, nominal_contact_angle, roughness, spectrum
-from .fields import LENGTH_MAXIMUM, Constants, OneOf, OrPlugin, Table, above, between, described
+from .fields import LENGTH_MAXIMUM, OneOf, Table, above, between, described
 from .lubricant import LubricantTable, Oil
-from .problems import CaseFault, UnfitKey, shown
+from .problems import CaseProblem, shown
 from .rules import Below, CaseValues, Excludes, Needs, OnlyWith, Relation, Where
 from .shipped import table_path
 
 # constants of the coefficients over the ellipse, with the law of each, and their keys
 CONSTANTS = [(name, c) for name, law in COEFFICIENTS.items() for c in law.constants]
 
-
-OWN_LAWS = ("films", "table", *COEFFICIENTS, "coulomb")
+LAWS = ("films", "table", *COEFFICIENTS, "coulomb")
 
 
 def _with_constants(table: type[Table]) -> type[Table]:
@@ -52,7 +50,7 @@ class LawTable(Table):
     """The law of friction of balls on races."""
 
     coefficient: float | None = above(0, 1, "Coulomb's mu; else SKF's mu_sl, 0.05 in a simulation")
-    traction: Annotated[str, OrPlugin(FRICTION, *OWN_LAWS)] | None = described(
+    traction: Annotated[str, OneOf(*LAWS)] | None = described(
         "friction of balls on races in traction equilibrium; left out, that of the case's films"
     )
     traction_table: str | None = described(
@@ -64,7 +62,6 @@ class LawTable(Table):
         "Eyring up to a limiting stress",
         "solved",
     )
-    traction_constants: Constants | None = described("of the law of a plug-in, by their names")
 
 
 class FrictionTable(LawTable):
@@ -73,9 +70,6 @@ class FrictionTable(LawTable):
     models: Literal["main", "all"] = described(
         "main: integrated, skf, palmgren, coulomb; all: those of single papers are computed, too",
         "main",
-    )
-    torque_plugins: tuple[Annotated[str, OrPlugin(TORQUE)], ...] = described(
-        "models of plug-ins to be computed, too", (), strict=False
     )
     lubrication: Annotated[str, OneOf(Lubrication)] = described(
         "how the oil comes to the bearing, for SKF's model and Palmgren's", "low oil bath"
@@ -154,7 +148,7 @@ WITH_STARVED = 'with heating_torque = "starved"'
 # tau_L/p of a paraffinic mineral oil, Mann's twin discs after Arana et al. (2019)
 LIMITING_COEFFICIENT = 0.047
 # keys that are fields of `FrictionInput`, but for their units
-OF_ONE_NAME = (
+SAME_NAME_FIELDS = (
     *("coefficient", "oil", "oil_fraction", "oil_level_mm", "drag_factor", "as_printed"),
     "seal_diameter_mm",
 )
@@ -223,27 +217,56 @@ RELATIONS: tuple[Relation, ...] = (
 )
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
-    """A file of traction tables that is there; constants of a plug-in with one."""
-    law = values.get("friction", "traction")
-    if values.get("friction", "traction_constants") is not None and law in (None, *OWN_LAWS):
-        allowed = "allowed: with the name of a plug-in in friction.traction"
-        yield CaseFault(("friction", "traction_constants"), "given without a plug-in", allowed)
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
+    """Conflicts of [friction]: a file of traction tables that does not exist.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     name = values.get("friction", "traction_table")
     if name is not None and values.get("friction", "traction") == "table" and not _is_file(name):
         finding = f"{shown(name)} cannot be read: there is no such file from the working directory"
-        yield CaseFault(("friction", "traction_table"), finding, made_by(name))
+        yield CaseProblem(("friction", "traction_table"), finding, made_by(name))
 
 
 def made_by(name: str) -> str:
-    """The command that makes the file of this name, of tables of the case that asks for it."""
+    """The command that makes a file of traction tables for the case that asks for it.
+
+    Parameters
+    ----------
+    name : str
+        Name of the file.
+
+    Returns
+    -------
+    str
+        Text for messages.
+    """
     return f"allowed: a file that `oilfilm table CASE -o {name}` wrote, CASE this case"
 
 
 def without_own_table(document: dict[str, Any]) -> dict[str, Any]:
-    """A document in which friction is of no file of tables, for the command that makes this file;
-    balls in traction equilibrium, which would need it, move half and half: loads and speeds, of
-    which tables have a range, hardly depend on that.
+    """A document without its file of traction tables, for the command that makes this file.
+
+    Balls in traction equilibrium, which would need it, move half and half: loads and speeds, the
+    range of a table, hardly depend on that.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Tables of a case.
+
+    Returns
+    -------
+    dict[str, Any]
+        The changed document.
     """
     friction = document.get("friction")
     if not isinstance(friction, dict) or friction.get("traction") != "table":
@@ -275,7 +298,28 @@ def friction(
     *,
     angular: bool,
 ) -> FrictionInput:
-    """What the friction models take: ratings [N], lengths [m]; `angular`: of angular contact."""
+    """Inputs of the friction models.
+
+    Parameters
+    ----------
+    table : FrictionTable
+        The checked table [friction].
+    bearing : BearingTable
+        The checked table [bearing].
+    lubricant : LubricantTable
+        The checked table [lubricant].
+    cage : Cage | None
+        Friction of the cage, where there is any.
+    surface : SurfaceTable | None
+        The checked table [surface], where there is one.
+    angular : bool
+        True: an angular contact bearing.
+
+    Returns
+    -------
+    FrictionInput
+        Ratings [N], lengths [m] and coefficients [-].
+    """
     si = bearing.si()
     if table.lubrication in WITH_LEVEL and table.oil_level_mm == 0.0:
         text = f"not given with lubrication = {shown(table.lubrication)}"
@@ -284,7 +328,7 @@ def friction(
             stacklevel=2,
         )
     return FrictionInput(
-        **table.si(*OF_ONE_NAME),
+        **table.si(*SAME_NAME_FIELDS),
         sealed=_sealed(table, bearing),
         lubrication=Lubrication(table.lubrication),
         series=_series(bearing, angular=angular),
@@ -305,19 +349,7 @@ def friction(
         supply=_supply(table, lubricant),
         flooded=lubricant.supply == "flooded",
         all_models=table.models == "all",
-        more_models=tuple(map(_torque_plugin, dict.fromkeys(table.torque_plugins))),
     )
-
-
-def _torque_plugin(name: str) -> Plugin:
-    """A model of the torque that can be used; `UnfitKey` if it cannot be loaded."""
-    found = plugin(TORQUE, name)
-    assert found is not None  # checked before
-    try:
-        found.load()
-    except PluginError as error:
-        raise UnfitKey(("friction", "torque_plugins"), str(error)) from None
-    return found
 
 
 def _sealed(table: FrictionTable, bearing: BearingTable) -> bool:
@@ -366,7 +398,20 @@ def _limiting_coefficient(oil: Oil, lubricant: Lubricant) -> tuple[float, str]:
 
 
 def rheology(oil: Oil, lubricant: Lubricant) -> Rheology:
-    """How the oil shears: stresses [Pa]; what the case leaves out is assumed, with a warning."""
+    """Shear law of the oil; constants that the case leaves out are assumed, with a warning.
+
+    Parameters
+    ----------
+    oil : Oil
+        Keys of the oil.
+    lubricant : Lubricant
+        The oil at the temperature of operation.
+
+    Returns
+    -------
+    Rheology
+        The law, with stresses [Pa].
+    """
     keys = oil.keys
     law = ShearLaw(keys.get("rheology", "ree-eyring"))
     coefficient = keys.get("limiting_stress_coefficient")

@@ -12,19 +12,19 @@ from ehl.units import from_si
 
 from .bearing import ALTERNATIVES, CLEARANCE, GEOMETRY, BearingTable
 from .fields import OneOf, Table, above, between, described, is_number, name_in_si, rounded
-from .problems import CaseFault, nearest_name, shown
+from .problems import CaseProblem, nearest_name, shown
 from .rules import CaseValues
 
 # of a material that its table in the case may leave to the library's
-OF_THE_LIBRARY = (
+LIBRARY_FIELDS = (
     *("kind", "thermal_expansion", "thermal_conductivity", "specific_heat"),
     *("bending_strength", "weibull_modulus"),
     *("bending_strength_range", "weibull_modulus_range"),
 )
 # tables whose keys with the word "material" name one
-OF_MATERIALS = ("bearing", "fit", "contact")
+MATERIAL_TABLES = ("bearing", "fit", "contact")
 INTERNAL_GEOMETRY = ("ball_diameter_mm", "pitch_diameter_mm", "balls")
-OF_THE_GEOMETRY = (  # hold for the catalogue's internal geometry only
+GEOMETRY_DEPENDENT = (  # hold for the catalogue's internal geometry only
     "basic_dynamic_rating_kN",
     "basic_static_rating_kN",
     "inner_shoulder_diameter_mm",
@@ -54,7 +54,20 @@ class MaterialTable(Table):
 
 
 def materials(own: Mapping[str, MaterialTable], names: Iterable[str]) -> dict[str, Material]:
-    """The named materials, SI, the case's own before those of the library."""
+    """Materials by name, those of the case before those of the library.
+
+    Parameters
+    ----------
+    own : Mapping[str, MaterialTable]
+        Tables of the case by name.
+    names : Iterable[str]
+        Names of the materials.
+
+    Returns
+    -------
+    dict[str, Material]
+        The materials, SI.
+    """
     return {
         name: _material(name, own[name]) if name in own else load_material(name) for name in names
     }
@@ -65,7 +78,7 @@ def _material(name: str, table: MaterialTable) -> Material:
     values: dict[str, Any] = {"kind": MaterialKind.OTHER}
     if matching_name(name, list_materials()):
         library = load_material(name)
-        values = {field: getattr(library, field) for field in OF_THE_LIBRARY}
+        values = {field: getattr(library, field) for field in LIBRARY_FIELDS}
     given = {field: value for field, value in table.si().items() if value is not None}
     for field in STRENGTH:  # a strength of the case's own beyond the library's range has none
         ends = values.get(f"{field}_range")
@@ -76,7 +89,18 @@ def _material(name: str, table: MaterialTable) -> Material:
 
 
 def material_table(material: Material) -> dict[str, Any]:
-    """A material as a [materials.NAME] table: youngs_modulus_GPa [GPa], density_kg_m3 [kg/m^3]."""
+    """A material as a table [materials.NAME].
+
+    Parameters
+    ----------
+    material : Material
+        The material, SI.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key, in the units of the keys.
+    """
     values = {key: getattr(material, name_in_si(key)) for key in MaterialTable.model_fields}
     numbers = {key: from_si(key, value) for key, value in values.items() if is_number(value)}
     given = {key: rounded(value) for key, value in numbers.items()}
@@ -91,7 +115,7 @@ def _names(document: dict[str, Any]) -> Iterator[tuple[str, str, tuple[str, ...]
         return value if isinstance(value, dict) else {}
 
     materials = (*own("materials"), *list_materials())
-    for table in OF_MATERIALS:
+    for table in MATERIAL_TABLES:
         yield from ((table, key, materials) for key in own(table) if "material" in key)
     if "name" in own("lubricant"):  # the library of oils needs NumPy, most cases do not
         given = own("lubricant")["name"]
@@ -102,7 +126,18 @@ def _names(document: dict[str, Any]) -> Iterator[tuple[str, str, tuple[str, ...]
 
 
 def with_library_names(document: dict[str, Any]) -> dict[str, Any]:
-    """The document with names in the spelling of the libraries, whatever their case or hyphens."""
+    """The document with names in the spelling of the libraries, whatever their case or hyphens.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Tables of a case.
+
+    Returns
+    -------
+    dict[str, Any]
+        The changed document.
+    """
     spelled = dict(document)
     for table, key, names in _names(document):
         given = document[table][key]
@@ -130,19 +165,45 @@ def _with_base_oil(document: dict[str, Any]) -> dict[str, Any]:
     return document
 
 
-def name_faults(values: CaseValues) -> Iterator[CaseFault]:
-    """Materials and oils that neither the case nor a library has; that of a cage where used."""
+def name_faults(values: CaseValues) -> Iterator[CaseProblem]:
+    """Problems of names of materials and oils that neither the case nor a library has.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     cage = values.given("temperatures", "cage_C") or values.given("dynamics")
     for table, key, names in _names(values.document):
         name = values.get(table, key)
         if isinstance(name, str) and name not in names and (key != "cage_material" or cage):
             nearest = nearest_name(name, names)
             allowed = "" if nearest else f"allowed: {', '.join(names)}"
-            yield CaseFault((table, key), f"unknown name {shown(name)}", allowed, nearest=nearest)
+            yield CaseProblem(
+                (table, key), f"unknown name {shown(name)}", allowed, nearest=nearest
+            )
 
 
-def with_catalogue(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseFault]]:
-    """The document with the values of the catalogue that [bearing] does not override."""
+def with_catalogue(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseProblem]]:
+    """The document with the values of the catalogue that [bearing] does not override.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Tables of a case.
+
+    Returns
+    -------
+    document
+        The changed document.
+    problems
+        An unknown name of a bearing.
+    """
     table = document.get("bearing")
     if not isinstance(table, dict) or not isinstance(table.get("name"), str) or not table["name"]:
         return document, []
@@ -158,12 +219,12 @@ def with_catalogue(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseF
         )
         finding = f"unknown bearing {shown(table['name'])}"
         path = ("bearing", "name")
-        return document, [CaseFault(path, finding, "" if nearest else allowed, nearest=nearest)]
+        return document, [CaseProblem(path, finding, "" if nearest else allowed, nearest=nearest)]
     return {**document, "bearing": {**_of_catalogue(name, table), **table, "name": name}}, []
 
 
 def _of_catalogue(name: str, table: dict[str, Any]) -> dict[str, Any]:
-    """What of a catalogue entry holds beside the keys that a case gives itself.
+    """Values of a catalogue entry that are valid beside the keys of the case.
 
     Ratings and shoulders of the catalogue belong to its internal geometry: a case that changes
     that goes without.
@@ -174,7 +235,7 @@ def _of_catalogue(name: str, table: dict[str, Any]) -> dict[str, Any]:
         if any(key in table for key in alternatives):
             unused.update(alternatives)
     if any(key in table and table[key] != entry.get(key) for key in INTERNAL_GEOMETRY):
-        unused.update(OF_THE_GEOMETRY)
+        unused.update(GEOMETRY_DEPENDENT)
     values = {key: value for key, value in entry.items() if key not in unused}
     angle = entry.get(CLEARANCE[1])
     if angle is not None and CLEARANCE[1] not in {*values, *table}:

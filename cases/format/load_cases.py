@@ -11,7 +11,7 @@ from .fields import Table, above, is_number
 from .lubricant import VISCOSITIES, oil_of
 from .operation import RELATIONS as OF_OPERATION
 from .operation import OperationTable
-from .problems import CaseFault, Path, dotted, shown
+from .problems import CaseProblem, Path, dotted, shown
 from .rules import CaseValues, Excludes
 
 NAME = "load_cases"
@@ -43,8 +43,21 @@ EXCLUDED = [rule for rule in OF_OPERATION if isinstance(rule, Excludes)]
 
 
 def merged(operation: dict[str, Any], own: dict[str, Any]) -> dict[str, Any]:
-    """Keys of [operation] with those of a load case in their place; a key that excludes another,
-    `force_N` of a load case the `radial_load_N` of [operation], takes it away.
+    """Keys of [operation], replaced by those of a load case.
+
+    A key that excludes another removes it, as `force_N` of a load case removes `radial_load_N`.
+
+    Parameters
+    ----------
+    operation : dict[str, Any]
+        Keys of [operation].
+    own : dict[str, Any]
+        Keys of the load case.
+
+    Returns
+    -------
+    dict[str, Any]
+        The keys of its operation.
     """
     # a temperature of its own is that of the load case, where [operation] warms itself, too
     gone = {"temperature"} if "temperature_C" in own else set()
@@ -57,8 +70,20 @@ def merged(operation: dict[str, Any], own: dict[str, Any]) -> dict[str, Any]:
     return kept | {key: value for key, value in own.items() if key != "share"}
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
-    """Shares that sum to 1; a temperature of its own with an oil that follows it."""
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
+    """Conflicts of load cases: shares that do not sum to 1, a temperature without an oil that
+    follows it.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     tables = dict(load_case_tables(values))
     shares = [table.get("share") for table in tables.values()]
     numbers = [share for share in shares if is_number(share)]
@@ -66,7 +91,7 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
         total = sum(numbers)
         if not LEAST_SUM <= total <= LARGEST_SUM:
             finding = f"found shares that sum to {total:.6g}"
-            yield CaseFault((NAME,), finding, "allowed: a sum of 1")
+            yield CaseProblem((NAME,), finding, "allowed: a sum of 1")
     if not isinstance(values.get("lubricant"), dict):
         return
     oil = oil_of(values.document["lubricant"], values.document.get("lubricants"))
@@ -75,11 +100,22 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
         if fixed and table.get("temperature_C") is not None:
             finding = f"found {shown(table['temperature_C'])} together with lubricant.{fixed}"
             allowed = "allowed: with an oil of the library, whose viscosity follows it"
-            yield CaseFault((NAME, index, "temperature_C"), finding, allowed)
+            yield CaseProblem((NAME, index, "temperature_C"), finding, allowed)
 
 
 def load_case_tables(values: CaseValues) -> Iterator[tuple[int, dict[str, Any]]]:
-    """Number from 0 and valid keys of every load case; none if the list is faulty."""
+    """Number from 0 and valid keys of every load case; none if the list is wrong.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[tuple[int, dict[str, Any]]]
+        Pairs of number and keys.
+    """
     tables = values.get(NAME)
     for index, table in enumerate(tables if isinstance(tables, list | tuple) else ()):
         if isinstance(table, dict) and (NAME, index) not in values.faulty:
@@ -87,8 +123,21 @@ def load_case_tables(values: CaseValues) -> Iterator[tuple[int, dict[str, Any]]]
             yield index, {k: v for k, v in table.items() if (*valid, k) not in values.faulty}
 
 
-def in_its_place(values: CaseValues, own: dict[str, Any]) -> CaseValues:
-    """The document with a load case in the place of [operation]."""
+def with_load_case(values: CaseValues, own: dict[str, Any]) -> CaseValues:
+    """The document with a load case in the place of [operation].
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+    own : dict[str, Any]
+        Keys of the load case.
+
+    Returns
+    -------
+    CaseValues
+        The valid values of the changed document.
+    """
     document = {key: value for key, value in values.document.items() if key != NAME}
     operation = values.get("operation")
     given = operation if isinstance(operation, dict) else {}
@@ -96,8 +145,23 @@ def in_its_place(values: CaseValues, own: dict[str, Any]) -> CaseValues:
     return CaseValues({**document, "operation": merged(given, own)}, faulty)
 
 
-def of_load_case(fault: CaseFault, index: int, own: dict[str, Any]) -> CaseFault:
-    """A fault of the merged document, at the key of the load case, or at its table."""
+def load_case_problem(fault: CaseProblem, index: int, own: dict[str, Any]) -> CaseProblem:
+    """A problem of the merged document, at the key of the load case or at its table.
+
+    Parameters
+    ----------
+    fault : CaseProblem
+        The problem.
+    index : int
+        Number of the load case, from 0 [-].
+    own : dict[str, Any]
+        Keys of the load case.
+
+    Returns
+    -------
+    CaseProblem
+        The problem with the path of the file.
+    """
     here: Path = (NAME, index)
     key = fault.path[-1]
     if fault.path[0] == "operation" and key in own:
@@ -109,7 +173,20 @@ def of_load_case(fault: CaseFault, index: int, own: dict[str, Any]) -> CaseFault
 def load_case_files(
     operation: OperationTable, tables: tuple[Any, ...] | None
 ) -> tuple[tuple[float, OperationTable], ...]:
-    """Share of the time [-], scaled to a sum of 1, and keys of every load case."""
+    """Share of the time and operation of every load case.
+
+    Parameters
+    ----------
+    operation : OperationTable
+        The checked table [operation].
+    tables : tuple[Any, ...] | None
+        The checked load cases.
+
+    Returns
+    -------
+    tuple[tuple[float, OperationTable], ...]
+        Shares [-], scaled to a sum of 1, and tables.
+    """
     own = [table.model_dump(exclude_none=True) for table in tables or ()]
     base = operation.model_dump(exclude_none=True)
     total = sum(keys["share"] for keys in own)

@@ -20,7 +20,7 @@ from .free_volume import (
     warn_of_temperature,
     with_coefficient,
 )
-from .problems import MISSING, CaseFault, shown
+from .problems import MISSING, CaseProblem, shown
 from .rules import CaseValues, Excludes, OnlyWith, Relation, Where
 
 
@@ -162,7 +162,20 @@ class Oil:
 
 
 def oil_of(lubricant: dict[str, Any], lubricants: object) -> Oil:
-    """The keys of [lubricant], with those of [lubricants.NAME] filled in."""
+    """Keys of [lubricant], with those of [lubricants.NAME] filled in.
+
+    Parameters
+    ----------
+    lubricant : dict[str, Any]
+        Keys of [lubricant].
+    lubricants : object
+        Oils of the case by name.
+
+    Returns
+    -------
+    Oil
+        The keys, and whether the name is one of the library.
+    """
     own = lubricants.get(str(lubricant.get("name"))) if isinstance(lubricants, dict) else None
     if not isinstance(own, dict):
         return Oil(dict(lubricant), "name" in lubricant)
@@ -171,14 +184,25 @@ def oil_of(lubricant: dict[str, Any], lubricants: object) -> Oil:
     return Oil({**own, **lubricant}, of_library=False)
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
-    """The oil by name or by its properties, complete, and its laws."""
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
+    """Conflicts of the oil: incomplete properties, constants without their law.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     yield from _layer_faults(values)
     for name in values.get("lubricants") or ():
         first, second = (("lubricants", name, key) for key in VISCOSITIES)
         if values.given(*first) and values.given(*second):
             finding = f"found together with {VISCOSITIES[0]}"
-            yield CaseFault(second, finding, "allowed: one of them")
+            yield CaseProblem(second, finding, "allowed: one of them")
     without_oils = values.given("lubricants") and not values.get("lubricants")
     if values.get("lubricant") is None or without_oils:
         return
@@ -188,7 +212,7 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
         for path in (("operation", "temperature_C"), ("contact", "temperature_C")):
             given = values.get(*path)
             if given is not None and given >= LIBRARY_TEMPERATURE_C:
-                yield CaseFault(path, f"found {shown(given)}", allowed)
+                yield CaseProblem(path, f"found {shown(given)}", allowed)
     else:
         yield from _incomplete(oil.keys, moes=values.given("contact", "moes_M"))
     yield from _roelands_faults(oil.keys, values)
@@ -198,13 +222,15 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     yield from _heat_faults(oil.keys, values)
 
 
-def _layer_faults(values: CaseValues) -> Iterator[CaseFault]:
+def _layer_faults(values: CaseValues) -> Iterator[CaseProblem]:
     """A film behind a layer needs a layer, and is Newtonian, without a certificate."""
     chosen = values.get("ehl", "starvation")
     newtonian = values.get("ehl", "film_model") in (None, "newtonian")
     if chosen in ("solved", "tabulated") and not newtonian:
         found = f"found {shown(chosen)} with film_model {shown(values.get('ehl', 'film_model'))}"
-        yield CaseFault(("ehl", "starvation"), found, 'allowed: "none", or film_model "newtonian"')
+        yield CaseProblem(
+            ("ehl", "starvation"), found, 'allowed: "none", or film_model "newtonian"'
+        )
     solved = chosen == "solved" or (chosen is None and values.given("contact") and newtonian)
     by_law = chosen == "tabulated" or (chosen is None and newtonian and not _kept_flooded(values))
     if not (solved or by_law):
@@ -213,38 +239,38 @@ def _layer_faults(values: CaseValues) -> Iterator[CaseFault]:
     for key in (*layers, ("friction", "supply_mL_min")):
         if values.get(*key) == 0.0 and (chosen is not None or key in layers):
             allowed = 'allowed: above 0, a dry inlet has no film; or starvation = "none"'
-            yield CaseFault(key, "found 0", allowed)
+            yield CaseProblem(key, "found 0", allowed)
         if solved and values.given(*key) and values.get("ehl", "certify"):
             found = f"found true with {'.'.join(key)}"
-            yield CaseFault(("ehl", "certify"), found, 'allowed: false, or starvation = "none"')
+            yield CaseProblem(("ehl", "certify"), found, 'allowed: false, or starvation = "none"')
 
 
 def _kept_flooded(values: CaseValues) -> bool:
-    """Whether the films of a bearing stay flooded untold, its torque being wanted so."""
+    """Tell whether the films of a bearing stay flooded by default, its torque being wanted so."""
     return values.get("lubricant", "supply") == "flooded"
 
 
-def _incomplete(oil: dict[str, Any], *, moes: bool) -> Iterator[CaseFault]:
+def _incomplete(oil: dict[str, Any], *, moes: bool) -> Iterator[CaseProblem]:
     """Viscosity and pressure-viscosity coefficient that the oil's law needs."""
     law = oil.get("viscosity_law", "roelands")
     viscosity = any(key in oil for key in VISCOSITIES)
     if not viscosity and not (moes and (law != "roelands" or "roelands_z" in oil)):
         allowed = f"needed: {', '.join(VISCOSITIES)}, or the name of a lubricant"
         allowed = "needed: roelands_z, or a viscosity that gives it" if moes else allowed
-        yield CaseFault(("lubricant", "viscosity_mPa_s"), MISSING, allowed)
+        yield CaseProblem(("lubricant", "viscosity_mPa_s"), MISSING, allowed)
     if law not in ("isoviscous", *LAWS_WITH_CONSTANTS) and PRESSURE_VISCOSITY not in oil:
         allowed = 'needed, unless viscosity_law = "isoviscous"'
-        yield CaseFault(("lubricant", PRESSURE_VISCOSITY), MISSING, allowed)
+        yield CaseProblem(("lubricant", PRESSURE_VISCOSITY), MISSING, allowed)
 
 
-def _roelands_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]:
+def _roelands_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseProblem]:
     """Roelands' constants stand with his law, whose exponent must lie in its range."""
     law = oil.get("viscosity_law", "roelands")
     if law != "roelands":
         finding = f"found together with viscosity_law = {shown(law)}"
         for key in ("roelands_z", ROELANDS_PRESSURE_KEY):
             if values.given("lubricant", key):
-                yield CaseFault(("lubricant", key), finding, 'allowed with "roelands" only')
+                yield CaseProblem(("lubricant", key), finding, 'allowed with "roelands" only')
         return
     keys = (VISCOSITIES[0], PRESSURE_VISCOSITY, ROELANDS_PRESSURE_KEY)
     eta, alpha, pressure = (to_si(key, values.get("lubricant", key)) for key in keys)
@@ -260,10 +286,10 @@ def _roelands_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFa
         ways = (
             "a viscosity and coefficient with 0 < z <= 2, a roelands_z, or another viscosity_law"
         )
-        yield CaseFault(("lubricant", key), finding, f"allowed: {ways}")
+        yield CaseProblem(("lubricant", key), finding, f"allowed: {ways}")
 
 
-def _shear_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]:
+def _shear_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseProblem]:
     """Constants of a shear law stand with that law, in [lubricant] or in the named oil."""
     law = oil.get("rheology", "ree-eyring")
     if law not in ("newtonian", *SHEAR_KEYS.values()):
@@ -278,13 +304,15 @@ def _shear_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault
             if "rheology" not in oil:
                 finding = f'found without rheology = "{own}"'
             path = ("lubricant", key) if here else (*named, key)
-            yield CaseFault(path, finding, f'allowed with "{own}" only')
+            yield CaseProblem(path, finding, f'allowed with "{own}" only')
     for key in CARREAU:
         if law == "carreau-yasuda" and key not in oil:
-            yield CaseFault(("lubricant", key), MISSING, 'needed with rheology = "carreau-yasuda"')
+            yield CaseProblem(
+                ("lubricant", key), MISSING, 'needed with rheology = "carreau-yasuda"'
+            )
 
 
-def _moes_pressure_scale(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]:
+def _moes_pressure_scale(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseProblem]:
     """Moes' L > 0 gives the scale of pressure in units of the coefficient, which there must be."""
     number = values.get("contact", "moes_L")
     alpha = oil.get(PRESSURE_VISCOSITY)
@@ -292,21 +320,34 @@ def _moes_pressure_scale(oil: dict[str, Any], values: CaseValues) -> Iterator[Ca
     if number and (alpha == 0.0 or isoviscous):
         finding = f"found {shown(number)} without a {PRESSURE_VISCOSITY} above 0"
         allowed = "allowed: 0, or an oil with such a coefficient"
-        yield CaseFault(("contact", "moes_L"), finding, allowed)
+        yield CaseProblem(("contact", "moes_L"), finding, allowed)
 
 
-def _heat_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]:
+def _heat_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseProblem]:
     """Thermal properties of the oil, all or none; all for a film with heat."""
     reasons = [key for key in HEAT_KEYS if key in oil]
     if values.get("ehl", "film_model") == "thermal" and "name" not in oil:
         reasons.append('ehl.film_model = "thermal"')
     for key in HEAT_KEYS:
         if reasons and key not in oil:
-            yield CaseFault(("lubricant", key), MISSING, f"needed with {reasons[0]}")
+            yield CaseProblem(("lubricant", key), MISSING, f"needed with {reasons[0]}")
 
 
 def lubricant(oil: Oil, temperature: float) -> Lubricant:
-    """The oil at a temperature [K], SI."""
+    """The oil at a temperature.
+
+    Parameters
+    ----------
+    oil : Oil
+        Keys of the oil.
+    temperature : float
+        Temperature of the oil [K].
+
+    Returns
+    -------
+    Lubricant
+        The lubricant, SI.
+    """
     keys = oil.keys
     given: dict[str, Any] = {"name": keys.get("name", "")}
     given |= {field: to_si(key, keys[key]) for field, key in NUMBERS.items() if key in keys}
@@ -365,7 +406,20 @@ def _set_viscosity(given: dict[str, Any], keys: dict[str, Any]) -> None:
 
 
 def lubricant_keys(oil: Lubricant, *, moes: bool) -> dict[str, Any]:
-    """A lubricant as keys of [lubricant], in their units."""
+    """A lubricant as keys of [lubricant].
+
+    Parameters
+    ----------
+    oil : Lubricant
+        The lubricant, SI.
+    moes : bool
+        True: a contact of Moes' groups, which needs no viscosity.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key, in their units.
+    """
     numbers = {} if moes else {VISCOSITIES[0]: oil.viscosity}
     numbers |= {} if moes else {"flooded_layer_um": oil.flooded_layer}
     numbers |= {PRESSURE_VISCOSITY: oil.pressure_viscosity, "density_kg_m3": oil.density}

@@ -25,7 +25,7 @@ from .fields import (
     within,
 )
 from .friction import FrictionTable
-from .problems import CaseFault, shown
+from .problems import CaseProblem, shown
 from .rules import CaseValues, Excludes, Needs, Where
 
 SELF_HEATED = "self-heated"
@@ -74,14 +74,26 @@ RELATIONS = (
 )
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
-    """A load or a displacement for each direction, a moment or a tilt about each axis, once."""
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
+    """Conflicts of [operation]: a load and a displacement in one direction, a moment on a held
+    tilt.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     components = [values.get("operation", f"{name}_load_N") for name in ("axial", "radial")]
     force = values.get("operation", "force_N") or (*components, None)
     moment = values.get("operation", "moment_N_mm") or ()
     if values.get("operation", "tilt") == "held" and any(moment):
         finding = 'found "held" together with a moment'
-        yield CaseFault(("operation", "tilt"), finding, 'allowed: "free", or no moment')
+        yield CaseProblem(("operation", "tilt"), finding, 'allowed: "free", or no moment')
     for name, loads, axes, motion, kind, unit in (
         ("displacement_um", force, "xyz", "a displacement along", "load", "N along"),
         ("tilt_mrad", moment, "yz", "a tilt about", "moment", "N mm about"),
@@ -92,11 +104,22 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
                 given = f"a {kind} of {shown(load)} {unit} {axis}"
                 finding = f"found {motion} {axis} together with {given}"
                 allowed = f'allowed: one of them; "{FREE_WORD}" in {name} where the {kind} decides'
-                yield CaseFault(("operation", name), finding, allowed)
+                yield CaseProblem(("operation", name), finding, allowed)
 
 
 def operation(table: OperationTable) -> Operation:
-    """Speeds [rad/s], temperature [K], a load [N, N m] or a displacement [m, rad] each way."""
+    """Speeds, temperature, and a load or a displacement in each direction.
+
+    Parameters
+    ----------
+    table : OperationTable
+        The checked table.
+
+    Returns
+    -------
+    Operation
+        Speeds [rad/s], temperature [K], loads [N, N m], displacements [m, rad].
+    """
     si = table.si()
     free = table.tilt == FREE_WORD or table.moment_N_mm is not None
     displacement = _fixed(si["displacement"] or (FREE_WORD,) * 3)
@@ -122,13 +145,24 @@ def _loads(loads: tuple[float, ...], fixed: tuple[float | None, ...]) -> Any:
 
 
 def model(table: ModelTable, friction: FrictionTable) -> QuasistaticModel:
-    """Assumptions of the bearing model [-]; traction equilibrium where a traction is given."""
+    """Assumptions of the bearing model; traction equilibrium where a traction is given.
+
+    Parameters
+    ----------
+    table : ModelTable
+        The checked table.
+    friction : FrictionTable
+        The checked table [friction].
+
+    Returns
+    -------
+    QuasistaticModel
+        The assumptions.
+    """
     named = friction.traction is not None and "ball_kinematics" not in table.model_fields_set
     kinematics = BallKinematics(table.ball_kinematics)
-    return QuasistaticModel(
-        ball_kinematics=BallKinematics.TRACTION_EQUILIBRIUM if named else kinematics,
-        curvature=Curvature(table.curvature),
-    )
+    kinematics = BallKinematics.TRACTION_EQUILIBRIUM if named else kinematics
+    return table.build(QuasistaticModel, ball_kinematics=kinematics)
 
 
 class SlipTable(Table):

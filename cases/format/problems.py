@@ -38,7 +38,7 @@ _OPAQUE = re.compile(
 
 
 @dataclass(frozen=True, slots=True)
-class CaseFault:
+class CaseProblem:
     """One error: the key it belongs to, what was found there and what is allowed."""
 
     path: Path
@@ -49,46 +49,98 @@ class CaseFault:
     asked_by: Path = ()  # the key that needs this one; has the line where its table is missing
 
     def line_in(self, lines: Mapping[Path, int]) -> int:
-        """Line of the file [-] that the error belongs to."""
+        """Line of the file that the problem belongs to.
+
+        Parameters
+        ----------
+        lines : Mapping[Path, int]
+            Line by path of the key.
+
+        Returns
+        -------
+        int
+            The line, from 1 [-].
+        """
         if self.line is not None:
             return self.line
         known = self.path[:1] in lines or not self.asked_by
         return find_line(lines, self.path if known else self.asked_by)
 
     def text(self, file: str, lines: Mapping[Path, int]) -> str:
-        """`file:line: table.key: found; allowed; did you mean nearest?`"""
+        """The problem as `file:line: table.key: found; allowed; did you mean nearest?`
+
+        Parameters
+        ----------
+        file : str
+            Name of the file.
+        lines : Mapping[Path, int]
+            Line by path of the key.
+
+        Returns
+        -------
+        str
+            The message.
+        """
         where = f"{dotted(self.path)}: " if self.path else ""
         nearest = f"did you mean {self.nearest!r}?" if self.nearest else ""
         parts = [part for part in (self.finding, self.allowed, nearest) if part]
         return f"{file}:{self.line_in(lines)}: {where}{'; '.join(parts)}"
 
 
-class UnfitKey(ValueError):  # noqa: N818
+class InvalidKeyError(ValueError):
     """A key whose value turns out unfit on conversion; its message has no line yet."""
 
     def __init__(self, path: Path, finding: str, allowed: str = "") -> None:
-        self.fault = CaseFault(path, finding, allowed)
+        self.fault = CaseProblem(path, finding, allowed)
         super().__init__(f"{dotted(path)}: {finding}")
 
 
 class CaseError(ValueError):
     """A case that cannot be run, with a line for each error and what is known of its key."""
 
-    def __init__(self, messages: str | Iterable[str], problems: Iterable[CaseFault] = ()) -> None:
+    def __init__(
+        self, messages: str | Iterable[str], problems: Iterable[CaseProblem] = ()
+    ) -> None:
         self.messages = (messages,) if isinstance(messages, str) else tuple(messages)
         self.problems = tuple(problems)
         super().__init__("\n".join(self.messages))
 
 
-def faults_error(faults: Iterable[CaseFault], name: str, text: str) -> CaseError:
-    """The faults of a file, in the order of its lines, each once."""
+def faults_error(faults: Iterable[CaseProblem], name: str, text: str) -> CaseError:
+    """The problems of a file as one error, in the order of its lines, each once.
+
+    Parameters
+    ----------
+    faults : Iterable[CaseProblem]
+        The problems.
+    name : str
+        Name of the file in messages.
+    text : str
+        Content of the file.
+
+    Returns
+    -------
+    CaseError
+        The error.
+    """
     lines = key_lines(text)
     ordered = sorted(faults, key=lambda fault: fault.line_in(lines))
     return CaseError(dict.fromkeys(fault.text(name, lines) for fault in ordered))
 
 
 def dotted(path: Path) -> str:
-    """The path as table.key; a name that is no bare key of TOML in quotes."""
+    """The path as table.key; a name that is no bare key of TOML in quotes.
+
+    Parameters
+    ----------
+    path : Path
+        Path of a key.
+
+    Returns
+    -------
+    str
+        The text.
+    """
     return ".".join(
         str(key) if str(key).replace("_", "").replace("-", "").isalnum() else f'"{key}"'
         for key in path
@@ -96,7 +148,18 @@ def dotted(path: Path) -> str:
 
 
 def shown(value: object) -> str:
-    """A value as found in the file, shortened."""
+    """A value as it stands in the file, shortened.
+
+    Parameters
+    ----------
+    value : object
+        The value.
+
+    Returns
+    -------
+    str
+        The text.
+    """
     if isinstance(value, dict):
         return "a table"
     if isinstance(value, bool):
@@ -110,7 +173,20 @@ def shown(value: object) -> str:
 
 
 def nearest_name(name: str, names: Iterable[str]) -> str | None:
-    """The valid name nearest to `name`: unit left out, other case, or a slip of spelling."""
+    """The valid name nearest to a name: unit left out, other case, or a slip of spelling.
+
+    Parameters
+    ----------
+    name : str
+        The name as given.
+    names : Iterable[str]
+        The valid names.
+
+    Returns
+    -------
+    str | None
+        The nearest; None if none is similar.
+    """
     candidates = list(names)
     plain = {candidate.lower(): candidate for candidate in reversed(candidates)}
     if name.lower() in plain:
@@ -126,58 +202,95 @@ def nearest_name(name: str, names: Iterable[str]) -> str | None:
 
 
 def name_unit(key: str) -> str:
-    """The unit that a key ends in, empty if none [-]."""
+    """The unit that a key ends in.
+
+    Parameters
+    ----------
+    key : str
+        The key.
+
+    Returns
+    -------
+    str
+        The unit; empty if there is none.
+    """
     unit = key.rpartition("_")[2]
     return unit if unit in UNITS else ""
 
 
-def schema_faults(errors: Iterable[Mapping[str, Any]], schema: dict[str, Any]) -> list[CaseFault]:
-    """The errors of pydantic as problems; `schema` is the JSON Schema of the file."""
+def schema_faults(
+    errors: Iterable[Mapping[str, Any]], schema: dict[str, Any]
+) -> list[CaseProblem]:
+    """The errors of pydantic as problems.
+
+    Parameters
+    ----------
+    errors : Iterable[Mapping[str, Any]]
+        The errors.
+    schema : dict[str, Any]
+        JSON Schema of the file.
+
+    Returns
+    -------
+    list[CaseProblem]
+        The problems.
+    """
     return [_fault(error, schema) for error in errors]
 
 
-def _fault(error: Mapping[str, Any], schema: dict[str, Any]) -> CaseFault:
+def _fault(error: Mapping[str, Any], schema: dict[str, Any]) -> CaseProblem:
     path: Path = tuple(error["loc"])
     finding = f"found {shown(error['input'])}"
     if error["type"] == "extra_forbidden":
         return _unknown(path, schema)
     if error["type"] == "missing":
-        return CaseFault(path, MISSING, f"needed: {allowed_values(schema_node(schema, path))}")
-    if error["type"] == "plugin":
-        return CaseFault(path, str(error["msg"]))
+        return CaseProblem(path, MISSING, f"needed: {allowed_values(schema_node(schema, path))}")
     if error["type"] == "choice":
         words = error.get("ctx", {}).get("words", ())
         close = nearest_name(error["input"], words) if isinstance(error["input"], str) else None
-        return CaseFault(path, finding, f"allowed: {error['msg']}", nearest=close)
+        return CaseProblem(path, finding, f"allowed: {error['msg']}", nearest=close)
     node = schema_node(schema, path)
     given = error["input"]
     nearest = nearest_name(given, node.get("enum", ())) if isinstance(given, str) else None
-    return CaseFault(path, finding, f"allowed: {allowed_values(node)}", nearest=nearest)
+    return CaseProblem(path, finding, f"allowed: {allowed_values(node)}", nearest=nearest)
 
 
-def _unknown(path: Path, schema: dict[str, Any]) -> CaseFault:
+def _unknown(path: Path, schema: dict[str, Any]) -> CaseProblem:
     """A key the table does not have: its nearest name, the table it belongs to, or all names."""
     key = str(path[-1])
     parent = path[:-1]
     if "contact" in schema["properties"] and path in OF_BEARINGS:
-        return CaseFault(path, "not used by a single contact", "allowed in a bearing case")
+        return CaseProblem(path, "not used by a single contact", "allowed in a bearing case")
     names = list(schema_node(schema, parent).get("properties", ()))
     for table, node in schema["properties"].items():
         if table != (parent or ("",))[0] and key in resolved(schema, node).get("properties", ()):
-            return CaseFault(path, "unknown key", f"{key} belongs in [{table}]")
+            return CaseProblem(path, "unknown key", f"{key} belongs in [{table}]")
     if parent and schema_node(schema, (key,)).get("type") not in (None, "object"):
-        return CaseFault(path, "unknown key", f"{key} belongs at the top of the file")
+        return CaseProblem(path, "unknown key", f"{key} belongs at the top of the file")
     nearest = nearest_name(key, names)
     if nearest and nearest.startswith(key + "_"):
-        return CaseFault(path, "unknown key", "keys end in their unit", nearest=nearest)
+        return CaseProblem(path, "unknown key", "keys end in their unit", nearest=nearest)
     if len(names) > SHOWN_NAMES + 2:
         names[SHOWN_NAMES:] = ["... (see docs/reference/cases.md)"]
     listed = "" if nearest else "allowed: " + ", ".join(names)
-    return CaseFault(path, "unknown key" if parent else "unknown name", listed, nearest=nearest)
+    return CaseProblem(path, "unknown key" if parent else "unknown name", listed, nearest=nearest)
 
 
 def resolved(schema: dict[str, Any], node: dict[str, Any]) -> dict[str, Any]:
-    """A node of a JSON Schema, its reference followed, without the null of optional keys."""
+    """A node of a JSON Schema, its reference followed, without the null of optional keys.
+
+    Parameters
+    ----------
+    schema : dict[str, Any]
+        The schema.
+    node : dict[str, Any]
+        The node.
+
+    Returns
+    -------
+    dict[str, Any]
+        The resolved node.
+    """
     options = [option for option in node.get("anyOf", ()) if option.get("type") != "null"]
     if len(options) == 1:
         node = {**{key: value for key, value in node.items() if key != "anyOf"}, **options[0]}
@@ -187,7 +300,20 @@ def resolved(schema: dict[str, Any], node: dict[str, Any]) -> dict[str, Any]:
 
 
 def schema_node(schema: dict[str, Any], path: Path) -> dict[str, Any]:
-    """The part of a JSON Schema that describes the key at `path`; empty if there is none."""
+    """The node of a JSON Schema that describes a key.
+
+    Parameters
+    ----------
+    schema : dict[str, Any]
+        The schema.
+    path : Path
+        Path of the key.
+
+    Returns
+    -------
+    dict[str, Any]
+        The node; empty if there is none.
+    """
     node = resolved(schema, schema)
     for key in path:
         if isinstance(key, int):
@@ -199,7 +325,18 @@ def schema_node(schema: dict[str, Any], path: Path) -> dict[str, Any]:
 
 
 def allowed_values(node: dict[str, Any]) -> str:
-    """What a node of a JSON Schema allows, in words."""
+    """The values that a node of a JSON Schema allows, in words.
+
+    Parameters
+    ----------
+    node : dict[str, Any]
+        The node.
+
+    Returns
+    -------
+    str
+        The text.
+    """
     if "const" in node:
         return shown(node["const"])
     if "enum" in node:
@@ -212,10 +349,20 @@ def allowed_values(node: dict[str, Any]) -> str:
 
 
 def key_lines(text: str) -> dict[Path, int]:
-    """Line [-], from 1, of every table and key of a valid TOML document, by its path: table, ...,
-    key, with an index for each array of tables.
+    """Line of every table and key of a valid TOML document.
 
-    Keys of inline tables have the line of the statement they stand in.
+    A path is table, ..., key, with an index for each array of tables. Keys of inline tables have
+    the line of the statement that contains them.
+
+    Parameters
+    ----------
+    text : str
+        Content of the file.
+
+    Returns
+    -------
+    dict[Path, int]
+        Line by path, from 1 [-].
     """
     lines: dict[Path, int] = {}
     table: Path = ()
@@ -237,7 +384,20 @@ def key_lines(text: str) -> dict[Path, int]:
 
 
 def find_line(lines: Mapping[Path, int], path: Path) -> int:
-    """Line [-] of `path`, or of the nearest table around it in the file; else 1."""
+    """Line of a key, or of the nearest table around it.
+
+    Parameters
+    ----------
+    lines : Mapping[Path, int]
+        Line by path of the key.
+    path : Path
+        Path of the key.
+
+    Returns
+    -------
+    int
+        The line [-]; 1 where the file has neither.
+    """
     for depth in range(len(path), 0, -1):
         if path[:depth] in lines:
             return lines[path[:depth]]

@@ -22,7 +22,7 @@ from .fields import (
     is_number,
     within,
 )
-from .problems import CaseFault, shown
+from .problems import CaseProblem, shown
 from .rules import CaseValues, Excludes
 
 PRELOADS = ("preload_N", "preload_um", "preload_class")  # a row gives one of them
@@ -59,14 +59,25 @@ def _row_tables(values: CaseValues) -> list[dict[str, Any]]:
     return [table for table in tables if isinstance(table, dict)]
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
-    """One preload a row; rows at least a ball diameter apart; films where balls are."""
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
+    """Conflicts of [[rows]]: several preloads of a row, rows that overlap, films without a ball.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     tables = _row_tables(values)
     for index, table in enumerate(tables):
         first, *others = [key for key in PRELOADS if key in table] or [""]
         for key in others:
             finding = f"found together with {first}"
-            yield CaseFault(("rows", index, key), finding, "allowed: one of them")
+            yield CaseProblem(("rows", index, key), finding, "allowed: one of them")
     diameter = values.get("bearing", "ball_diameter_mm")
     for (_, one), (index, other) in combinations(enumerate(tables), 2):
         there, here = (table.get("axial_position_mm") for table in (one, other))
@@ -75,11 +86,11 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
         if abs(here - there) < diameter:
             path = ("rows", index, "axial_position_mm")
             allowed = f"allowed: at least a ball diameter, {diameter:g} mm, from every other row"
-            yield CaseFault(path, f"found {shown(here)}", allowed)
+            yield CaseProblem(path, f"found {shown(here)}", allowed)
     yield from _film_map_faults(values)
 
 
-def _film_map_faults(values: CaseValues) -> Iterator[CaseFault]:
+def _film_map_faults(values: CaseValues) -> Iterator[CaseProblem]:
     """Azimuths at which there are balls."""
     wanted = values.get("ehl", "film_maps")
     balls = values.get("bearing", "balls")
@@ -96,16 +107,42 @@ def _film_map_faults(values: CaseValues) -> Iterator[CaseFault]:
             nearest = min(azimuths, key=lambda other: _apart(azimuth, other))
             finding = f"found {shown(azimuth)}, where no ball is"
             allowed = f"allowed: azimuths of balls; the nearest is {nearest:.6g}"
-            yield CaseFault(("ehl", "film_maps"), finding, allowed)
+            yield CaseProblem(("ehl", "film_maps"), finding, allowed)
 
 
 def ball_azimuths(balls: int, first: float) -> tuple[float, ...]:
-    """Azimuths of the balls from the load line [deg], 0 to 360."""
+    """Azimuths of the balls from the load line.
+
+    Parameters
+    ----------
+    balls : int
+        Number of balls [-].
+    first : float
+        Azimuth of the first ball [deg].
+
+    Returns
+    -------
+    tuple[float, ...]
+        Azimuths from 0 to 360 [deg].
+    """
     return tuple((first + 360.0 * k / balls) % 360.0 for k in range(balls))
 
 
 def ball_at(azimuth: float, azimuths: tuple[float, ...]) -> int | None:
-    """Index [-] of the ball at `azimuth` [deg], None if there is none."""
+    """Index of the ball at an azimuth.
+
+    Parameters
+    ----------
+    azimuth : float
+        The azimuth [deg].
+    azimuths : tuple[float, ...]
+        Azimuths of the balls [deg].
+
+    Returns
+    -------
+    int | None
+        Index, from 0 [-]; None if there is no ball.
+    """
     for index, other in enumerate(azimuths):
         if _apart(azimuth, other) <= AZIMUTH_AGREEMENT_DEG:
             return index
@@ -117,7 +154,20 @@ def _apart(first: float, second: float) -> float:
 
 
 def preload_of_class(name: str, capacity: float) -> tuple[float, float, float]:
-    """Axial preload [N] of a class by name, and its interval, as typical shares of C [N]."""
+    """Axial preload of a class, as a typical share of the dynamic rating.
+
+    Parameters
+    ----------
+    name : str
+        Light, medium or heavy.
+    capacity : float
+        Dynamic rating C [N].
+
+    Returns
+    -------
+    tuple[float, float, float]
+        Preload, and the ends of its interval [N].
+    """
     data = library_data("typical.toml")[f"{name}_preload_over_C"]
     low, high = data["range"]
     return data["value"] * capacity, low * capacity, high * capacity
@@ -142,8 +192,23 @@ def rows(
     model: QuasistaticModel,
     capacity: Callable[[], float],
 ) -> tuple[Row, ...] | None:
-    """Rows with positions and offsets [m], preloaded as delivered; None without [[rows]];
-    `capacity`: C of one row [N].
+    """Rows of balls, preloaded as delivered.
+
+    Parameters
+    ----------
+    tables : tuple[RowTable, ...] | None
+        The checked tables, where there are any.
+    delivered : Bearing
+        The bearing as delivered.
+    model : QuasistaticModel
+        Assumptions of the bearing model.
+    capacity : Callable[[], float]
+        Gives the dynamic rating C of one row [N].
+
+    Returns
+    -------
+    tuple[Row, ...] | None
+        Rows with positions and offsets [m]; None without [[rows]].
     """
     if tables is None:
         return None

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Any
 
-from .problems import MISSING, CaseFault, Path, shown
+from .problems import MISSING, CaseProblem, Path, shown
 
 
 @dataclass(frozen=True, slots=True)
@@ -19,7 +19,18 @@ class CaseValues:
     faulty: frozenset[Path] = frozenset()
 
     def get(self, *path: str) -> Any:
-        """The value at `path`; None if it is left out or faulty."""
+        """The value of a key.
+
+        Parameters
+        ----------
+        *path : str
+            Path of the key.
+
+        Returns
+        -------
+        Any
+            The value; None if it is left out or wrong.
+        """
         node: Any = self.document
         for depth, key in enumerate(path, 1):
             if path[:depth] in self.faulty or not isinstance(node, dict) or key not in node:
@@ -28,7 +39,18 @@ class CaseValues:
         return node
 
     def given(self, *path: str) -> bool:
-        """Whether the key stands in the document, valid or not."""
+        """Tell whether the document has a key, valid or not.
+
+        Parameters
+        ----------
+        *path : str
+            Path of the key.
+
+        Returns
+        -------
+        bool
+            True if it has.
+        """
         node: Any = self.document
         for key in path:
             if not isinstance(node, dict) or key not in node:
@@ -49,7 +71,18 @@ class Where:
     also: tuple["Where", ...] = ()
 
     def holds(self, values: CaseValues) -> bool:
-        """Whether a document is like this."""
+        """Tell whether a document meets the condition.
+
+        Parameters
+        ----------
+        values : CaseValues
+            The valid values of the file.
+
+        Returns
+        -------
+        bool
+            True if it does.
+        """
         path = _path(self.key)
         if not all(where.holds(values) for where in self.also):
             return False
@@ -60,7 +93,18 @@ class Where:
         return bool(values.get(*path)) if self.nonzero else values.given(*path)
 
     def text(self, table: str = "") -> str:
-        """The condition in words, without the name of the table it is read in."""
+        """The condition in words.
+
+        Parameters
+        ----------
+        table : str, default ''
+            Name of the table that it is read in, which is left out.
+
+        Returns
+        -------
+        str
+            The text.
+        """
         key = self.key.removeprefix(f"{table}.") if "." in self.key else f"[{self.key}]"
         return key if self.value is None else f"{key} = {shown(self.value)}"
 
@@ -73,12 +117,23 @@ class Excludes:
     other: str
     allowed: str = "one of them"
 
-    def faults(self, values: CaseValues) -> Iterator[CaseFault]:
-        """At the first key, where both are given."""
+    def faults(self, values: CaseValues) -> Iterator[CaseProblem]:
+        """A problem at the first key, where both are given.
+
+        Parameters
+        ----------
+        values : CaseValues
+            The valid values of the file.
+
+        Yields
+        ------
+        Iterator[CaseProblem]
+            The problem.
+        """
         path = _path(self.key)
         if values.given(*path) and values.given(*_path(self.other)):
             finding = f"found together with {self.other.removeprefix(f'{path[0]}.')}"
-            yield CaseFault(path, finding, f"allowed: {self.allowed}")
+            yield CaseProblem(path, finding, f"allowed: {self.allowed}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,13 +145,25 @@ class Needs:
     allowed: str = ""
     unless: tuple[str, ...] = ()
 
-    def faults(self, values: CaseValues) -> Iterator[CaseFault]:
-        """At the key, where it is left out; at the one that needs it, where its table is."""
+    def faults(self, values: CaseValues) -> Iterator[CaseProblem]:
+        """A problem at the key that is left out; at the one that needs it, where its table is left
+        out.
+
+        Parameters
+        ----------
+        values : CaseValues
+            The valid values of the file.
+
+        Yields
+        ------
+        Iterator[CaseProblem]
+            The problem.
+        """
         path = _path(self.key)
         given = any(values.given(*_path(key)) for key in (self.key, *self.unless))
         if self.where.holds(values) and not given:
             allowed = self.allowed or f"needed with {self.where.text(path[0])}"
-            yield CaseFault(path, MISSING, allowed, asked_by=_path(self.where.key))
+            yield CaseProblem(path, MISSING, allowed, asked_by=_path(self.where.key))
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,15 +174,26 @@ class OnlyWith:
     wheres: tuple[Where, ...]
     default: Any = None
 
-    def faults(self, values: CaseValues) -> Iterator[CaseFault]:
-        """At the key, where it is given without the others."""
+    def faults(self, values: CaseValues) -> Iterator[CaseProblem]:
+        """A problem at the key, where it is given without the others.
+
+        Parameters
+        ----------
+        values : CaseValues
+            The valid values of the file.
+
+        Yields
+        ------
+        Iterator[CaseProblem]
+            The problem.
+        """
         path = _path(self.key)
         value = values.get(*path)
         if value in (None, self.default) or any(where.holds(values) for where in self.wheres):
             return
         finding = f"found without {' or '.join(where.text(path[0]) for where in self.wheres)}"
         allowed = f"allowed: with {' or '.join(where.text() for where in self.wheres)}"
-        yield CaseFault(path, finding, allowed)
+        yield CaseProblem(path, finding, allowed)
 
 
 @dataclass(frozen=True, slots=True)
@@ -127,8 +205,19 @@ class Below:
     low_default: float | None = None
     high_default: float | None = None
 
-    def faults(self, values: CaseValues) -> Iterator[CaseFault]:
-        """At the key without a default, where the first is not below the second."""
+    def faults(self, values: CaseValues) -> Iterator[CaseProblem]:
+        """A problem at the key without a default, where the first number is not below the second.
+
+        Parameters
+        ----------
+        values : CaseValues
+            The valid values of the file.
+
+        Yields
+        ------
+        Iterator[CaseProblem]
+            The problem.
+        """
         low = _number(values, self.low, self.low_default)
         high = _number(values, self.high, self.high_default)
         if low is None or high is None or low < high:
@@ -138,14 +227,27 @@ class Below:
         bound = f"above {self.low} = {low:g}" if at_high else f"below {self.high} = {high:g}"
         if values.get(*path) is not None:
             allowed = f"allowed: {bound.replace(f'{path[0]}.', '')}"
-            yield CaseFault(path, f"found {values.get(*path):g}", allowed)
+            yield CaseProblem(path, f"found {values.get(*path):g}", allowed)
 
 
 Relation = Excludes | Needs | OnlyWith | Below
 
 
-def relation_faults(relations: Iterable[Relation], values: CaseValues) -> Iterator[CaseFault]:
-    """The faults of all relations, the first of each key."""
+def relation_faults(relations: Iterable[Relation], values: CaseValues) -> Iterator[CaseProblem]:
+    """The problems of all relations, the first of each key.
+
+    Parameters
+    ----------
+    relations : Iterable[Relation]
+        The relations.
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     seen: set[Path] = set()
     for relation in relations:
         for fault in relation.faults(values):
@@ -156,11 +258,28 @@ def relation_faults(relations: Iterable[Relation], values: CaseValues) -> Iterat
 
 def bounded(
     values: CaseValues, key: str, fits: Callable[[Any], bool], allowed: str
-) -> Iterator[CaseFault]:
-    """A fault where the value of a dotted key is given and does not fit."""
+) -> Iterator[CaseProblem]:
+    """A problem where the value of a key is given and does not fit.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+    key : str
+        Dotted name of the key.
+    fits : Callable[[Any], bool]
+        Tells whether a value fits.
+    allowed : str
+        Text for the message.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problem.
+    """
     value = values.get(*_path(key))
     if value is not None and not fits(value):
-        yield CaseFault(_path(key), f"found {shown(value)}", f"allowed: {allowed}")
+        yield CaseProblem(_path(key), f"found {shown(value)}", f"allowed: {allowed}")
 
 
 @cache

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from .problems import CaseError, nearest_name
 
-HERE = Path(__file__).parents[1] / "library"
+LIBRARY = Path(__file__).parents[1] / "library"
 SWEEPS = "sweeps"  # the folder whose files name a case and vary it
 TABLES = "_table.zip"  # end of the names of traction tables that come with cases
 OPTIMISATIONS = "optimisations"  # the folder of those that search
@@ -14,39 +14,100 @@ OPTIMISATIONS = "optimisations"  # the folder of those that search
 def shipped_cases() -> dict[str, Path]:
     """Stem to file of every shipped case, in alphabetical order."""
     others = (SWEEPS, OPTIMISATIONS)
-    files = (path for path in HERE.rglob("*.toml") if path.parent.name not in others)
+    files = (path for path in LIBRARY.rglob("*.toml") if path.parent.name not in others)
     return {path.stem: path for path in sorted(files, key=lambda path: path.stem)}
 
 
 def shipped_sweeps() -> dict[str, Path]:
     """Stem to file of every shipped sweep, in alphabetical order."""
-    return {path.stem: path for path in sorted((HERE / SWEEPS).glob("*.toml"))}
+    return {path.stem: path for path in sorted((LIBRARY / SWEEPS).glob("*.toml"))}
 
 
 def table_path(name: str) -> Path:
-    """A file of traction tables: from the working directory, or one that comes with the cases."""
+    """A file of traction tables: from the working directory, or one that comes with the cases.
+
+    Parameters
+    ----------
+    name : str
+        Name of the file.
+
+    Returns
+    -------
+    Path
+        The path.
+    """
     path = Path(name)
     if path.is_file() or path.name != name:
         return path
-    return next(HERE.rglob(name), path) if name.endswith(TABLES) else path
+    return next(LIBRARY.rglob(name), path) if name.endswith(TABLES) else path
 
 
-def find_case(name_or_path: str | Path) -> Path:
+def find_case(name_or_path: str | Path, folder: Path | None = None) -> Path:
     """The file of a case: an existing file, with or without .toml, or the stem of a shipped case.
 
-    `CaseError` without one, or if a name stands for two that differ.
+    Parameters
+    ----------
+    name_or_path : str or Path
+        Path or name of the case.
+    folder : Path, optional
+        Folder in which a file of this name is looked for first.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    CaseError
+        If there is none, or a name stands for two files that differ.
     """
+    for name in () if folder is None else (f"{name_or_path}", f"{name_or_path}.toml"):
+        if folder is not None and (folder / name).is_file():
+            return folder / name
     return _find(name_or_path, shipped_cases(), "case")
 
 
 def find_sweep(name_or_path: str | Path) -> Path:
-    """The file of a sweep, likewise."""
+    """The file of a sweep: an existing file, or the stem of a shipped one.
+
+    Parameters
+    ----------
+    name_or_path : str | Path
+        Path or name of the sweep.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    CaseError
+        If there is none, or a name stands for two files that differ.
+    """
     return _find(name_or_path, shipped_sweeps(), "sweep")
 
 
 def find_optimisation(name_or_path: str | Path) -> Path:
-    """The file of an optimisation, likewise."""
-    files = sorted((HERE / OPTIMISATIONS).glob("*.toml"))
+    """The file of an optimisation: an existing file, or the stem of a shipped one.
+
+    Parameters
+    ----------
+    name_or_path : str | Path
+        Path or name of the optimisation.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    CaseError
+        If there is none, or a name stands for two files that differ.
+    """
+    files = sorted((LIBRARY / OPTIMISATIONS).glob("*.toml"))
     return _find(name_or_path, {path.stem: path for path in files}, "optimisation")
 
 
@@ -92,6 +153,17 @@ def _local_cases(path: Path) -> list[Path]:
 
 
 def title(path: Path) -> str:
-    """Title of a case file; empty if it has none."""
+    """Title of a case file.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+
+    Returns
+    -------
+    str
+        The title; empty if it has none.
+    """
     with path.open("rb") as file:
         return str(tomllib.load(file).get("title", ""))

@@ -13,11 +13,9 @@ from bearing.friction.sources import (
     CoulombTraction,
     FilmTraction,
     LawTraction,
-    plugin_traction,
 )
 from bearing.friction.table_files import load_tables
 from bearing.geometry import Bearing, contact_modulus, reduced_radii
-from bearing.library.plugins import FRICTION, PluginError, plugin
 from bearing.torque.inlet import InletFactors
 from bearing.torque.inputs import FrictionInput
 from ehl import Lubricant
@@ -27,8 +25,8 @@ from ehl.traction.table.table import TractionTable
 from ehl.traction.table.temperature import TemperatureTable
 
 from .film_model import CaseFilms, FilmPhysics
-from .friction import OWN_LAWS, FrictionTable, made_by
-from .problems import UnfitKey
+from .friction import FrictionTable, made_by
+from .problems import InvalidKeyError
 from .shipped import table_path
 
 # along x of the films that traction is taken from, at most [-]; friction of the inner race of a
@@ -44,8 +42,32 @@ def ball_traction(
     films: CaseFilms,
     inlet: InletFactors,
 ) -> BallTraction:
-    """Friction of balls on races and drag on the balls, SI; `UnfitKey` if the file of a table
-    cannot be read, or is of another bearing or oil.
+    """Friction of balls on races and drag on the balls.
+
+    Parameters
+    ----------
+    table : FrictionTable
+        The checked table [friction].
+    friction : FrictionInput
+        Inputs of the friction models.
+    bearing : Bearing
+        The bearing.
+    oil : Lubricant
+        The lubricant.
+    films : CaseFilms
+        Films of the case.
+    inlet : InletFactors
+        Factors of the rolling moment at the inlets [-].
+
+    Returns
+    -------
+    BallTraction
+        The friction, SI.
+
+    Raises
+    ------
+    InvalidKeyError
+        If a file of tables cannot be read, or is of another bearing or oil.
     """
     source = _law(table, bearing, oil, films.films) or _films(friction, films)
     return resisted_traction(source, friction, bearing, oil, inlet)
@@ -58,7 +80,26 @@ def resisted_traction(
     oil: Lubricant,
     inlet: InletFactors,
 ) -> BallTraction:
-    """A source of friction with what the inlets leave of its rolling moment, and drag and cage."""
+    """A law of friction with drag, cage and the reduced rolling moment of the inlets.
+
+    Parameters
+    ----------
+    source : TractionLaw
+        The law.
+    friction : FrictionInput
+        Inputs of the friction models.
+    bearing : Bearing
+        The bearing.
+    oil : Lubricant
+        The lubricant.
+    inlet : InletFactors
+        Factors of the rolling moment at the inlets [-].
+
+    Returns
+    -------
+    BallTraction
+        The friction, SI.
+    """
     if isinstance(source, FilmTraction):
         source = replace(source, rolling_factor=inlet.rolling)
     if isinstance(source, LawTraction):  # of tables, whose films are isothermal
@@ -81,30 +122,27 @@ def _law(
             tables = read_race_tables(path, bearing, oil, films.rheology, films.solids)
         except ValueError as error:
             key = ("friction", "traction_table")
-            raise UnfitKey(key, str(error), made_by(table.traction_table)) from None
+            raise InvalidKeyError(key, str(error), made_by(table.traction_table)) from None
         return LawTraction(laws=dict(tables))
-    source = coefficient_source(table.traction, dict(table))
-    return source or _of_plugin(table)
-
-
-def _of_plugin(table: FrictionTable) -> TractionLaw | None:
-    """The law of a plug-in that [friction] names, with its constants; None where it names none."""
-    name = table.traction
-    found = None if name in (None, *OWN_LAWS) else plugin(FRICTION, str(name))
-    if found is None:
-        return None
-    try:
-        law = found.call(found.load(), **(table.traction_constants or {}))
-        return plugin_traction(found, law)
-    except PluginError as error:
-        raise UnfitKey(("friction", "traction"), str(error)) from None
+    return coefficient_source(table.traction, dict(table))
 
 
 def coefficient_source(
     name: str | None, constants: Mapping[str, Any]
 ) -> CoefficientTraction | None:
-    """The coefficient over the ellipse with this name and the constants of [friction] [-]; None
-    for another kind of law.
+    """The coefficient over the contact ellipse of a name.
+
+    Parameters
+    ----------
+    name : str | None
+        Name of the law.
+    constants : Mapping[str, Any]
+        Constants of [friction] by key [-].
+
+    Returns
+    -------
+    CoefficientTraction | None
+        The law; None for another kind of law.
     """
     law = COEFFICIENTS.get(name or "")
     return None if law is None else CoefficientTraction(law.of_case(constants))
@@ -128,16 +166,52 @@ SAME_RADIUS_RTOL = 0.05
 def read_race_tables(
     path: Path, bearing: Bearing, oil: Lubricant, rheology: Rheology, solids: Solids | None = None
 ) -> Tables:
-    """Tables of both races for a bearing, an oil and its shear law; with heat, for `solids`.
-    `ValueError` if the file, named in the message, is damaged, or is of another bearing or oil.
+    """Read the tables of both races for a bearing, an oil and its shear law.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    bearing : Bearing
+        The bearing.
+    oil : Lubricant
+        The lubricant.
+    rheology : Rheology
+        Shear law of the oil.
+    solids : Solids | None, optional
+        Thermal properties of ball and race, of a case with heat.
+
+    Returns
+    -------
+    Tables
+        Tables of both races.
+
+    Raises
+    ------
+    ValueError
+        If the file is damaged, or of another bearing or oil.
     """
     tables = tables_of_file(path)(oil, rheology)
-    return fitting_tables(tables, str(path), bearing, oil, rheology, solids)
+    return require_fitting_tables(tables, str(path), bearing, oil, rheology, solids)
 
 
 def tables_of_file(path: Path) -> Callable[[Lubricant, Rheology], Tables]:
-    """A file read once: its tables of both races, of several those at the temperature of an oil.
-    `ValueError` as `read_race_tables`, the result where the oil is another one or out of range.
+    """Read a file of traction tables once.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+
+    Returns
+    -------
+    Callable[[Lubricant, Rheology], Tables]
+        Function of an oil and its shear law that gives the tables; ValueError for another oil.
+
+    Raises
+    ------
+    ValueError
+        If the file cannot be read.
     """
     try:
         read = load_tables(path)
@@ -165,7 +239,7 @@ def _at(
     return table
 
 
-def fitting_tables(
+def require_fitting_tables(
     tables: Tables,
     name: str,
     bearing: Bearing,
@@ -173,10 +247,35 @@ def fitting_tables(
     rheology: Rheology,
     solids: Solids | None = None,
 ) -> Tables:
-    """The tables themselves, if they are of this bearing and oil, else `ValueError` with `name`.
+    """Check that tables are of a bearing and an oil.
 
     Tables with heat must be of the ball and race of a case with heat; a case without leaves that
     to its tables.
+
+    Parameters
+    ----------
+    tables : Tables
+        Tables of both races.
+    name : str
+        Name of the tables in messages.
+    bearing : Bearing
+        The bearing.
+    oil : Lubricant
+        The lubricant.
+    rheology : Rheology
+        Shear law of the oil.
+    solids : Solids | None, optional
+        Thermal properties of ball and race, of a case with heat.
+
+    Returns
+    -------
+    Tables
+        The same tables.
+
+    Raises
+    ------
+    ValueError
+        If they are of another bearing or oil.
     """
     for race, table in tables.items():
         contact = table.contact

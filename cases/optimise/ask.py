@@ -15,107 +15,175 @@ from ehl.arrays import Array
 
 from .surrogate import Surrogate, fitted
 
-TRIED = 1024  # places of the unit cube at which the improvement is looked for, a power of 2
-NEAR = 512  # more of them about the best designs
-REACH = 0.05  # of those, standard deviation in the unit cube [-]
-Truth = NDArray[np.bool_]
-AUGMENTED = 0.05  # share of the sum of goals, Knowles (2006), eq. 2
+CANDIDATES = 1024  # places of the unit cube at which the improvement is looked for, a power of 2
+LOCAL_CANDIDATES = 512  # more of them about the best designs
+LOCAL_DEVIATION = 0.05  # of those, standard deviation in the unit cube [-]
+Booleans = NDArray[np.bool_]
+SUM_WEIGHT = 0.05  # share of the sum of goals, Knowles (2006), eq. 2
 
 
 @dataclass(frozen=True, slots=True)
-class Told:
+class Observations:
     """Designs computed so far; all numbers such that less is better, NaN without a result.
 
     places: shape (n, keys) of the unit cube [-]; goals and their noise: shape (n, goals);
     constraints, met where not positive, and their noise: shape (n, constraints).
     """
 
-    places: Array
+    positions: Array
     goals: Array
     noise: Array
     constraints: Array
     constraint_noise: Array
 
     @property
-    def known(self) -> Truth:
+    def complete(self) -> Booleans:
         """Designs that have all numbers."""
         whole = np.column_stack([self.goals, self.constraints])
         return np.asarray(np.isfinite(whole).all(axis=1))
 
     @property
-    def feasible(self) -> Truth:
+    def feasible(self) -> Booleans:
         """Designs that have all numbers and meet all constraints."""
-        return self.known & (np.nan_to_num(self.constraints, nan=1.0) <= 0.0).all(axis=1)
+        return self.complete & (np.nan_to_num(self.constraints, nan=1.0) <= 0.0).all(axis=1)
 
 
 def first_designs(keys: int, count: int, seed: int) -> Array:
-    """Designs to begin with: a Latin hypercube, shape (count, keys)."""
+    """Designs to begin with: a Latin hypercube.
+
+    Parameters
+    ----------
+    keys : int
+        Number of keys [-].
+    count : int
+        Number of designs [-].
+    seed : int
+        Seed of the random numbers.
+
+    Returns
+    -------
+    Array
+        Positions in the unit cube, shape (count, keys) [-].
+    """
     return qmc.LatinHypercube(keys, seed=np.random.default_rng(seed)).random(count)
 
 
-def next_designs(told: Told, count: int, seed: int) -> Array:
-    """Designs to compute next, shape (count, keys) of the unit cube."""
+def next_designs(observations: Observations, count: int, seed: int) -> Array:
+    """Designs to compute next.
+
+    Parameters
+    ----------
+    observations : Observations
+        Designs computed so far.
+    count : int
+        Number of designs [-].
+    seed : int
+        Seed of the random numbers.
+
+    Returns
+    -------
+    Array
+        Positions in the unit cube, shape (count, keys) [-].
+    """
     rng = np.random.default_rng(seed)
-    known = told.known
-    if known.sum() < 2:
-        return rng.random((count, told.places.shape[1]))
+    complete = observations.complete
+    if complete.sum() < 2:
+        return rng.random((count, observations.positions.shape[1]))
     limits = [
-        fitted(told.places[known], told.constraints[known, k], told.constraint_noise[known, k])
-        for k in range(told.constraints.shape[1])
+        fitted(
+            observations.positions[complete],
+            observations.constraints[complete, k],
+            observations.constraint_noise[complete, k],
+        )
+        for k in range(observations.constraints.shape[1])
     ]
     designs: list[Array] = []
     for _ in range(count):
-        value, noise = scalar_goal(told.goals[known], told.noise[known], rng)
-        places = told.places[known]
+        value, noise = scalar_goal(observations.goals[complete], observations.noise[complete], rng)
+        positions = observations.positions[complete]
         if designs:
-            believed = fitted(places, value, noise).predict(np.array(designs))[0]
+            believed = fitted(positions, value, noise).predict(np.array(designs))[0]
             value = np.concatenate([value, believed])
             noise = np.concatenate([noise, np.zeros(len(designs))])
-            places = np.vstack([places, designs])
-        met = np.concatenate([told.feasible[known], np.ones(len(designs), dtype=bool)])
-        designs.append(_best_place(fitted(places, value, noise), limits, (places, met), rng))
+            positions = np.vstack([positions, designs])
+        met = np.concatenate([observations.feasible[complete], np.ones(len(designs), dtype=bool)])
+        designs.append(
+            _best_candidate(fitted(positions, value, noise), limits, (positions, met), rng)
+        )
     return np.array(designs)
 
 
 def scalar_goal(goals: Array, noise: Array, rng: np.random.Generator) -> tuple[Array, Array]:
-    """Several goals as one by random weights, the augmented Tchebycheff function; its noise."""
+    """Several goals as one by random weights, the augmented Tchebycheff function.
+
+    Parameters
+    ----------
+    goals : Array
+        Goals, smaller is better, shape (n, goals).
+    noise : Array
+        Their standard deviations, shape (n, goals).
+    rng : np.random.Generator
+        Random numbers.
+
+    Returns
+    -------
+    value
+        The one goal, shape (n,).
+    noise
+        Its standard deviation, shape (n,).
+    """
     low, high = (end(goals, axis=0) for end in (np.min, np.max))
     span = np.where(high > low, high - low, 1.0)
     scaled = (goals - low) / span
     weights = rng.dirichlet(np.ones(goals.shape[1]))
     weighted = weights * scaled
-    value = weighted.max(axis=1) + AUGMENTED * weighted.sum(axis=1)
+    value = weighted.max(axis=1) + SUM_WEIGHT * weighted.sum(axis=1)
     return value, np.sqrt(((weights * noise / span) ** 2).sum(axis=1))
 
 
-def _best_place(
+def _best_candidate(
     model: Surrogate,
     limits: list[Surrogate],
-    before: tuple[Array, Truth],
+    before: tuple[Array, Booleans],
     rng: np.random.Generator,
 ) -> Array:
     """Place of the largest expected improvement times the probability that constraints are met."""
-    places, met = before
-    means = model.predict(places)[0]
+    positions, met = before
+    means = model.predict(positions)[0]
     order = np.argsort(np.where(met, means, np.inf))[:4]
-    keys = places.shape[1]
-    spread = places[rng.choice(order, NEAR)] + REACH * rng.standard_normal((NEAR, keys))
-    tried = np.vstack([qmc.Sobol(keys, seed=rng).random(TRIED), np.clip(spread, 0.0, 1.0)])
-    mean, deviation = model.predict(tried)
-    chance = np.ones(len(tried))
+    keys = positions.shape[1]
+    spread = positions[
+        rng.choice(order, LOCAL_CANDIDATES)
+    ] + LOCAL_DEVIATION * rng.standard_normal((LOCAL_CANDIDATES, keys))
+    candidates = np.vstack(
+        [qmc.Sobol(keys, seed=rng).random(CANDIDATES), np.clip(spread, 0.0, 1.0)]
+    )
+    mean, deviation = model.predict(candidates)
+    chance = np.ones(len(candidates))
     for limit in limits:
-        middle, width = limit.predict(tried)
+        middle, width = limit.predict(candidates)
         chance *= norm.cdf(-middle / np.maximum(width, 1e-12 * limit.scale))
     if not met.any():  # first of all a design that meets the constraints
-        return tried[np.argmax(chance)]
+        return candidates[np.argmax(chance)]
     gain = means[met].min() - mean
     width = np.maximum(deviation, 1e-12 * model.scale)
     improvement = gain * norm.cdf(gain / width) + width * norm.pdf(gain / width)
-    return tried[np.argmax(improvement * chance)]
+    return candidates[np.argmax(improvement * chance)]
 
 
-def pareto_front(goals: Array) -> Truth:
-    """Designs that no other one betters in one goal without being worse in another."""
+def pareto_front(goals: Array) -> Booleans:
+    """Designs that no other one betters in one goal without being worse in another.
+
+    Parameters
+    ----------
+    goals : Array
+        Goals, smaller is better, shape (n, goals).
+
+    Returns
+    -------
+    Booleans
+        True for designs of the front, shape (n,).
+    """
     front = np.ones(len(goals), dtype=bool)
     for k, own in enumerate(goals):
         better = (goals <= own).all(axis=1) & (goals < own).any(axis=1)

@@ -26,20 +26,20 @@ class Design:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Found:
-    """What an optimisation found; `front`: numbers of the designs that no other betters."""
+class OptimisationResult:
+    """Result of an optimisation; `front`: numbers of the designs that no other betters."""
 
     study: Study
     designs: tuple[Design, ...]
     front: tuple[int, ...]
-    proved: tuple[tuple[str, Design], ...] = ()
+    confirmed: tuple[tuple[str, Design], ...] = ()
     # the same on half the nodes, where the proof names how many it takes
     coarse: tuple[tuple[str, Design], ...] = ()
 
     def _repr_html_(self) -> str:
         """The front, or the best design, and its proof, for a notebook."""
         shown = [(f"design {number}", self.designs[number - 1]) for number in self.front]
-        shown += [(f"{name}, proved", design) for name, design in self.proved]
+        shown += [(f"{name}, proved", design) for name, design in self.confirmed]
         columns: dict[str, list[str]] = {"": [name for name, _ in shown]}
         for key in self.study.keys:
             columns[key] = [f"{design.values[key]:.5g}" for _, design in shown]
@@ -56,8 +56,23 @@ def _text(value: float | None) -> str:
 def designs_of(
     study: Study, points: Sequence[BatchPoint], start: int, *, bars: bool = False
 ) -> list[Design]:
-    """Designs from the points of each, numbered from 1 on after `start`; `bars`: a limit counts as
-    met within the error bar.
+    """Designs from their points.
+
+    Parameters
+    ----------
+    study : Study
+        The optimisation.
+    points : Sequence[BatchPoint]
+        Points of all designs, in their order.
+    start : int
+        Number of designs before these [-].
+    bars : bool, default False
+        True: a limit counts as met within the error bar.
+
+    Returns
+    -------
+    list[Design]
+        The designs.
     """
     each = len(study.deviations)
     return [

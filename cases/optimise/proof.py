@@ -11,9 +11,9 @@ from postprocess.batch.results import BatchPoint
 
 from ..batch.planning.blocks import Setting
 from ..batch.points import Sweep
-from .designs import Design, Found, designs_of
+from .designs import Design, OptimisationResult, designs_of
 
-MOST_PROVED = 3  # designs of a front: both ends of the first goal and the middle
+MOST_CONFIRMED = 3  # designs of a front: both ends of the first goal and the middle
 CASE = "case"  # the first of what is proved
 NODES = "ehl.points"  # key whose half gives the error of numbers without an error bar
 FEWEST = 33  # nodes that a film may have
@@ -23,16 +23,30 @@ VISIBLE = 0.01
 Compute = Callable[[Sweep], Sequence[BatchPoint]]
 
 
-def proved(found: Found, compute: Compute) -> Found:
-    """What was found, with its proof; without [proof], or a design within the limits, as it is."""
+def confirm_designs(found: OptimisationResult, compute: Compute) -> OptimisationResult:
+    """Compute the case and the best designs once more with solved films.
+
+    Parameters
+    ----------
+    found : OptimisationResult
+        Result of the search.
+    compute : Compute
+        Computes the points of a sweep.
+
+    Returns
+    -------
+    OptimisationResult
+        The result with the confirmed designs; unchanged without [proof], or a design within the
+        limits.
+    """
     study = found.study
     if not study.proof or not found.front:
         return found
     front = found.front
     chosen = dict.fromkeys((front[0], front[len(front) // 2], front[-1]))
-    own = study.place_of_case()
+    own = study.position_of_case()
     named = [] if own is None else [(CASE, study.values(own))]
-    for number in list(chosen)[:MOST_PROVED]:
+    for number in list(chosen)[:MOST_CONFIRMED]:
         design = found.designs[number - 1]
         named.append((f"design {number}", [design.values[key] for key in study.keys]))
 
@@ -42,7 +56,7 @@ def proved(found: Found, compute: Compute) -> Found:
         return tuple((name, design) for (name, _), design in zip(named, designs, strict=True))
 
     half = _half(study.proof)
-    return replace(found, proved=computed(study.proof), coarse=computed(half) if half else ())
+    return replace(found, confirmed=computed(study.proof), coarse=computed(half) if half else ())
 
 
 def _half(proof: tuple[Setting, ...]) -> tuple[Setting, ...]:
@@ -57,14 +71,23 @@ def _half(proof: tuple[Setting, ...]) -> tuple[Setting, ...]:
     )
 
 
-def improvement(found: Found) -> dict[str, Any] | None:
-    """How far the first goal of the best proved design is from that of the case, and how far that
-    is known; None where it is not known (`reason`).
+def improvement(found: OptimisationResult) -> dict[str, Any] | None:
+    """Gain of the first goal from the case to the best confirmed design.
 
-    The error of the difference is that of both error bars or, of a goal without one, what half
-    the nodes change of the difference; None where neither is known.
+    The error of the difference is that of both error bars or, of a goal without one, the change
+    of the difference by half the nodes; None where neither is known.
+
+    Parameters
+    ----------
+    found : OptimisationResult
+        Result of the optimisation.
+
+    Returns
+    -------
+    dict[str, Any] | None
+        Gain and its error; None where `no_improvement_reason` gives one.
     """
-    if reason(found) is not None:
+    if no_improvement_reason(found) is not None:
         return None
     name, sign = found.study.goals[0]
     case, best = _case(found), _best(found)
@@ -83,24 +106,24 @@ def improvement(found: Found) -> dict[str, Any] | None:
     }
 
 
-def _case(found: Found) -> tuple[str, Design] | None:
+def _case(found: OptimisationResult) -> tuple[str, Design] | None:
     """The case in the proof, if its goal is known."""
     name, _ = found.study.goals[0]
-    designs = [pair for pair in found.proved if pair[0] == CASE]
-    known = [pair for pair in designs if pair[1].numbers[name] is not None]
-    return known[0] if known else None
+    designs = [pair for pair in found.confirmed if pair[0] == CASE]
+    candidates = [pair for pair in designs if pair[1].numbers[name] is not None]
+    return candidates[0] if candidates else None
 
 
-def _best(found: Found) -> tuple[str, Design] | None:
+def _best(found: OptimisationResult) -> tuple[str, Design] | None:
     """The best proved design that meets the limits within their error bars."""
     name, sign = found.study.goals[0]
-    known = [pair for pair in found.proved if pair[0] != CASE and pair[1].feasible]
-    return min(known, key=lambda pair: sign * (pair[1].numbers[name] or 0.0), default=None)
+    candidates = [pair for pair in found.confirmed if pair[0] != CASE and pair[1].feasible]
+    return min(candidates, key=lambda pair: sign * (pair[1].numbers[name] or 0.0), default=None)
 
 
-def _error(found: Found, pair: tuple[str, str], name: str) -> float | None:
+def _error(found: OptimisationResult, pair: tuple[str, str], name: str) -> float | None:
     """Error of the difference of two proved designs in a number."""
-    fine, coarse = dict(found.proved), dict(found.coarse)
+    fine, coarse = dict(found.confirmed), dict(found.coarse)
     first, second = (fine[one].errors.get(name, 0.0) for one in pair)
     if first or second:
         return hypot(first, second)
@@ -113,32 +136,55 @@ def _error(found: Found, pair: tuple[str, str], name: str) -> float | None:
     return abs(of_fine - of_coarse)
 
 
-def reason(found: Found) -> str | None:
-    """Why there is no improvement to tell; None where there is one."""
+def no_improvement_reason(found: OptimisationResult) -> str | None:
+    """Reason why there is no improvement to report.
+
+    Parameters
+    ----------
+    found : OptimisationResult
+        Result of the optimisation.
+
+    Returns
+    -------
+    str | None
+        The reason; None where there is an improvement.
+    """
     name, _ = found.study.goals[0]
     if not found.front:
         return "no design meets the constraints"
     if not found.study.proof:
         return "there is no table [proof]"
-    if found.study.place_of_case() is None:
+    if found.study.position_of_case() is None:
         return "the case is outside the ranges"
     if _case(found) is None:
-        return f"the case has no {name} in the proof{_told(found, CASE)}"
+        return f"the case has no {name} in the proof{_reason_text(found, CASE)}"
     if _best(found) is None:
-        names = ", ".join(name for name, _ in found.proved if name != CASE)
-        told = next((_told(found, name) for name, _ in found.proved if name != CASE), "")
-        return f"none of {names} converges and meets the constraints in the proof{told}"
+        names = ", ".join(name for name, _ in found.confirmed if name != CASE)
+        text = next((_reason_text(found, name) for name, _ in found.confirmed if name != CASE), "")
+        return f"none of {names} converges and meets the constraints in the proof{text}"
     return None
 
 
-def _told(found: Found, name: str) -> str:
-    message = dict(found.proved)[name].message
+def _reason_text(found: OptimisationResult, name: str) -> str:
+    message = dict(found.confirmed)[name].message
     return f": {message}" if message else ""
 
 
-def proof_messages(found: Found) -> Iterator[str]:
-    """Why there is no improvement, how far it is known, and where the search was misled."""
-    why = reason(found)
+def confirmation_messages(found: OptimisationResult) -> Iterator[str]:
+    """Messages on the improvement, its error, and numbers of the search that the confirmation
+    refutes.
+
+    Parameters
+    ----------
+    found : OptimisationResult
+        Result of the optimisation.
+
+    Yields
+    ------
+    Iterator[str]
+        The messages.
+    """
+    why = no_improvement_reason(found)
     gain = improvement(found)
     if why is not None:
         yield f"improvement: null, {why}"
@@ -147,25 +193,25 @@ def proof_messages(found: Found) -> Iterator[str]:
             f"improvement.proved: null, {gain['goal']} has no error bar; {NODES} in [proof], of "
             f"{2 * (FEWEST - 1) + 1} or more, gives one by half the nodes"
         )
-    for name, design in found.proved:
-        searched = _searched(found, name)
-        if searched is not None:
-            yield from _differences(name, searched, design)
+    for name, design in found.confirmed:
+        search_designs = _searched(found, name)
+        if search_designs is not None:
+            yield from _differences(name, search_designs, design)
 
 
-def _searched(found: Found, name: str) -> Design | None:
+def _searched(found: OptimisationResult, name: str) -> Design | None:
     """A proved design as the search had it."""
     number = 1 if name == CASE else int(name.partition(" ")[2])
     return found.designs[number - 1]
 
 
-def _differences(name: str, searched: Design, proof: Design) -> Iterator[str]:
+def _differences(name: str, search_designs: Design, proof: Design) -> Iterator[str]:
     """Numbers that the proof has outside the error bars of both, and visibly so."""
     for key, value in proof.numbers.items():
-        before = searched.numbers.get(key)
+        before = search_designs.numbers.get(key)
         if value is None or before is None:
             continue
-        bars = searched.errors.get(key, 0.0) + proof.errors.get(key, 0.0)
+        bars = search_designs.errors.get(key, 0.0) + proof.errors.get(key, 0.0)
         if abs(value - before) > max(bars, VISIBLE * abs(value)):
             share = abs(value - before) / abs(value)
             yield f"{name}: {key} {before:.4g} in the search, {value:.4g} proved ({share:.1%} off)"

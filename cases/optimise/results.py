@@ -12,16 +12,27 @@ from postprocess.files import write_csv, write_json
 
 from ..runs.integrity import write_digests
 from ..version import version
-from .designs import Design, Found
-from .proof import improvement, proof_messages
+from .designs import Design, OptimisationResult
+from .proof import confirmation_messages, improvement
 
 SUMMARY = "summary.json"
 TABLE = "designs.csv"
 PICTURE = "plots/front.png"
 
 
-def optimisation_summary(found: Found) -> dict[str, Any]:
-    """The document of an optimisation; `converged`: whether a design meets the constraints."""
+def optimisation_summary(found: OptimisationResult) -> dict[str, Any]:
+    """The document of an optimisation; converged if a design meets the constraints.
+
+    Parameters
+    ----------
+    found : OptimisationResult
+        Result of the optimisation.
+
+    Returns
+    -------
+    dict[str, Any]
+        The summary.
+    """
     study = found.study
     return {
         "oilfilm": version(),
@@ -39,26 +50,41 @@ def optimisation_summary(found: Found) -> dict[str, Any]:
         "best": found.front[0] if found.front else None,
         "front": list(found.front),
         "designs": [asdict(design) for design in found.designs],
-        "proof": [{"name": name} | asdict(design) for name, design in found.proved],
+        "proof": [{"name": name} | asdict(design) for name, design in found.confirmed],
         "coarse_proof": [{"name": name} | asdict(design) for name, design in found.coarse],
         "improvement": improvement(found),
     }
 
 
-def _messages(found: Found) -> list[str]:
+def _messages(found: OptimisationResult) -> list[str]:
     study = found.study
-    told = []
+    messages = []
     if not found.front:
-        told.append("not converged: no design meets the constraints; widen ranges or limits")
-    told += proof_messages(found)
+        messages.append("not converged: no design meets the constraints; widen ranges or limits")
+    messages += confirmation_messages(found)
     if len(study.deviations) > 1:
         points = len(study.deviations)
-        told.append(f"goals and constraints: quantile {study.quantile:g} of {points} points each")
-    return told
+        messages.append(
+            f"goals and constraints: quantile {study.quantile:g} of {points} points each"
+        )
+    return messages
 
 
-def write_optimisation(found: Found, directory: Path) -> dict[str, Any]:
-    """Write table, picture and, last, the summary; the summary."""
+def write_optimisation(found: OptimisationResult, directory: Path) -> dict[str, Any]:
+    """Write table, picture and, last, the summary.
+
+    Parameters
+    ----------
+    found : OptimisationResult
+        Result of the optimisation.
+    directory : Path
+        Folder of the results.
+
+    Returns
+    -------
+    dict[str, Any]
+        The summary.
+    """
     study = found.study
     names = [name for name in _names(found.designs) if name not in study.keys]
     header = ["design", *study.keys, *names, "feasible", "front"]
@@ -84,7 +110,7 @@ def _names(designs: Sequence[Design]) -> list[str]:
     return list(designs[0].numbers) if designs else []
 
 
-def _drawn(found: Found) -> Designs:
+def _drawn(found: OptimisationResult) -> Designs:
     study = found.study
     goals = study.goals[:2]
     missing = float("nan")
@@ -97,5 +123,5 @@ def _drawn(found: Found) -> Designs:
         errors=np.array([[d.errors.get(n, 0.0) for n, _ in goals] for d in found.designs]),
         feasible=[design.feasible for design in found.designs],
         front=[design.number in found.front for design in found.designs],
-        case=None if study.place_of_case() is None else 0,
+        case=None if study.position_of_case() is None else 0,
     )

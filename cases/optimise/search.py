@@ -8,24 +8,30 @@ import numpy as np
 from ehl.arrays import Array
 from postprocess.batch.results import BatchPoint
 
-from ..batch.engine import Choice, run_batch
+from ..batch.engine import PointSelection, run_batch
 from ..batch.points import Sweep
 from ..batch.pools import LocalPool, Pool
-from ..batch.results import gathered
+from ..batch.results import load_results
 from ..runs.films import Progress
-from .ask import Told, first_designs, next_designs, pareto_front
-from .designs import Design, Found, designs_of
-from .proof import proved
+from .ask import Observations, first_designs, next_designs, pareto_front
+from .designs import Design, OptimisationResult, designs_of
+from .proof import confirm_designs
 from .study import Study
 
 COVERAGE = 2.0  # standard deviations of an error bar, which is to hold the number in 95 of 100
 
 
-class KeptPool(LocalPool):
+class PersistentPool(LocalPool):
     """Processes that stay from one generation of designs to the next, until `end`."""
 
     def close(self, *, at_once: bool) -> None:
-        """End the workers at once, or let them be."""
+        """End the processes at once, or leave them running for the next generation.
+
+        Parameters
+        ----------
+        at_once : bool
+            True: the processes end.
+        """
         if at_once:
             super().close(at_once=True)
 
@@ -34,19 +40,37 @@ class KeptPool(LocalPool):
         super().close(at_once=False)
 
 
-def searched(
+def search_designs(
     study: Study, directory: Path, pool: Callable[[], Pool], resume: bool, progress: Progress
-) -> Found:
-    """Ask for designs and compute them until there are as many as the study wants.
+) -> OptimisationResult:
+    """Choose designs and compute them until there are as many as the study asks for.
 
     The designs follow from the study and from the numbers of those before alone, so that an
-    interrupted search goes on where it was.
+    interrupted search continues where it was.
+
+    Parameters
+    ----------
+    study : Study
+        The optimisation.
+    directory : Path
+        Folder of the batch.
+    pool : Callable[[], Pool]
+        Starts the workers.
+    resume : bool
+        True: finished points of the folder are taken over.
+    progress : Progress
+        Called with points done, points in all, and a text.
+
+    Returns
+    -------
+    OptimisationResult
+        The result.
     """
     search = study.search
-    own = study.place_of_case()
+    own = study.position_of_case()
     count = search.first - (own is not None)
-    places = first_designs(len(study.keys), count, search.seed)
-    places = places if own is None else np.vstack([own, places])
+    positions = first_designs(len(study.keys), count, search.seed)
+    positions = positions if own is None else np.vstack([own, positions])
     designs: list[Design] = []
     again = resume
     each = len(study.deviations)
@@ -55,29 +79,29 @@ def searched(
         progress(done, search.designs * each, "points of the search")
 
     while len(designs) < search.designs:
-        new = places[len(designs) : search.designs]
-        sweep = study.sweep([study.values(place) for place in places[: search.designs]])
-        batch = run_batch(sweep, directory, pool, Choice(resume=again), progress=of_all)
+        new = positions[len(designs) : search.designs]
+        sweep = study.sweep([study.values(position) for position in positions[: search.designs]])
+        batch = run_batch(sweep, directory, pool, PointSelection(resume=again), progress=of_all)
         again = True
         wanted = range(len(designs) * each, (len(designs) + len(new)) * each)
-        points = gathered(batch, wanted).points
+        points = load_results(batch, wanted).points
         designs += designs_of(study, points, len(designs))
-        told = _told(study, places[: len(designs)], designs)
+        observations = _observations(study, positions[: len(designs)], designs)
         together = min(search.together, search.designs - len(designs))
         if together > 0:
             seed = search.seed + len(designs)
-            places = np.vstack([places, next_designs(told, together, seed)])
+            positions = np.vstack([positions, next_designs(observations, together, seed)])
     front = _front(study, designs)
-    found = Found(study=study, designs=tuple(designs), front=front)
+    found = OptimisationResult(study=study, designs=tuple(designs), front=front)
 
     def computed(sweep: Sweep) -> Sequence[BatchPoint]:
-        batch = run_batch(sweep, directory, pool, Choice(resume=True), progress=progress)
-        return gathered(batch).points
+        batch = run_batch(sweep, directory, pool, PointSelection(resume=True), progress=progress)
+        return load_results(batch).points
 
-    return proved(found, computed)
+    return confirm_designs(found, computed)
 
 
-def _told(study: Study, places: Array, designs: Sequence[Design]) -> Told:
+def _observations(study: Study, positions: Array, designs: Sequence[Design]) -> Observations:
     """Designs as arrays in which less is better."""
 
     def column(name: str, sign: float, bound: float = 0.0) -> list[float]:
@@ -89,8 +113,8 @@ def _told(study: Study, places: Array, designs: Sequence[Design]) -> Told:
 
     shape = (len(designs), -1)
     limits = study.limits
-    return Told(
-        places=places,
+    return Observations(
+        positions=positions,
         goals=np.array([column(*goal) for goal in study.goals]).T.reshape(shape),
         noise=np.array([noise(name) for name, _ in study.goals]).T.reshape(shape),
         constraints=_table([column(one.name, one.sign, one.bound) for one in limits], designs),

@@ -6,7 +6,6 @@ from pathlib import Path as FilePath
 from typing import Any
 
 import numpy as np
-from pydantic import ValidationError
 
 from ehl.arrays import Array
 from postprocess.batch.main_results import result_names
@@ -21,8 +20,8 @@ from ..batch.points import Sweep
 from ..batch.sweep_file import OptimisationFile, SearchTable, SweepFile
 from ..format.case import case_of_document
 from ..format.document import parse, read_text
-from ..format.fields import is_number
-from ..format.problems import CaseFault, Path, faults_error, nearest_name, schema_faults, shown
+from ..format.fields import is_number, validated
+from ..format.problems import CaseProblem, Path, faults_error, nearest_name, shown
 from ..format.shipped import find_case
 
 
@@ -54,27 +53,48 @@ class Study:
     search: SearchTable
     proof: tuple[Setting, ...]
 
-    def values(self, place: Array) -> list[float]:
-        """Values of the keys at a place of the unit cube, in their units."""
+    def values(self, position: Array) -> list[float]:
+        """Values of the keys at a position of the unit cube.
+
+        Parameters
+        ----------
+        position : Array
+            The position, shape (keys,) [-].
+
+        Returns
+        -------
+        list[float]
+            Values in the units of the keys.
+        """
         found = []
-        for u, (low, high), whole in zip(place, self.ranges, self.whole, strict=True):
+        for u, (low, high), whole in zip(position, self.ranges, self.whole, strict=True):
             value = low + float(u) * (high - low)
             found.append(float(round(value)) if whole else value)
         return found
 
-    def place_of_case(self) -> Array | None:
+    def position_of_case(self) -> Array | None:
         """Place of the case itself; None where it is outside the ranges."""
         given = [value_in(case_of_document(self.base).document, key) for key in self.keys]
         if not all(map(is_number, given)):
             return None
         low, high = np.array(self.ranges).T
-        place = (np.array(given, dtype=float) - low) / (high - low)
-        return place if (place >= 0.0).all() and (place <= 1.0).all() else None
+        position = (np.array(given, dtype=float) - low) / (high - low)
+        return position if (position >= 0.0).all() and (position <= 1.0).all() else None
 
     def sweep(self, designs: list[list[float]], extra: tuple[Setting, ...] = ()) -> Sweep:
         """The points of designs: one each, or one for each row of `deviations`.
 
-        `extra`: values by key, for all of them.
+        Parameters
+        ----------
+        designs : list[list[float]]
+            Values of the keys of each design.
+        extra : tuple[Setting, ...], default ()
+            Values by key, for all points.
+
+        Returns
+        -------
+        Sweep
+            The points.
         """
         base = with_values(self.base, Variation("fixed", extra))
         resolved = case_of_document(base).document
@@ -96,7 +116,7 @@ class Study:
             compute="run",
             fields=False,
             keys=keys,
-            points=Plan([block], documents.of, PointName(file, base).of, keys),
+            points=Plan([block], documents.document, PointName(file, base).name_of, keys),
         )
 
     def _is_whole(self, key: str) -> bool:
@@ -108,24 +128,38 @@ def _plain(value: float, whole: bool) -> float:
 
 
 def read_study(path: str | FilePath) -> Study:
-    """Read an optimisation file; `CaseError` with one line for every error."""
+    """Read an optimisation file.
+
+    Parameters
+    ----------
+    path : str | FilePath
+        The file.
+
+    Returns
+    -------
+    Study
+        The optimisation, ready to run.
+
+    Raises
+    ------
+    CaseError
+        If something is wrong, with one line for every error.
+    """
     file_path = FilePath(path)
     name = str(path)
     text = read_text(file_path)
-    try:
-        file = OptimisationFile.model_validate(parse(text, name))
-    except ValidationError as error:
-        schema = OptimisationFile.model_json_schema()
-        raise faults_error(
-            schema_faults(error.errors(include_url=False), schema), name, text
-        ) from None
-    case_file = _case_file(file.case, file_path.parent)
+    file, wrong = validated(OptimisationFile, parse(text, name))
+    if file is None:
+        raise faults_error(wrong, name, text)
+    case_file = find_case(file.case, file_path.parent)
     fixed = Variation("fixed", tuple(block_settings(file.fixed, ("fixed",))))
     base = with_values(parse(read_text(case_file), str(case_file)), fixed)
     case_of_document(base)
     vary = block_settings(file.vary, ("vary",))
     scatter, laws, faults = _scatter(file, base)
-    faults += [CaseFault(s.where, f"found {shown(s.value)}", RANGE) for s in vary if _wrong(s)]
+    faults += [
+        CaseProblem(s.where, f"found {shown(s.value)}", RANGE) for s in vary if _is_no_range(s)
+    ]
     faults += _name_faults(file, "contact" if "contact" in base else "run")
     if faults:
         raise faults_error(faults, name, text)
@@ -147,15 +181,7 @@ def read_study(path: str | FilePath) -> Study:
     )
 
 
-def _case_file(case: str, folder: FilePath) -> FilePath:
-    """The case beside the file if there is one, else as every command finds it."""
-    for name in (case, f"{case}.toml"):
-        if (folder / name).is_file():
-            return folder / name
-    return find_case(case)
-
-
-def _wrong(setting: Setting) -> bool:
+def _is_no_range(setting: Setting) -> bool:
     value = setting.value
     two = isinstance(value, list) and len(value) == 2 and all(map(is_number, value))
     return not two or not value[0] < value[1]
@@ -174,14 +200,14 @@ def _limits(file: OptimisationFile) -> tuple[Limit, ...]:
     return tuple(limits)
 
 
-def _name_faults(file: OptimisationFile, kind: str) -> list[CaseFault]:
+def _name_faults(file: OptimisationFile, kind: str) -> list[CaseProblem]:
     """Goals and constraints that are no numbers of a point, and what is missing."""
     known = result_names(kind)
     given: list[tuple[Path, str]] = [(("constraints", name), name) for name in file.constraints]
     for side in ("minimise", "maximise"):
         given += [(("goal", side), name) for name in getattr(file.goal, side)]
     faults = [
-        CaseFault(
+        CaseProblem(
             where,
             f"found {shown(name)}",
             "allowed: main results, torque_N_mm, supply and self_heating of batch.csv",
@@ -191,25 +217,27 @@ def _name_faults(file: OptimisationFile, kind: str) -> list[CaseFault]:
         if name not in known
     ]
     if not _goals(file):
-        faults.append(CaseFault(("goal",), "no goal", "needed: minimise or maximise"))
+        faults.append(CaseProblem(("goal",), "no goal", "needed: minimise or maximise"))
     if not file.vary:
-        faults.append(CaseFault(("vary",), "no keys", f"needed: keys with their ranges; {RANGE}"))
+        faults.append(
+            CaseProblem(("vary",), "no keys", f"needed: keys with their ranges; {RANGE}")
+        )
     return faults
 
 
 def _scatter(
     file: OptimisationFile, base: Document
-) -> tuple[tuple[str, ...], list[Distribution], list[CaseFault]]:
+) -> tuple[tuple[str, ...], list[Distribution], list[CaseProblem]]:
     """Keys that scatter, the laws of their deviations, and faults."""
     settings = [with_law(s) for s in block_settings(file.scatter, ("scatter",))]
     laws = [distribution(setting) for setting in settings]
-    faults = [law for law in laws if isinstance(law, CaseFault)]
+    faults = [law for law in laws if isinstance(law, CaseProblem)]
     resolved = case_of_document(base).document
     for setting in settings:
         value: Any = value_in(resolved, setting.key)
         if not is_number(value):
             finding = f"the case has {shown(value)}"
-            faults.append(CaseFault(setting.where, finding, "allowed: keys with a number"))
+            faults.append(CaseProblem(setting.where, finding, "allowed: keys with a number"))
     keys = tuple(setting.key for setting in settings)
     return keys, [law for law in laws if isinstance(law, Distribution)], faults
 
@@ -219,5 +247,5 @@ def _deviations(file: OptimisationFile, laws: list[Distribution]) -> Array:
     if not laws:
         return np.zeros((1, 0))
     draw = partial(unit_sample, "latin hypercube", seed=file.search.seed)
-    shares = draw(keys=len(laws), samples=file.goal.scatter_samples)
-    return np.column_stack([law.values(u) for law, u in zip(laws, shares.T, strict=True)])
+    probabilities = draw(keys=len(laws), samples=file.goal.scatter_samples)
+    return np.column_stack([law.values(u) for law, u in zip(laws, probabilities.T, strict=True)])

@@ -23,46 +23,64 @@ START = 0.5  # length that the search begins with [-]
 class Surrogate:
     """A fitted process: `mean` and `scale` of the values, in their unit; lengths [-]."""
 
-    places: Array  # shape (n, keys)
+    positions: Array  # shape (n, keys)
     mean: float
     scale: float
     lengths: Array  # shape (keys,)
     factor: Array  # of the covariance, lower
     weights: Array  # shape (n,)
 
-    def predict(self, places: Array) -> tuple[Array, Array]:
-        """Mean and standard deviation at places, shape (m, keys), in the unit of the values; that
-        of the number itself, without noise.
+    def predict(self, positions: Array) -> tuple[Array, Array]:
+        """Mean and standard deviation of the number itself, without noise.
+
+        Parameters
+        ----------
+        positions : Array
+            Positions in the unit cube, shape (m, keys) [-].
+
+        Returns
+        -------
+        mean
+            Mean, shape (m,), in the unit of the values.
+        deviation
+            Standard deviation, shape (m,), in the unit of the values.
         """
-        across = _matern(places, self.places, self.lengths)
+        across = _matern(positions, self.positions, self.lengths)
         mean = across @ self.weights
         solved = cho_solve((self.factor, True), across.T)
         variance = np.maximum(1.0 - np.einsum("ij,ji->i", across, solved), 0.0)
         return self.mean + self.scale * mean, self.scale * np.sqrt(variance)
 
 
-def fitted(places: Array, values: Array, noise: Array) -> Surrogate:
-    """The process through values, each with a standard deviation `noise` in its unit.
+def fitted(positions: Array, values: Array, noise: Array) -> Surrogate:
+    """Fit the process through values with known standard deviations.
 
     Parameters
     ----------
-    places : ndarray, shape (n, keys)
-        Of the unit cube [-].
-    values, noise : ndarray, shape (n,)
-        In one unit.
+    positions : Array
+        Positions in the unit cube, shape (n, keys) [-].
+    values : Array
+        Values, shape (n,).
+    noise : Array
+        Their standard deviations in the same unit, shape (n,).
+
+    Returns
+    -------
+    Surrogate
+        The process.
     """
     mean = float(values.mean())
     scale = float(values.std()) or 1.0
     scaled = (values - mean) / scale
     variances = (noise / scale) ** 2 + JITTER
     low, high = np.log(LENGTHS).tolist()
-    bounds = [(low, high)] * places.shape[1]
-    start = np.full(places.shape[1], np.log(START))
-    found = minimize(_minus_likelihood, start, (places, scaled, variances), bounds=bounds)
+    bounds = [(low, high)] * positions.shape[1]
+    start = np.full(positions.shape[1], np.log(START))
+    found = minimize(_minus_likelihood, start, (positions, scaled, variances), bounds=bounds)
     lengths = np.exp(found.x)
-    factor, _ = cho_factor(_covariance(places, lengths, variances), lower=True)
+    factor, _ = cho_factor(_covariance(positions, lengths, variances), lower=True)
     weights = cho_solve((factor, True), scaled)
-    return Surrogate(places, mean, scale, lengths, np.tril(factor), weights)
+    return Surrogate(positions, mean, scale, lengths, np.tril(factor), weights)
 
 
 def _matern(first: Array, second: Array, lengths: Array) -> Array:
@@ -71,12 +89,14 @@ def _matern(first: Array, second: Array, lengths: Array) -> Array:
     return (1.0 + distance + distance**2 / 3.0) * np.exp(-distance)
 
 
-def _covariance(places: Array, lengths: Array, variances: Array) -> Array:
-    return _matern(places, places, lengths) + np.diag(variances)
+def _covariance(positions: Array, lengths: Array, variances: Array) -> Array:
+    return _matern(positions, positions, lengths) + np.diag(variances)
 
 
-def _minus_likelihood(logarithms: Array, places: Array, values: Array, variances: Array) -> float:
+def _minus_likelihood(
+    logarithms: Array, positions: Array, values: Array, variances: Array
+) -> float:
     """Minus the logarithm of the marginal likelihood but for a constant."""
-    factor, _ = cho_factor(_covariance(places, np.exp(logarithms), variances), lower=True)
+    factor, _ = cho_factor(_covariance(positions, np.exp(logarithms), variances), lower=True)
     fit = 0.5 * values @ cho_solve((factor, True), values)
     return float(fit + np.log(np.diag(factor)).sum())

@@ -71,22 +71,34 @@ def run_case(
     filmed: OnFilmsSolved | None = None,
     equilibria: Equilibria | None = None,
 ) -> BearingResults:
-    """Solve the bearing and the film of its contacts; `Interrupted` on Ctrl-C, with the results
-    of the finished contacts.
+    """Solve a bearing: equilibrium, films of its contacts, torque, life.
 
     Parameters
     ----------
-    workers : int, optional
-        Contacts solved at a time [-]; as many as there are cores if left out.
-    progress : callable, optional
-        Called with the contacts done, the contacts in all, and a word on the state.
-    solve : callable, optional
-        Takes the place of the film model's own: a batch looks up what it has solved before.
-    filmed : callable, optional
-        Called with the results as far as films go, before friction; not where the torque decides
-        the temperature, and with it the films.
-    equilibria : Equilibria, optional
-        Those that are solved already, of other points of a batch; takes up that of the case.
+    case : Case
+        The bearing.
+    workers : int | None, optional
+        Contacts solved at a time [-]; None: as many as there are cores.
+    progress : Progress | None, optional
+        Called with contacts done, contacts in all, and a text.
+    solve : Solve | None, optional
+        Solver of one film in place of the film model's own: a batch reads what it has solved
+        before.
+    filmed : Filmed | None, optional
+        Called with the results up to the films, before friction; not where the torque decides the
+        temperature, and with it the films.
+    equilibria : Equilibria | None, optional
+        Equilibria solved before, of other points of a batch; that of the case is added.
+
+    Returns
+    -------
+    BearingResults
+        The results.
+
+    Raises
+    ------
+    Interrupted
+        On Ctrl-C, with the results of the finished contacts.
     """
     notify = progress or (lambda done, total, state: None)
     equilibria = equilibria or Equilibria()
@@ -164,7 +176,7 @@ def _run(
     equilibria: Equilibria,
     filmed: OnFilmsSolved | None = None,
 ) -> BearingResults:
-    """As `run_case`, at the temperature of the case."""
+    """Run a case at its temperature, as `run_case`."""
     notify(0, 1, "equilibrium of the bearing")
     start = perf_counter()
     case = _prepared(case, workers, notify, solve)
@@ -282,7 +294,7 @@ def _contacts(
 
 
 def _stopped_friction(*arguments: Any) -> dict[str, Any] | None:
-    """What `_friction` gives; None after Ctrl-C, so that the films are kept."""
+    """The result of `_friction`; None after Ctrl-C, so that the films are kept."""
     try:
         return interruptible(partial(_friction, *arguments))
     except KeyboardInterrupt:

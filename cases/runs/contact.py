@@ -39,9 +39,21 @@ NO_TOLERANCE = "ehl.tolerance: not used by finite elements, the film is solved o
 def run_contact(
     case: ContactCase, *, finite_element: bool = False, workers: int = 1
 ) -> ContactResults:
-    """Solve a single contact, by multigrid or by finite elements; times in the result are in [s].
+    """Solve a single contact, by multigrid or by finite elements.
 
-    A large contact is shared by as many threads as there are `workers` [-].
+    Parameters
+    ----------
+    case : ContactCase
+        The contact.
+    finite_element : bool, default False
+        True: finite elements.
+    workers : int, default 1
+        Threads that share a large contact [-].
+
+    Returns
+    -------
+    ContactResults
+        Film, traction and response; times in [s].
     """
     messages = (*case.warnings, *case.films.messages)
     start = perf_counter()
@@ -79,7 +91,7 @@ def run_contact(
 
 
 def _no_response(case: ContactCase, solution: ContactSolution) -> str:
-    """Why stiffness and damping are not computed; empty if they are."""
+    """Reason why stiffness and damping are not computed; empty if they are."""
     if not isinstance(case.conditions, ContactConditions):
         return "the case gives no lengths"
     if case.films.model is not FilmModel.NEWTONIAN:

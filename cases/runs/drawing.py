@@ -52,8 +52,12 @@ class Drawing:
         self._stopped = True
 
     def films(self, results: Any) -> None:
-        """Begin the pictures that need no more than the films; other parts of `results` may be
-        missing. `write` puts them in place.
+        """Begin the pictures that need no more than the films; `write` puts them in place.
+
+        Parameters
+        ----------
+        results : Any
+            The run, whose other parts may be missing.
         """
         # a process that was ended may still write to it
         place = TemporaryDirectory(ignore_cleanup_errors=True)
@@ -61,7 +65,20 @@ class Drawing:
         self._begin(results, self._ahead, (FILMS,))
 
     def write(self, results: Any, folder: Path) -> tuple[str, ...]:
-        """Write a run as `postprocess.write_results`, to the same files."""
+        """Write a run as `postprocess.write_results`, to the same files.
+
+        Parameters
+        ----------
+        results : Any
+            The run.
+        folder : Path
+            Folder of the results.
+
+        Returns
+        -------
+        tuple[str, ...]
+            Problems.
+        """
         rest = _Begun(TemporaryDirectory(dir=folder), folder)
         begun = [rest] if self._ahead is None else [self._ahead, rest]
         try:
@@ -129,7 +146,18 @@ class Drawing:
 
 @contextmanager
 def drawing_processes(*, ahead: bool) -> Iterator[Drawing]:
-    """Processes that draw; with `ahead` their libraries are loaded while the caller computes."""
+    """Processes that draw.
+
+    Parameters
+    ----------
+    ahead : bool
+        True: their libraries are loaded while the caller computes.
+
+    Yields
+    ------
+    Iterator[Drawing]
+        The processes.
+    """
     if ahead:
         start_fork_server(LOADED)
     workers = min(cores(), MOST_PROCESSES)
@@ -150,7 +178,7 @@ def _make(file: Path, folder: Path, part: tuple[str, int]) -> tuple[str, ...]:
 
 
 def _result(job: Future[tuple[str, ...]]) -> tuple[str, ...]:
-    """What a part left unwritten."""
+    """Problems of a part."""
     try:
         return job.result()
     except BrokenProcessPool:

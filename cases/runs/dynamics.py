@@ -11,39 +11,27 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any
 
-from bearing.dynamics.arrays import (
-    GIVEN_FORCE,
-    GIVEN_MOMENT,
-    GIVEN_PLACE,
-    INNER_SPEED,
-    OIL_VISCOSITY,
-    OUTER_SPEED,
-)
 from bearing.dynamics.bodies import cage_body, ring_body
-from bearing.dynamics.choices import Guidance, LoadType, NormalLaw, RaceStiffness, Start
-from bearing.dynamics.friction import RaceFriction, race_friction
-from bearing.dynamics.initial import starting_point
-from bearing.dynamics.inputs import (
-    CageBody,
-    DynamicsModel,
-    DynamicsOptions,
-    NormalContact,
-    RotatingLoad,
-    Schedule,
+from bearing.dynamics.choices import Guidance, LoadType, NormalLaw, RaceStiffness
+from bearing.dynamics.friction import RaceFriction
+from bearing.dynamics.inputs import CageBody, DynamicsModel, DynamicsOptions, NormalContact
+from bearing.dynamics.laws import race_stiffnesses
+from bearing.dynamics.model import (
+    CAGE_MATERIAL,
+    ball_drag,
+    cage_of_dimensions,
+    prescribed_schedule,
+    rotating_load,
+    viscosity_over_time,
+    with_race_friction,
 )
-from bearing.dynamics.laws import (
-    cage_drag_of_torque,
-    drag_of_force,
-    drag_of_mixture,
-    race_stiffnesses,
-)
-from bearing.dynamics.layout import RING_TILT
 from bearing.dynamics.restart import load_restart
 from bearing.dynamics.simulation import Simulation, simulation
 from bearing.dynamics.starts import other_start, settled
 from bearing.dynamics.statistics import RunningStatistics, SimulationStatistics
 from bearing.friction.sources import CoefficientTraction
 from bearing.geometry import Race
+from bearing.library.lubricants import dynamic_viscosity
 from ehl.traction.coefficient_kernels import COEFFICIENTS, RampedCoulomb
 from ehl.units import from_si
 from postprocess.dynamics.history import HistoryWriter
@@ -53,7 +41,7 @@ from ..format.case import Case, oil_of_file
 from ..format.dynamics import DynamicsTable, sample_interval, simulated_friction
 from ..format.fields import FREE_WORD
 from ..format.library import materials
-from ..format.over_time.programs import viscosity_table
+from ..format.over_time.programs import oil_data
 from ..format.problems import CaseError
 from ..format.shipped import table_path
 from ..format.traction import coefficient_source, read_race_tables
@@ -62,7 +50,6 @@ from .films import Progress
 from .interrupt import finish_first, interruptible
 from .traction_table import run_table
 
-CAGE_MATERIAL = "pa66"  # where a case names none
 DIMENSIONS = (
     "ball_diameter pitch_diameter inner_groove_radius outer_groove_radius diametral_clearance "
     "first_ball_azimuth bore outside_diameter width"
@@ -87,16 +74,27 @@ def run_dynamics(
     tables: Path | None = None,
     progress: Progress | None = None,
 ) -> DynamicsResults:
-    """Simulate a case, by its `name` in messages, the history streamed to a file.
+    """Simulate a case; the history is streamed to a file.
 
     Parameters
     ----------
-    restart : Path, optional
-        File of an interrupted simulation of the same case to go on from.
-    tables : Path, optional
+    case : Case
+        The bearing.
+    name : str
+        Name of the case in messages.
+    history : Path
+        File of the history.
+    restart : Path | None, optional
+        File of an interrupted simulation of the same case to continue from.
+    tables : Path | None, optional
         Traction tables from `oilfilm table`, instead of new ones.
-    progress : callable, optional
-        Called with milliseconds done, milliseconds in all, and the time still to go.
+    progress : Progress | None, optional
+        Called with milliseconds done, milliseconds in all, and the time left.
+
+    Returns
+    -------
+    DynamicsResults
+        The simulation and its statistics.
 
     Raises
     ------
@@ -137,12 +135,23 @@ def _table(case: Case, name: str) -> DynamicsTable:
 
 
 def case_key(case: Case) -> str:
-    """The case as run in one line, by which a restart file knows it."""
+    """The case as run in one line, by which a restart file identifies it.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+
+    Returns
+    -------
+    str
+        JSON of its document.
+    """
     return json.dumps(case.document, sort_keys=True)
 
 
 def _teller(run: Simulation, notify: Progress) -> Callable[[], None]:
-    """What tells how far a simulation is, and how long it will take by its pace so far."""
+    """A function that reports the progress of a simulation and the time left."""
     began = perf_counter()
     end = run.model.options.end_time
     first = run.state.time
@@ -212,7 +221,7 @@ def _with_other_starts(case: Case, results: DynamicsResults) -> DynamicsResults:
 
 
 def _attributes(case: Case) -> dict[str, str | float]:
-    """Of the history: what it is of, and the dimensions a picture of it needs [m], [rad]."""
+    """Attributes of the history: its case, and the dimensions a picture of it needs [m], [rad]."""
     given = {"oilfilm": version(), "case": case_key(case), "title": case.title}
     dimensions = {name: getattr(case.bearing, name) for name in DIMENSIONS}
     return given | {name: float(v) for name, v in dimensions.items() if v is not None}
@@ -227,27 +236,57 @@ def _assumed(model: DynamicsModel) -> tuple[str, ...]:
 
 
 def build_model(case: Case, tables: Path | None, notify: Progress) -> DynamicsModel:
-    """Model of the simulation from a case: options, ring, cage, contact laws, friction, schedule
-    [SI].
+    """Model of the simulation: options, ring, cage, contact laws, friction, schedule.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing, with a table [dynamics].
+    tables : Path | None
+        File of traction tables; None: that of the case, or new ones.
+    notify : Progress
+        Called with steps done, steps in all, and a text, while tables are built.
+
+    Returns
+    -------
+    DynamicsModel
+        The model, SI.
+
+    Raises
+    ------
+    ValueError
+        If the case cannot be simulated.
     """
     table = case.file.dynamics
     assert table is not None  # checked before
     si = table.si()
     notes: dict[str, str] = {}
+    bearing = case.bearing
+    operation = case.operation
     unbalance = (si["unbalance"], si["unbalance_phase"])
+    load = (si["rotating_load"], si["rotating_load_speed"], si["rotating_load_phase"])
     model = DynamicsModel(
         options=_options(case, table),
-        ring=ring_body(case.bearing, si["ring_mass"], si["ring_damping"], unbalance),
+        ring=ring_body(bearing, si["ring_mass"], si["ring_damping"], unbalance),
         friction=RaceFriction(),
         cage=_cage(case, notes),
         normal=NormalContact(
             law=NormalLaw(table.contact_law),
             restitution=table.restitution,
             impact_floor=si["impact_speed_floor"],
-            **race_stiffnesses(case.bearing, RaceStiffness(table.race_stiffness)),
+            **race_stiffnesses(bearing, RaceStiffness(table.race_stiffness)),
         ),
-        schedule=_schedule(case, si, notes),
-        rotating=_rotating(case, si),
+        schedule=prescribed_schedule(
+            operation,
+            inner_speed=si["speed_table"],
+            outer_speed=si["outer_speed_table"],
+            force=si["load_table"],
+            moment=si["moment_table"],
+            displacement=_displacements(si["displacement_table"]),
+            tilt=_displacements(si["tilt_table"]),
+            viscosity=_viscosities(case, si["temperature_table"], notes),
+        ),
+        rotating=rotating_load(operation, *load),
         film_viscosity=case.lubricant.viscosity if table.cage_film else 0.0,
         friction_ramp=si["cage_friction_ramp"],
         ball_friction=table.ball_on_ball_friction,
@@ -260,26 +299,10 @@ def build_model(case: Case, tables: Path | None, notify: Progress) -> DynamicsMo
         )
     if table.ball_drag_N and not model.options.drag:
         notes["drag"] = "nothing turns, and ball_drag_N has no speed to count at: no drag"
-    return replace(model, friction=_friction(case, table, model, (tables, notify)))
+    return _with_friction(case, table, model, tables, notify)
 
 
-def _schedule(case: Case, si: dict[str, Any], notes: dict[str, str]) -> Schedule | None:
-    """Speeds, loads, places of a ring that is held, and viscosity over time."""
-    return Schedule.from_tables(
-        case.operation,
-        {
-            INNER_SPEED: si["speed_table"],
-            OUTER_SPEED: si["outer_speed_table"],
-            GIVEN_FORCE: si["load_table"],
-            GIVEN_MOMENT: si["moment_table"],
-            GIVEN_PLACE: _places(si["displacement_table"]),
-            GIVEN_PLACE + RING_TILT: _places(si["tilt_table"]),
-            OIL_VISCOSITY: _viscosities(case, si["temperature_table"], notes),
-        },
-    )
-
-
-def _places(table: tuple[Any, ...] | None) -> list[list[float]] | None:
+def _displacements(table: tuple[Any, ...] | None) -> list[list[float]] | None:
     """Rows of a table of displacements; zero where the load decides."""
     if table is None:
         return None
@@ -292,7 +315,9 @@ def _viscosities(
     """Viscosity of the oil in pockets and lands over that of the case, by its temperature."""
     if table is None:
         return None
-    rows = viscosity_table(table, oil_of_file(case.file), case.lubricant.viscosity)
+    data = oil_data(oil_of_file(case.file))
+    assert data is not None  # checked before
+    rows = viscosity_over_time(table, partial(dynamic_viscosity, data), case.lubricant.viscosity)
     ends = [case.lubricant.viscosity * pick(row[1] for row in rows) for pick in (min, max)]
     low, high = (from_si("viscosity_mPa_s", value) for value in ends)
     notes["temperature"] = (
@@ -302,35 +327,14 @@ def _viscosities(
     return rows
 
 
-def _rotating(case: Case, si: dict[str, Any]) -> RotatingLoad | None:
-    """The load that goes round."""
-    if si["rotating_load"] is None:
-        return None
-    speed = si["rotating_load_speed"]
-    return RotatingLoad(
-        force=si["rotating_load"],
-        speed=case.operation.inner_speed if speed is None else speed,
-        phase=si["rotating_load_phase"],
-    )
-
-
 def _options(case: Case, table: DynamicsTable) -> DynamicsOptions:
     si = table.si()
-    drag = 0.0
-    if si["mixture_density"] is not None:
-        drag = drag_of_mixture(
-            si["mixture_density"], case.bearing.ball_diameter, table.drag_coefficient
-        )
-    elif si["ball_drag"]:
-        drag = drag_of_force(case.bearing, case.operation, si["ball_drag"])
-    return DynamicsOptions(
-        end_time=si["end_time"],
+    drag = (si["ball_drag"], si["mixture_density"], table.drag_coefficient)
+    return table.build(
+        DynamicsOptions,
         sample_interval=sample_interval(table),
-        start=Start(table.start),
         equations=None if table.equations == "by load" else LoadType(table.equations),
-        tolerance=table.tolerance,
-        gravity=si["gravity"],
-        drag=drag,
+        drag=ball_drag(case.bearing, case.operation, *drag),
     )
 
 
@@ -344,22 +348,19 @@ def _cage(case: Case, notes: dict[str, str]) -> CageBody | None:
     table = case.file.cage
     if table is None:
         return cage_body(case.bearing, material)
-    given = {name: value for name, value in table.si().items() if value is not None}
-    guidance = Guidance(given.pop("guided_by"))
-    if given["drag"]:
-        given["drag"] = cage_drag_of_torque(case.bearing, case.operation, given["drag"])
-    return cage_body(
-        case.bearing, material, **{"pocket_friction": 0.0, **given}, guidance=guidance
-    )
+    dimensions = table.si()
+    guidance = Guidance(dimensions.pop("guided_by"))
+    return cage_of_dimensions(case.bearing, case.operation, material, dimensions, guidance)
 
 
-def _friction(
-    case: Case, table: DynamicsTable, model: DynamicsModel, source: tuple[Path | None, Progress]
-) -> RaceFriction:
+def _with_friction(
+    case: Case, table: DynamicsTable, model: DynamicsModel, tables: Path | None, notify: Progress
+) -> DynamicsModel:
+    """The model with the friction of balls on races that [dynamics] names."""
     if table.friction == "none":
-        return RaceFriction()
+        return model
     if table.friction == "table":
-        return _tables(case, *source)
+        return replace(model, friction=_tables(case, tables, notify))
     constants = simulated_friction(case.file.friction)
     law = coefficient_source(table.friction, constants)
     if law is None:
@@ -367,9 +368,8 @@ def _friction(
         full = table.friction_full_m_s
         mu = constants["coefficient"]
         law = CoefficientTraction(RampedCoulomb(friction=mu, slide_none=none, slide_full=full))
-    angles = starting_point(case.bearing, case.operation, model).angles
     at_centre = table.friction_on == "centre"
-    return race_friction(law, case.bearing, angles, at_centre=at_centre)
+    return with_race_friction(model, case.bearing, case.operation, law, at_centre=at_centre)
 
 
 def _tables(case: Case, path: Path | None, notify: Progress) -> RaceFriction:

@@ -13,7 +13,20 @@ from ..format.problems import CaseError
 
 
 def export_meshes(directory: Path, file: Path) -> tuple[Path, ...]:
-    """Write films as a mesh, and the elements of a coating beside it; the files."""
+    """Write films as a mesh, and the elements of a coating beside it.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the results.
+    file : Path
+        File of the mesh.
+
+    Returns
+    -------
+    tuple[Path, ...]
+        The files written.
+    """
     return export_results(directory, file, _coating(directory))
 
 

@@ -235,10 +235,9 @@ def heating_problem(
 def _start_of_search(
     case: Case, given: HeatingInput, reported: ReportedTorque | None, equilibria: Equilibria | None
 ) -> dict[str, Any]:
-    """Where the search begins: at the equilibrium of the case where temperature leaves that as it
-    is; at that of a run, whose contacts count where they are not
-    those of finite bodies. A run at the temperature that was found for it only asks whether that
-    is one.
+    """Start of the search: the equilibrium of the case where temperature leaves that unchanged, so
+    that a process solves it once; that of a run, whose contacts count where they are not those of
+    finite bodies. A run at the temperature of its balance only asks whether that is one.
     """
     if reported is None:
         same = given.reference is None and without_traction_equilibrium(case.model) is case.model
@@ -340,7 +339,7 @@ def _reported_heat(case: Case, given: HeatingInput, reported: ReportedTorque) ->
 
 
 def _inlet(case: Case, state: QuasistaticSolution, oil: Lubricant) -> InletFactors:
-    """What inlet heating and replenishment leave of the rolling moment with an oil [-]."""
+    """Factors of inlet heating and replenishment on the rolling moment with an oil [-]."""
     assert case.friction is not None  # of every bearing case
     return inlet_factors(
         state.bearing,
@@ -360,7 +359,7 @@ def _formula_heat(
     contacts: Contacts,
     oil: Lubricant,
 ) -> FrictionHeat:
-    """Of films of formulas [W], without seals."""
+    """Heat of films of formulas [W], without seals."""
     inlet = _inlet(case, state, oil)
     return films.heat(state, contacts, oil, given.rheology(oil), inlet)
 

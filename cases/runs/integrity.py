@@ -1,4 +1,4 @@
-"""Whether files of results are as they were written: a digest of each stands beside them."""
+"""Integrity of files of results: a digest of each stands beside them."""
 
 import json
 from collections.abc import Iterable
@@ -12,13 +12,32 @@ PIECE = 2**20  # read at a time [bytes]
 
 
 def write_digests(folder: Path, names: Iterable[str]) -> None:
-    """Record the digests of files by their names in the folder."""
+    """Record the digests of files.
+
+    Parameters
+    ----------
+    folder : Path
+        Folder of the results.
+    names : Iterable[str]
+        Names of the files in it.
+    """
     digests = {name: file_digest(folder / name) for name in sorted(names)}
     write_bytes(folder / DIGESTS, json.dumps(digests, indent=1).encode())
 
 
 def file_digest(path: Path) -> str:
-    """Hash of the content of a file."""
+    """Hash of the content of a file.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+
+    Returns
+    -------
+    str
+        Hexadecimal digits.
+    """
     known = sha256()
     with path.open("rb") as file:
         while piece := file.read(PIECE):
@@ -27,7 +46,18 @@ def file_digest(path: Path) -> str:
 
 
 def damaged_files(folder: Path) -> list[Path]:
-    """Files that are not as they were written, or gone; none where there are no digests."""
+    """Files that have changed since they were written, or are missing.
+
+    Parameters
+    ----------
+    folder : Path
+        Folder of the results.
+
+    Returns
+    -------
+    list[Path]
+        The files; none where there are no digests.
+    """
     try:
         digests = json.loads((folder / DIGESTS).read_text(encoding="utf-8"))
         recorded = [(folder / name, digest) for name, digest in digests.items()]

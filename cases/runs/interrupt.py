@@ -22,14 +22,33 @@ PATIENCE = 1.4  # from a signal to the end of a program that does not answer it 
 LOOK = 0.05  # from one look to the next [s]
 
 
-def say(text: str) -> None:
-    """A message to the user; lost without harm where nobody takes it."""
+def print_message(text: str) -> None:
+    """Print a message on standard error; it is lost where nobody reads it.
+
+    Parameters
+    ----------
+    text : str
+        The message.
+    """
     with suppress(OSError, ValueError):
         print(text, file=sys.stderr, flush=True)  # noqa: T201
 
 
 def interrupt(_number: int, _frame: FrameType | None) -> None:
-    """A handler of signals that interrupts as Ctrl-C does."""
+    """Interrupt as Ctrl-C does; a handler of signals.
+
+    Parameters
+    ----------
+    _number : int
+        Number of the signal.
+    _frame : FrameType | None
+        Interrupted frame.
+
+    Raises
+    ------
+    KeyboardInterrupt
+        Always.
+    """
     raise KeyboardInterrupt
 
 
@@ -45,16 +64,26 @@ class _Postponed:
         self.signals += 1
         if self.signals > 1:
             raise KeyboardInterrupt
-        say(f"oilfilm: finishing first: {self.what}")
+        print_message(f"oilfilm: finishing first: {self.what}")
         if self.hurry is not None:
             self.hurry()
 
 
 @contextmanager
 def finish_first(what: str, hurry: Callable[[], None] | None = None) -> Iterator[None]:
-    """Obey an interrupt only when the work inside is done; a second one is obeyed at once.
+    """Delay an interrupt until the work inside is done; a second one is obeyed at once.
 
-    `hurry` is called at the first, to leave out what can be left out.
+    Parameters
+    ----------
+    what : str
+        Description of the work for the message.
+    hurry : Callable[[], None] | None, optional
+        Called at the first interrupt, to leave out what can be left out.
+
+    Raises
+    ------
+    KeyboardInterrupt
+        After the work, if there was an interrupt.
     """
     if threading.current_thread() is not threading.main_thread():
         yield
@@ -71,9 +100,26 @@ def finish_first(what: str, hurry: Callable[[], None] | None = None) -> Iterator
 
 
 def interruptible(work: Callable[[], T], meanwhile: Callable[[], None] | None = None) -> T:
-    """The result of work that a thread does; KeyboardInterrupt at once, also while it runs
-    compiled code, and the thread goes on until the program ends. `meanwhile` is called now and
-    then.
+    """Do work in a thread, so that an interrupt is obeyed also while it runs compiled code.
+
+    After an interrupt the thread continues until the program ends.
+
+    Parameters
+    ----------
+    work : Callable[[], T]
+        The work.
+    meanwhile : Callable[[], None] | None, optional
+        Called now and then.
+
+    Returns
+    -------
+    T
+        Result of the work.
+
+    Raises
+    ------
+    KeyboardInterrupt
+        At an interrupt, at once.
     """
     if threading.current_thread() is not threading.main_thread():
         return work()
@@ -92,18 +138,27 @@ def interruptible(work: Callable[[], T], meanwhile: Callable[[], None] | None = 
     return future.result()
 
 
-def end_unless_obeyed(code: int) -> Callable[[], bool]:
-    """End the program, with a code, where it does not end within `PATIENCE` of a signal: it is in
-    compiled code, or waits for a process. Work that is to finish first has its time.
+def end_after_signal(code: int) -> Callable[[], bool]:
+    """End the program where it does not end within `PATIENCE` of a signal.
 
-    The answer tells whether a signal came, also one of this very moment.
+    It then runs compiled code, or waits for a process. Work that is to finish first has its time.
+
+    Parameters
+    ----------
+    code : int
+        Exit code.
+
+    Returns
+    -------
+    Callable[[], bool]
+        Function that tells whether a signal has come, also one of this very moment.
     """
     reader, writer = socket.socketpair()
     writer.setblocking(False)
     signal.set_wakeup_fd(writer.fileno(), warn_on_full_buffer=False)
     came = threading.Event()
     lost = threading.Event()
-    _be_quiet_after(came, lost)
+    _silence_after(came, lost)
 
     def watch() -> None:
         with writer:  # open as long as this thread
@@ -117,14 +172,14 @@ def end_unless_obeyed(code: int) -> Callable[[], bool]:
                 if lost.is_set():
                     lost.clear()
                     _thread.interrupt_main()
-            say("oilfilm: interrupted")
+            print_message("oilfilm: interrupted")
             end_now(code)
 
     threading.Thread(target=watch, daemon=True).start()
     return lambda: came.wait(LOOK)  # the thread that sees it may not have run yet
 
 
-def _be_quiet_after(came: threading.Event, lost: threading.Event) -> None:
+def _silence_after(came: threading.Event, lost: threading.Event) -> None:
     """After a signal (`came`) say nothing of finalizers and threads that fail: their objects may
     be half built, their work given up.
 
@@ -147,14 +202,20 @@ def _be_quiet_after(came: threading.Event, lost: threading.Event) -> None:
 
 
 def _finishing() -> bool:
-    """Whether work is under way that an interrupt lets finish."""
+    """Tell whether work is under way that an interrupt lets finish."""
     handler = signal.getsignal(signal.SIGINT)
     return isinstance(handler, _Postponed) and handler.signals < 2
 
 
 def end_now(code: int) -> None:
-    """End the program and its worker processes without waiting for work under way; what is to be
-    cleaned up at its end is.
+    """End the program and its worker processes without waiting for unfinished work.
+
+    Functions registered for the end of the program are called.
+
+    Parameters
+    ----------
+    code : int
+        Exit code.
     """
     processes = sys.modules.get("multiprocessing")
     for process in [] if processes is None else processes.active_children():
@@ -169,7 +230,7 @@ def end_now(code: int) -> None:
 
 
 def _clean_up() -> None:
-    """What the program would do at its end: remove temporary folders."""
+    """Remove temporary folders, as the program would at its end."""
     import atexit
 
     with suppress(BaseException):

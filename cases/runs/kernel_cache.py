@@ -1,4 +1,4 @@
-"""Where compiled kernels are kept when installation and home cannot be written."""
+"""Folders for compiled kernels when installation and home cannot be written."""
 
 import hashlib
 import os
@@ -33,11 +33,20 @@ def ensure_kernel_cache() -> None:
 
 
 def compiled_stamp(kind: str) -> Path | None:
-    """File that stands where the kernels for a kind of work are known to be compiled; None if
-    there is no place for it.
+    """File that exists where the kernels for a kind of work are compiled.
 
-    Its name holds a digest of the kernels' sources and of what compiles them; it lies where numba
-    keeps its own files or, failing that, in the user's cache.
+    Its name holds a digest of the kernels' sources and of their compiler; it lies where numba
+    writes its own files or, failing that, in the user's cache.
+
+    Parameters
+    ----------
+    kind : str
+        Kind of work.
+
+    Returns
+    -------
+    Path | None
+        The file; None if there is no folder for it.
     """
     package = _package()
     if package is None:
@@ -80,7 +89,7 @@ def _user_cache() -> Path:
 
 
 def _writable(folder: Path) -> bool:
-    """Whether a file can be made; permission bits are not enough (read-only systems, root)."""
+    """Tell whether a file can be made; permission bits may mislead (read-only systems, root)."""
     try:
         with tempfile.TemporaryFile(dir=folder):
             return True

@@ -11,7 +11,7 @@ from bearing.rating.life import bearing_life
 from bearing.torque.breakdown import torque_breakdown
 from bearing.torque.integrated import films_torque
 
-from ..format.case import Case, LoadCaseInput, own_notes
+from ..format.case import Case, LoadCaseInput, new_notes
 from .equilibrium import Equilibria, case_equilibrium, without_traction_equilibrium
 from .films import Progress
 from .heating import at_its_temperature
@@ -25,10 +25,24 @@ HALF_AND_HALF = (
 def solve_load_cases(
     case: Case, notify: Progress, equilibria: Equilibria | None = None
 ) -> DutyCycle | None:
-    """Life, torque and energy over the duty cycle of a case; None where it has none.
+    """Life, torque and energy over the duty cycle of a case.
 
     Every state has its own equilibrium, clearance and oil; its torque is that of films of
     formulas.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    notify : Progress
+        Called with states done, states in all, and a text.
+    equilibria : Equilibria | None, optional
+        Equilibria solved before.
+
+    Returns
+    -------
+    DutyCycle | None
+        The duty cycle; None where the case has none.
     """
     if not case.load_cases:
         return None
@@ -43,7 +57,7 @@ def solve_load_cases(
 def _load_case(state: LoadCaseInput, known: tuple[str, ...], equilibria: Equilibria) -> LoadCase:
     """One state, with the messages that are not `known`, those of [operation]."""
     case = at_its_temperature(state.case, equilibria=equilibria)
-    messages = own_notes(case.warnings, known)
+    messages = new_notes(case.warnings, known)
     if case.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
         case = replace(case, model=without_traction_equilibrium(case.model))
         messages.append(HALF_AND_HALF)

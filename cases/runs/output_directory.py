@@ -20,7 +20,18 @@ LAST = "summary.json"
 
 
 def check_output(directory: Path) -> None:
-    """Whether results can be written to `directory`; `CaseError` before computing if not."""
+    """Check that results can be written.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the results.
+
+    Raises
+    ------
+    CaseError
+        If they cannot.
+    """
     if directory.exists() and not directory.is_dir():
         allowed = "allowed with -o: a new directory, or one of results"
         raise CaseError(f"{directory}: is not a directory; {allowed}")
@@ -36,15 +47,35 @@ def check_output(directory: Path) -> None:
 
 
 def check_replaceable(directory: Path) -> None:
-    """Whether a new result may take the place of what is in `directory`; `CaseError` before
-    computing if what stands there is not ours.
+    """Check that a new result may replace the content of a folder.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the results.
+
+    Raises
+    ------
+    CaseError
+        If a file of somebody else is in the way.
     """
     ours = _earlier_files(directory)
     _check_foreign(directory, [LAST, MANIFEST, DIGESTS, *ours], [*ours, MANIFEST, DIGESTS])
 
 
 def check_file(file: Path) -> None:
-    """Whether a file can be written; `CaseError` before computing if not."""
+    """Check that a file can be written.
+
+    Parameters
+    ----------
+    file : Path
+        The file.
+
+    Raises
+    ------
+    CaseError
+        If it cannot.
+    """
     if file.is_dir():
         raise CaseError(f"{file}: is a directory; allowed: a file")
     try:
@@ -56,11 +87,26 @@ def check_file(file: Path) -> None:
 
 
 def save(write: Callable[[Path], tuple[str, ...]], directory: Path) -> tuple[str, ...]:
-    """Have `write` fill a temporary folder, and put it in place of `directory` when it is
-    complete; what `write` returned.
+    """Fill a temporary folder, and move it to its name when it is complete.
 
-    Files of an earlier result in `directory` are replaced and all others stay; `CaseError` if a
-    file that is not ours has the name of one of the new files.
+    Files of an earlier result are replaced, all others stay.
+
+    Parameters
+    ----------
+    write : Callable[[Path], tuple[str, ...]]
+        Writes all files into a folder, and returns problems.
+    directory : Path
+        Folder of the results.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Problems.
+
+    Raises
+    ------
+    CaseError
+        If a file of somebody else has the name of a new file.
     """
     directory = directory.absolute()
     directory.parent.mkdir(parents=True, exist_ok=True)
@@ -118,7 +164,15 @@ def _check_foreign(directory: Path, names: list[str], ours: list[str]) -> None:
 
 
 def add_to_manifest(directory: Path, name: str) -> None:
-    """Record a file derived from results, so that a later run removes it with them."""
+    """Record a file derived from results, so that a later run removes it with them.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the results.
+    name : str
+        Name of the file in it.
+    """
     earlier = _earlier_files(directory)
     if earlier and name not in earlier:
         _write_manifest(directory, [*earlier, name])

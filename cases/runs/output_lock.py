@@ -31,9 +31,19 @@ TEMPORARY = ".partial"  # end of the name of a folder that is being written
 
 @contextmanager
 def one_writer(target: Path, *, shared: bool = False) -> Iterator[None]:
-    """Hold a folder or a file against other programs; `CaseError` if one writes it already.
+    """Lock a folder or a file against other programs.
 
-    `shared`: against those only that want it for themselves.
+    Parameters
+    ----------
+    target : Path
+        The folder or file.
+    shared : bool, default False
+        True: only against programs that want it for themselves.
+
+    Raises
+    ------
+    CaseError
+        If another program writes it already.
     """
     target = target.absolute()
     lock = home(target) / f".{target.name}.lock"
@@ -46,7 +56,7 @@ def one_writer(target: Path, *, shared: bool = False) -> Iterator[None]:
     atexit.register(release)  # also where the program ends in the middle of the work
     try:
         if not shared:
-            sweep_left_over(target)
+            remove_leftovers(target)
         yield
     finally:
         atexit.unregister(release)
@@ -61,14 +71,31 @@ def _release(lock: Path, handle: int) -> None:
 
 
 def home(target: Path) -> Path:
-    """Where temporary files of a target lie: beside it, or in it where that cannot be written."""
+    """Folder for temporary files of a target: beside it, or in it where that cannot be written.
+
+    Parameters
+    ----------
+    target : Path
+        The folder or file.
+
+    Returns
+    -------
+    Path
+        The folder.
+    """
     target = target.absolute()
     inside = target.is_dir() and not os.access(target.parent, os.W_OK)
     return target if inside else target.parent
 
 
-def sweep_left_over(target: Path) -> None:
-    """Remove temporary folders and files of writers that were killed."""
+def remove_leftovers(target: Path) -> None:
+    """Remove temporary folders and files of writers that were killed.
+
+    Parameters
+    ----------
+    target : Path
+        The folder or file.
+    """
     target = target.absolute()
     for folder in home(target).glob(f".{target.name}-*{TEMPORARY}"):
         shutil.rmtree(folder, ignore_errors=True)

@@ -46,7 +46,7 @@ def one_thread() -> None:
 
 
 def has_fork_server() -> bool:
-    """Whether processes are copied from a prepared one; libraries of macOS do not bear it."""
+    """Tell whether processes are copied from a prepared one; macOS does not support it."""
     return FORK_SERVER in get_all_start_methods() and sys.platform != "darwin"
 
 
@@ -65,8 +65,14 @@ def own_packages() -> dict[str, str]:
 
 
 def start_fork_server(modules: Sequence[str]) -> None:
-    """Begin to load modules for worker processes, in a process of one thread from which they are
-    copied; Ctrl-C is left to this process. Only the first call in a program has an effect.
+    """Begin to load modules in a process of one thread from which worker processes are copied.
+
+    Ctrl-C is left to this process. Only the first call in a program has an effect.
+
+    Parameters
+    ----------
+    modules : Sequence[str]
+        Names of the modules.
     """
     if not has_fork_server():
         return
@@ -89,7 +95,15 @@ def start_fork_server(modules: Sequence[str]) -> None:
 
 @contextmanager
 def fork_server(modules: Sequence[str], *, wanted: bool = True) -> Iterator[None]:
-    """As `start_fork_server`, if it is wanted; the process ends with what is done inside."""
+    """Start the fork server for the work inside, and end it afterwards.
+
+    Parameters
+    ----------
+    modules : Sequence[str]
+        Names of the modules to load.
+    wanted : bool, default True
+        False: nothing is started.
+    """
     if wanted:
         start_fork_server(modules)
     try:
@@ -128,7 +142,13 @@ def _end_with(sentinel: Any) -> None:
 
 
 def end_workers(others: Set[BaseProcess]) -> None:
-    """End the workers of this process, but those that others have started, whatever they do."""
+    """End the worker processes of this process, whatever they do.
+
+    Parameters
+    ----------
+    others : Set[BaseProcess]
+        Processes that somebody else has started.
+    """
     ended = set(active_children()) - others
     for process in ended:
         process.terminate()

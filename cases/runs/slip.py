@@ -38,12 +38,28 @@ PRINTED_FORCE = {"half centrifugal force": 0.5}
 def run_slip(
     case: Case, name: str, workers: int | None = None, progress: Progress | None = None
 ) -> SlipResults:
-    """Slip factors at the case's own operation, over speed and axial load, critical curves, and
-    minimum preloads.
+    """Slip factors over speed and axial load, critical curves, and minimum preloads.
 
-    `CaseError` if the case, by its `name`, has no [slip], or prescribes a displacement where the
-    maps vary the load. Workers are processes [-], as many as there are cores if left out; with 1
-    nothing is started. The progress is called with rows done, rows in all, and the stage.
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    name : str
+        Name of the case in messages.
+    workers : int | None, optional
+        Processes [-]; None: as many as there are cores; 1: none is started.
+    progress : Progress | None, optional
+        Called with rows done, rows in all, and the stage.
+
+    Returns
+    -------
+    SlipResults
+        Maps and preloads.
+
+    Raises
+    ------
+    CaseError
+        If the case has no [slip], or prescribes a displacement where the maps vary the load.
     """
     start = perf_counter()
     study, table = _study(case, name)

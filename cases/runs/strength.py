@@ -13,6 +13,16 @@ from ..format.case import Case
 def case_strength(case: Case) -> Strength:
     """Hoop tension of the rings; of a brittle inner ring on a shaft also over temperature and
     speed.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+
+    Returns
+    -------
+    Strength
+        Tensions and strengths.
     """
     rings = ring_strengths(case.bearing, case.operation, case.clearance)
     seats = case.seats
@@ -28,7 +38,22 @@ def contact_tensions(
     solutions: Sequence[ContactSolution | None],
     tractions: Sequence[ContactTraction | None],
 ) -> tuple[SurfaceTension | None, ...]:
-    """Tension in the surfaces of the contacts that have films and a brittle body."""
+    """Tension in the surfaces of the contacts that have films and a brittle body.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    solutions : Sequence[ContactSolution | None]
+        Solved films of the contacts.
+    tractions : Sequence[ContactTraction | None]
+        Shear of the contacts.
+
+    Returns
+    -------
+    tuple[SurfaceTension | None, ...]
+        The tensions; None without film or brittle body.
+    """
     if case.rheology is None:
         return ()
     rings = ring_strengths(case.bearing, case.operation, case.clearance)

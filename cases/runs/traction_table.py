@@ -44,8 +44,19 @@ class TemperatureAxis:
 
 
 def temperature_axis(name: str, text: str) -> TemperatureAxis:
-    """The axis that `--temperatures` asks for, in degrees Celsius with commas, with the oil of a
-    case by its name.
+    """The temperatures of `--temperatures`, with the oil at each.
+
+    Parameters
+    ----------
+    name : str
+        File or name of the case.
+    text : str
+        Temperatures with commas [degrees Celsius].
+
+    Returns
+    -------
+    TemperatureAxis
+        Temperatures [K], and the oil over temperature.
 
     Raises
     ------
@@ -95,7 +106,27 @@ class TableWish:
     speeds: tuple[float, float] | None = None  # of entrainment [m/s]
 
     def options(self, points: int, workers: int | None, sample: FilmSampler) -> TableOptions:
-        """How to build it; a coarse one begins with fewer nodes."""
+        """Options of the table; a coarse one begins with fewer nodes.
+
+        Parameters
+        ----------
+        points : int
+            Nodes of each film along x [-].
+        workers : int | None
+            Films solved at a time [-]; None: as many as there are cores.
+        sample : FilmSampler
+            Sampler of the films.
+
+        Returns
+        -------
+        TableOptions
+            The options.
+
+        Raises
+        ------
+        CaseError
+            If the tolerance is out of range.
+        """
         if not 0.0 < self.tolerance < 1.0:
             raise CaseError(f"--tolerance: {self.tolerance} must lie between 0 and 1")
         nodes = COARSE_NODES if self.tolerance >= COARSE else None
@@ -108,12 +139,41 @@ class TableWish:
         )
 
     def limits(self, usual: TableRange) -> TableRange:
-        """The range around a case, with the loads [N] and speeds [m/s] that were asked for."""
+        """The range around a case, with the loads and speeds that were asked for.
+
+        Parameters
+        ----------
+        usual : TableRange
+            The range of the case.
+
+        Returns
+        -------
+        TableRange
+            Range of loads [N] and speeds [m/s].
+        """
         return replace(usual, load=self.loads or usual.load, speed=self.speeds or usual.speed)
 
 
 def span(option: str, text: str | None) -> tuple[float, float] | None:
-    """Two rising positive numbers of an option, `CaseError` for others; None without it [-]."""
+    """The two rising positive numbers of an option.
+
+    Parameters
+    ----------
+    option : str
+        Name of the option.
+    text : str | None
+        Its value, where it is given.
+
+    Returns
+    -------
+    tuple[float, float] | None
+        The numbers; None without the option.
+
+    Raises
+    ------
+    CaseError
+        If they are something else.
+    """
     if text is None:
         return None
     try:
@@ -126,14 +186,36 @@ def span(option: str, text: str | None) -> tuple[float, float] | None:
 
 
 def asked_films(case: Case, solve: FilmSampler = film_sample) -> FilmSampler:
-    """Sampler of a case's tables: of solved films, or of the atlas's where the case asks for
-    them.
+    """Sampler of the films of a case's tables: solved, or of the film atlas.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    solve : FilmSampler, default film_sample
+        Sampler of solved films.
+
+    Returns
+    -------
+    FilmSampler
+        The sampler.
     """
     return atlas_sampler(solve) if films_of_atlas(case) else solve
 
 
 def films_of_atlas(case: Case) -> bool:
-    """Whether a case asks for tables of the atlas's films."""
+    """Tell whether a case asks for tables of films of the atlas.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+
+    Returns
+    -------
+    bool
+        True if it does.
+    """
     return case.file.friction.table_films == "atlas"
 
 
@@ -146,11 +228,36 @@ def run_table(
     sample: FilmSampler = film_sample,
     wish: TableWish | None = None,
 ) -> TractionResults:
-    """Traction tables of a case, films on `points` nodes along x, `workers` at a time, each by
-    `sample`; times in [s].
+    """Traction tables of a case.
 
-    With temperatures, the tables that summary and plots are of are those at the case's own, or the
-    nearest.
+    With temperatures, summary and plots are of the tables at the case's own, or the nearest.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    points : int, default 257
+        Nodes of each film along x [-].
+    workers : int | None, optional
+        Films solved at a time [-]; None: as many as there are cores.
+    progress : Progress | None, optional
+        Called with films done, films planned so far, and a text.
+    over : TemperatureAxis | None, optional
+        Temperatures of the oil; None: that of the case.
+    sample : FilmSampler, default film_sample
+        Sampler of the films.
+    wish : TableWish | None, optional
+        Accuracy and range; None: those of the case.
+
+    Returns
+    -------
+    TractionResults
+        Tables of both races; times in [s].
+
+    Raises
+    ------
+    CaseError
+        If there is no equilibrium, or a table cannot be built.
     """
     try:
         SolverOptions(points=points)
@@ -192,7 +299,22 @@ def run_table(
 def with_full_solves(
     results: TractionResults, count: int, progress: Progress | None = None
 ) -> TractionResults:
-    """Tables compared with full solves at `count` places each, with heat where tables have it."""
+    """Compare tables with full solves, with heat where the tables have it.
+
+    Parameters
+    ----------
+    results : TractionResults
+        The tables.
+    count : int
+        States of each race [-].
+    progress : Progress | None, optional
+        Called with solves done, solves in all, and a text.
+
+    Returns
+    -------
+    TractionResults
+        Tables with the comparison.
+    """
     compared = dict(results.tables)
     for race, table in results.tables.items():
         notify = race_progress(progress, race)

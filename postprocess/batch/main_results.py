@@ -3,8 +3,6 @@
 from operator import itemgetter
 from typing import Any
 
-from bearing.library import plugins
-
 from ..bearing.contacts import CONTACT_QUANTITY
 from ..bearing.quantities import (
     DECAY,
@@ -110,9 +108,6 @@ def result_names(kind: str) -> tuple[str, ...]:
         f"torque_N_mm.models.{name}.{part}"
         for name, model in TORQUE_MODELS.items()
         for part in (*model.parts, "total")
-    ]
-    torques += [
-        f"torque_N_mm.models.{name}.total" for name in plugins.plugin_names(plugins.TORQUE)
     ]
     blocks = [f"supply.{own.key}" for own in (*SUPPLY, *SUPPLY_BAND)]
     blocks += [f"decay.{own.key}" for own in DECAY]

@@ -39,7 +39,6 @@ def shown_models(results: BearingResults) -> tuple[str, ...]:
     torque = results.torque
     friction = results.case.get("friction", {})
     names: tuple[str, ...] = NAMES if friction.get("models") == "all" else MAIN
-    names += tuple(friction.get("torque_plugins", ()))
     if torque is None:
         return names
     more = (torque.chosen, "starved" if torque.films else None, AS_PRINTED)

@@ -18,7 +18,7 @@ from pathlib import Path
 import pytest
 
 from cases import Case, load_case, run_case, run_contact
-from cases.format.shipped import HERE, shipped_cases, shipped_sweeps
+from cases.format.shipped import LIBRARY, shipped_cases, shipped_sweeps
 
 STEMS = tuple(shipped_cases())
 QUICK = ("209_radial_8900N", "218_axial_22250N", "ball_on_disc", "moes_20_10", "6208_full_ceramic")
@@ -74,8 +74,8 @@ def numbers(stem, points=None):
 
 
 def test_stems_are_unique():
-    studies = list(HERE.glob("optimisations/*.toml"))
-    assert len(list(HERE.rglob("*.toml"))) == len(STEMS) + len(shipped_sweeps()) + len(studies)
+    studies = list(LIBRARY.glob("optimisations/*.toml"))
+    assert len(list(LIBRARY.rglob("*.toml"))) == len(STEMS) + len(shipped_sweeps()) + len(studies)
 
 
 @pytest.mark.parametrize("stem", STEMS)

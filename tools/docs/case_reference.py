@@ -41,9 +41,6 @@ SPECIAL = {
     "defects": "tables of `place`, `kind`, `width_mm`, `depth_um`, `azimuth_deg`, `ball`",
     "envelope_band_Hz": "two numbers, 0 <= first < last <= 1e6",
     "assumed": "list of `table.key`",
-    "traction": "`films`, `table`, `four constants`, `coulomb`, or the name of a plug-in",
-    "traction_constants": "numbers by name",
-    "torque_plugins": "names of plug-ins",
 }
 ORDER = (
     "bearing",

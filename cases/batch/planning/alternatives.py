@@ -29,9 +29,18 @@ class PointDocuments:
         self.base = base
         self._gone: dict[tuple[str, ...], tuple[tuple[str, str, str], ...]] = {}
 
-    def of(self, variation: Variation) -> dict[str, Any]:
-        """The document of one variation; tables that it leaves as they are are those of the
-        case.
+    def document(self, variation: Variation) -> dict[str, Any]:
+        """The document of one variation; tables that it leaves unchanged are those of the case.
+
+        Parameters
+        ----------
+        variation : Variation
+            Values by key.
+
+        Returns
+        -------
+        dict[str, Any]
+            Document of the point.
         """
         document = dict(self.base)
         for setting in variation.settings:
@@ -50,7 +59,7 @@ class PointDocuments:
         return document
 
     def _alternatives(self, variation: Variation) -> tuple[tuple[str, str, str], ...]:
-        """What gives way, which depends on the keys alone."""
+        """Keys that give way, which depend on the keys of the variation alone."""
         keys = (variation.block, *(setting.key for setting in variation.settings))
         if keys not in self._gone:
             self._gone[keys] = tuple(_alternatives(self.base, variation))
@@ -58,12 +67,38 @@ class PointDocuments:
 
 
 def with_values(base: dict[str, Any], variation: Variation) -> dict[str, Any]:
-    """The case's document with the values of a variation, without their alternatives."""
-    return PointDocuments(base).of(variation)
+    """The document of a case with the values of a variation, without their alternatives.
+
+    Parameters
+    ----------
+    base : dict[str, Any]
+        Document of the case.
+    variation : Variation
+        Values by key.
+
+    Returns
+    -------
+    dict[str, Any]
+        The changed document.
+    """
+    return PointDocuments(base).document(variation)
 
 
 def replaced_keys(base: dict[str, Any], variations: Sequence[Variation]) -> tuple[str, ...]:
-    """What points leave out of the case, in words, each once."""
+    """Keys of the case that points leave out, in words, each once.
+
+    Parameters
+    ----------
+    base : dict[str, Any]
+        Document of the case.
+    variations : Sequence[Variation]
+        Variations of the points.
+
+    Returns
+    -------
+    tuple[str, ...]
+        A sentence for each key.
+    """
     return tuple(
         dict.fromkeys(
             f"{table}.{key} of the case is left out, the points give {own}"

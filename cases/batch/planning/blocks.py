@@ -7,7 +7,7 @@ from math import prod
 from typing import Any, overload
 
 from ...format.fields import is_number
-from ...format.problems import CaseFault, Path, shown
+from ...format.problems import CaseProblem, Path, shown
 from ..sweep_file import SensitivityTable, SweepFile
 
 MOST_POINTS = 10_000_000
@@ -24,14 +24,27 @@ class Setting:
 
 @dataclass(frozen=True, slots=True)
 class Variation:
-    """What one point changes of the case."""
+    """Values by which one point differs from the case."""
 
     block: str
     settings: tuple[Setting, ...]
 
 
 def block_settings(table: dict[str, Any], where: Path) -> list[Setting]:
-    """The keys of a block; `"operation.load" = 1` and `operation.load = 1` are the same."""
+    """The keys of a block; `"operation.load" = 1` and `operation.load = 1` are the same.
+
+    Parameters
+    ----------
+    table : dict[str, Any]
+        The block as parsed.
+    where : Path
+        Path of the block in the file.
+
+    Returns
+    -------
+    list[Setting]
+        A setting for each key.
+    """
     settings: list[Setting] = []
     for name, value in table.items():
         if isinstance(value, dict):
@@ -42,26 +55,37 @@ def block_settings(table: dict[str, Any], where: Path) -> list[Setting]:
     return settings
 
 
-class Lazy(Sequence[Variation]):
+class LazyVariations(Sequence[Variation]):
     """Variations that are made when they are asked for."""
 
     @overload
-    def __getitem__(self, place: int) -> Variation: ...
+    def __getitem__(self, index: int) -> Variation: ...
 
     @overload
-    def __getitem__(self, place: slice) -> list[Variation]: ...
+    def __getitem__(self, index: slice) -> list[Variation]: ...
 
-    def __getitem__(self, place: int | slice) -> Variation | list[Variation]:
-        if isinstance(place, slice):
-            return [self.made(k) for k in range(*place.indices(len(self)))]
-        return self.made(range(len(self))[place])
+    def __getitem__(self, index: int | slice) -> Variation | list[Variation]:
+        if isinstance(index, slice):
+            return [self.variation_at(k) for k in range(*index.indices(len(self)))]
+        return self.variation_at(range(len(self))[index])
 
-    def made(self, place: int) -> Variation:
-        """The variation at a place, counted from 0."""
+    def variation_at(self, index: int) -> Variation:
+        """Make the variation at an index.
+
+        Parameters
+        ----------
+        index : int
+            Index of the variation, from 0 [-].
+
+        Returns
+        -------
+        Variation
+            The variation.
+        """
         raise NotImplementedError
 
 
-class Factorial(Lazy):
+class Factorial(LazyVariations):
     """Combinations of lists of settings, the last one fastest."""
 
     def __init__(self, choices: Sequence[Sequence[Setting]]) -> None:
@@ -71,11 +95,22 @@ class Factorial(Lazy):
     def __len__(self) -> int:
         return self.size
 
-    def made(self, place: int) -> Variation:
-        """The digits of the place are the places in the lists."""
+    def variation_at(self, index: int) -> Variation:
+        """Make the combination at an index, whose digits are the indices in the lists.
+
+        Parameters
+        ----------
+        index : int
+            Index of the combination, from 0 [-].
+
+        Returns
+        -------
+        Variation
+            The variation.
+        """
         chosen = []
         for choice in reversed(self.choices):
-            place, k = divmod(place, len(choice))
+            index, k = divmod(index, len(choice))
             chosen.append(choice[k])
         return Variation("sweep", tuple(reversed(chosen)))
 
@@ -84,15 +119,15 @@ class Factorial(Lazy):
 
     def edges(self) -> set[int]:
         """Places where a key has the last value of its list, the others their first ones."""
-        places = {0}
+        indices = {0}
         step = self.size
         for choice in self.choices:
             step //= len(choice)
-            places.add((len(choice) - 1) * step)
-        return places
+            indices.add((len(choice) - 1) * step)
+        return indices
 
 
-class Sampled(Lazy):
+class Sampled(LazyVariations):
     """Rows of a table of values, a column for each key."""
 
     def __init__(
@@ -105,17 +140,41 @@ class Sampled(Lazy):
     def __len__(self) -> int:
         return len(self.rows)
 
-    def made(self, place: int) -> Variation:
-        """The values of a row."""
-        row = zip(self.keys, self.rows[place], strict=True)
+    def variation_at(self, index: int) -> Variation:
+        """Make the variation of a row of the table.
+
+        Parameters
+        ----------
+        index : int
+            Index of the row, from 0 [-].
+
+        Returns
+        -------
+        Variation
+            The variation.
+        """
+        row = zip(self.keys, self.rows[index], strict=True)
         return Variation(self.block, tuple(Setting(*key, value) for key, value in row))
 
 
-def factorial(file: SweepFile) -> tuple[Factorial, list[CaseFault]]:
-    """Combinations of the lists in [sweep], last key fastest, and faults."""
+def factorial(file: SweepFile) -> tuple[Factorial, list[CaseProblem]]:
+    """Combinations of the lists in [sweep], last key fastest.
+
+    Parameters
+    ----------
+    file : SweepFile
+        The checked sweep file.
+
+    Returns
+    -------
+    combinations
+        The combinations; none where a list is wrong.
+    problems
+        Wrong lists.
+    """
     settings = block_settings(file.sweep, ("sweep",))
     problems = [
-        CaseFault(s.where, f"found {shown(s.value)}", "allowed: a list of values")
+        CaseProblem(s.where, f"found {shown(s.value)}", "allowed: a list of values")
         for s in settings
         if not isinstance(s.value, list) or not s.value
     ]
@@ -125,7 +184,18 @@ def factorial(file: SweepFile) -> tuple[Factorial, list[CaseFault]]:
 
 
 def listed(file: SweepFile) -> list[Variation]:
-    """The points of [[combinations]]."""
+    """The points of [[combinations]].
+
+    Parameters
+    ----------
+    file : SweepFile
+        The checked sweep file.
+
+    Returns
+    -------
+    list[Variation]
+        A variation for each table.
+    """
     tables = enumerate(file.combinations)
     return [
         Variation("combinations", tuple(block_settings(table, ("combinations", k))))
@@ -135,9 +205,26 @@ def listed(file: SweepFile) -> list[Variation]:
 
 def differences(
     table: SensitivityTable, keys: tuple[str, ...], values: dict[str, Any]
-) -> tuple[list[Variation], list[str], list[CaseFault]]:
-    """The case itself, and each of the keys by itself down and up from its value in the case as
-    run; what was left out, and what is wrong.
+) -> tuple[list[Variation], list[str], list[CaseProblem]]:
+    """The case itself, and each key by itself down and up from its value in the case.
+
+    Parameters
+    ----------
+    table : SensitivityTable
+        Step and keys of [sensitivity].
+    keys : tuple[str, ...]
+        Dotted names of the keys.
+    values : dict[str, Any]
+        Value of each key as run.
+
+    Returns
+    -------
+    variations
+        The points.
+    notes
+        Keys that are left out.
+    problems
+        Keys that cannot be varied.
     """
     variations = [Variation("sensitivity", ())]
     notes = []
@@ -153,7 +240,7 @@ def differences(
             notes.append(f"sensitivity: {key} left out, {reason}")
         else:
             allowed = "allowed: keys of the case with a number that is not 0"
-            problems.append(CaseFault(where, f"{key} = {shown(value)}", allowed))
+            problems.append(CaseProblem(where, f"{key} = {shown(value)}", allowed))
     if len(variations) == 1 and not problems:
-        problems.append(CaseFault(where, "no key to vary", "needed: a list of keys"))
+        problems.append(CaseProblem(where, "no key to vary", "needed: a list of keys"))
     return variations, notes, problems

@@ -10,7 +10,7 @@ import numpy as np
 from ehl.arrays import Array
 
 from ...format.fields import is_number
-from ...format.problems import CaseFault, shown
+from ...format.problems import CaseProblem, shown
 from .blocks import Setting
 
 FORMS = {  # numbers of each law
@@ -33,23 +33,56 @@ class Distribution:
     inverse: Callable[[Array], Any]
     bounded: bool
 
-    def values(self, shares: Array) -> list[Any]:
-        """Values at shares between 0 and 1 [-]; in the unit of the key."""
-        found: list[Any] = np.asarray(self.inverse(shares)).tolist()
+    def values(self, probabilities: Array) -> list[Any]:
+        """Quantiles of the distribution.
+
+        Parameters
+        ----------
+        probabilities : Array
+            Cumulative probabilities between 0 and 1, shape (n,) [-].
+
+        Returns
+        -------
+        list[Any]
+            Values in the unit of the key.
+        """
+        found: list[Any] = np.asarray(self.inverse(probabilities)).tolist()
         return found
 
 
 def with_law(setting: Setting) -> Setting:
-    """A key with its law as value, where the name of the law was taken for the end of the key."""
+    """A key with its law as value, where the name of the law was read as the end of the key.
+
+    Parameters
+    ----------
+    setting : Setting
+        Key and value as read.
+
+    Returns
+    -------
+    Setting
+        The setting with the key of the case.
+    """
     key, _, law = setting.key.rpartition(".")
     if law not in FORMS:
         return setting
     return Setting(key, setting.where[:-1], {law: setting.value})
 
 
-def distribution(setting: Setting, *, laws: bool = True) -> Distribution | CaseFault:
-    """The distribution that a block gives a key, or what is wrong with it; `laws`: others than
-    ranges are allowed.
+def distribution(setting: Setting, *, laws: bool = True) -> Distribution | CaseProblem:
+    """The distribution that a block gives a key.
+
+    Parameters
+    ----------
+    setting : Setting
+        Key and value of the block.
+    laws : bool, default True
+        False: ranges only.
+
+    Returns
+    -------
+    Distribution | CaseProblem
+        The distribution, or the problem of the value.
     """
     given = setting.value
     name: Any = "uniform"
@@ -62,13 +95,13 @@ def distribution(setting: Setting, *, laws: bool = True) -> Distribution | CaseF
         and isinstance(numbers, list)
         and all(map(is_number, numbers))
     )
-    if known and len(numbers) == FORMS[name].count(",") + 1 and _makes_sense(name, numbers):
-        return _made(name, numbers)
-    return CaseFault(setting.where, f"found {shown(given)}", ALLOWED if laws else RANGE)
+    if known and len(numbers) == FORMS[name].count(",") + 1 and _is_valid(name, numbers):
+        return _from_numbers(name, numbers)
+    return CaseProblem(setting.where, f"found {shown(given)}", ALLOWED if laws else RANGE)
 
 
-def _makes_sense(name: str, numbers: list[float]) -> bool:
-    """Whether ends are in order and spreads positive."""
+def _is_valid(name: str, numbers: list[float]) -> bool:
+    """Tell whether ends are in order and spreads positive."""
     if name == "uniform":
         return numbers[0] < numbers[1]
     if name == "triangular":
@@ -78,7 +111,7 @@ def _makes_sense(name: str, numbers: list[float]) -> bool:
     return numbers[1] > 0 and (name == "normal" or numbers[2] < numbers[3])
 
 
-def _made(name: str, numbers: list[float]) -> Distribution:
+def _from_numbers(name: str, numbers: list[float]) -> Distribution:
     """A law by its numbers; whole numbers as both ends of a range give whole numbers."""
     from scipy import stats
 
@@ -99,17 +132,28 @@ def _made(name: str, numbers: list[float]) -> Distribution:
     return Distribution(stats.triang((mode - first) / width, loc=first, scale=width).ppf, True)
 
 
-def _whole(first: int, last: int, shares: Array) -> Any:
+def _whole(first: int, last: int, probabilities: Array) -> Any:
     """Whole numbers from the first to the last, each as likely."""
     count = last - first + 1
-    return first + np.minimum(np.floor(shares * count).astype(int), count - 1)
+    return first + np.minimum(np.floor(probabilities * count).astype(int), count - 1)
 
 
-def correlated(shares: Array, matrix: Array) -> Array:
-    """Shares, shape (n, keys), with a Gaussian copula: of normal scores with a correlation
-    matrix.
+def correlated(probabilities: Array, matrix: Array) -> Array:
+    """Probabilities with a Gaussian copula.
+
+    Parameters
+    ----------
+    probabilities : Array
+        Independent probabilities, shape (n, keys) [-].
+    matrix : Array
+        Correlation matrix of the normal scores, shape (keys, keys) [-].
+
+    Returns
+    -------
+    Array
+        Correlated probabilities, shape (n, keys) [-].
     """
     from scipy import stats
 
-    scores = stats.norm.ppf(shares) @ np.linalg.cholesky(matrix).T
+    scores = stats.norm.ppf(probabilities) @ np.linalg.cholesky(matrix).T
     return stats.norm.cdf(scores)

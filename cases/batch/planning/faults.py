@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from ...format.problems import CaseFault, Path, shown
+from ...format.problems import CaseProblem, Path, shown
 from ..keys import case_path
 from .blocks import Variation
 
@@ -19,8 +19,21 @@ HIDING = {
 }
 
 
-def overridden_names(base: dict[str, Any], variations: list[Variation]) -> Iterator[CaseFault]:
-    """A catalogue bearing or an oil varied by name, whose values the case itself overrides."""
+def overridden_names(base: dict[str, Any], variations: list[Variation]) -> Iterator[CaseProblem]:
+    """Problems of a bearing or an oil varied by name whose values the case itself overrides.
+
+    Parameters
+    ----------
+    base : dict[str, Any]
+        Document of the case.
+    variations : list[Variation]
+        Variations of the sweep.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        A problem for each such key.
+    """
     for variation in variations[:1] + variations[-1:]:
         for setting in variation.settings:
             table, *_, key = case_path(setting.key)
@@ -31,13 +44,30 @@ def overridden_names(base: dict[str, Any], variations: list[Variation]) -> Itera
             if given:
                 finding = f"the case itself gives {given[0]}, which overrides the library's"
                 allowed = f"allowed with a case that names a {table} only"
-                yield CaseFault(setting.where, finding, allowed)
+                yield CaseProblem(setting.where, finding, allowed)
 
 
 def located_faults(
-    problems: Iterable[CaseFault], variation: Variation, fixed: Variation, number: int
-) -> Iterator[CaseFault]:
-    """Faults of a point at the key of the sweep file that it varies or fixes."""
+    problems: Iterable[CaseProblem], variation: Variation, fixed: Variation, number: int
+) -> Iterator[CaseProblem]:
+    """Problems of a point at the key of the sweep file that it varies or fixes.
+
+    Parameters
+    ----------
+    problems : Iterable[CaseProblem]
+        Problems of the case of the point.
+    variation : Variation
+        Values of the point.
+    fixed : Variation
+        Values of all points.
+    number : int
+        Number of the point, from 1 [-].
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The same problems with paths of the sweep file.
+    """
     settings = (*variation.settings, *fixed.settings)
     for problem in problems:
         setting = next((s for s in settings if _meets(case_path(s.key), problem.path)), None)
@@ -49,10 +79,10 @@ def located_faults(
         else:
             where = setting.where
             place = "" if tuple(problem.path) == case_path(setting.key) else place
-        yield CaseFault(where, f"{place}{problem.finding}", problem.allowed, problem.nearest)
+        yield CaseProblem(where, f"{place}{problem.finding}", problem.allowed, problem.nearest)
 
 
 def _meets(path: Path, problem: Path) -> bool:
-    """Whether a problem's path is that of a key, lies below it, or is a table around it."""
+    """Tell whether a problem's path is that of a key, lies below it, or is a table around it."""
     shorter = min(len(path), len(problem))
     return shorter > 0 and path[:shorter] == tuple(problem[:shorter])

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any, overload
 
 from ...format.shipped import table_path
-from ..keys import BESIDE_TRACTION_TABLES, DESCRIBING, digest, document_text
+from ..keys import DESCRIBING, NOT_IN_TRACTION_TABLES, digest, document_text
 from ..points import Point
 from ..program import program_digest
 from ..sweep_file import SweepFile
@@ -45,34 +45,45 @@ class Plan(Sequence[Point]):
         return self.ends[-1] if self.ends else 0
 
     @overload
-    def __getitem__(self, place: int) -> Point: ...
+    def __getitem__(self, index: int) -> Point: ...
 
     @overload
-    def __getitem__(self, place: slice) -> list[Point]: ...
+    def __getitem__(self, index: slice) -> list[Point]: ...
 
-    def __getitem__(self, place: int | slice) -> Point | list[Point]:
-        if isinstance(place, slice):
-            return [self[k] for k in range(*place.indices(len(self)))]
-        place = range(len(self))[place]
-        return self._point(place, self.variation(place))
+    def __getitem__(self, index: int | slice) -> Point | list[Point]:
+        if isinstance(index, slice):
+            return [self[k] for k in range(*index.indices(len(self)))]
+        index = range(len(self))[index]
+        return self._point(index, self.variation(index))
 
     def __iter__(self) -> Iterator[Point]:
-        place = 0
+        index = 0
         for block in self.blocks:
             for variation in block:
-                yield self._point(place, variation)
-                place += 1
+                yield self._point(index, variation)
+                index += 1
 
-    def variation(self, place: int) -> Variation:
-        """What a point changes of the case."""
-        number = bisect_right(self.ends, place)
+    def variation(self, index: int) -> Variation:
+        """The values by which a point differs from the case.
+
+        Parameters
+        ----------
+        index : int
+            Index of the point, from 0 [-].
+
+        Returns
+        -------
+        Variation
+            The variation.
+        """
+        number = bisect_right(self.ends, index)
         start = self.ends[number - 1] if number else 0
-        return self.blocks[number][place - start]
+        return self.blocks[number][index - start]
 
-    def _point(self, place: int, variation: Variation) -> Point:
+    def _point(self, index: int, variation: Variation) -> Point:
         document = self.document(variation)
         return Point(
-            number=place + 1,
+            number=index + 1,
             block=variation.block,
             keys=self.keys,
             document=document,
@@ -93,14 +104,25 @@ class PointName:
             whole["table_points"] = file.table_points
         text = document_text(whole | {"program": program_digest()})
         self.head = hashlib.sha256(text.encode())
-        self.without = frozenset(BESIDE_TRACTION_TABLES if file.compute == "table" else DESCRIBING)
+        self.without = frozenset(NOT_IN_TRACTION_TABLES if file.compute == "table" else DESCRIBING)
         self.base = base
         self.hashes = {name: self._hashes(name, value) for name, value in base.items()}
         self.totals = {name: sum(own.values()) for name, own in self.hashes.items()}
         self.total = sum(self.totals.values())
 
-    def of(self, document: Document) -> str:
-        """The name of a point."""
+    def name_of(self, document: Document) -> str:
+        """The name of a point: a hash of all that its results depend on.
+
+        Parameters
+        ----------
+        document : Document
+            Document of the point.
+
+        Returns
+        -------
+        str
+            20 hexadecimal digits.
+        """
         total = self.total
         for name, value in document.items():
             before = self.base.get(name)
@@ -119,7 +141,7 @@ class PointName:
         return known.hexdigest()[:20]
 
     def _change(self, name: str, table: Document, before: Document) -> int:
-        """What a table adds to the sum where it differs from that of the case."""
+        """Contribution of a table to the sum where it differs from that of the case."""
         known = self.hashes[name]
         change = 0
         for key, value in table.items():
@@ -167,7 +189,18 @@ def _plain(value: Any) -> Any:
 
 
 def input_files(document: Document) -> Iterator[str]:
-    """Digests of the files that a case reads; of one that is not there, its name."""
+    """Digests of the files that a case reads.
+
+    Parameters
+    ----------
+    document : Document
+        Document of a case.
+
+    Yields
+    ------
+    Iterator[str]
+        A digest for each file; its name where the file does not exist.
+    """
     for table, key in INPUT_FILES:
         given = document.get(table)
         path = given.get(key) if isinstance(given, dict) else None

@@ -6,12 +6,12 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from pydantic import ValidationError
 
 from ehl.arrays import Array
 from postprocess.batch.results import Design
 
-from ...format.problems import CaseFault, Path, schema_faults, shown
+from ...format.fields import validated
+from ...format.problems import CaseProblem, Path, shown
 from ..sweep_file import HypercubeOptions, MorrisOptions, SampleOptions, SobolOptions, SweepFile
 from .blocks import Sampled, block_settings
 from .distributions import Distribution, correlated, distribution, with_law
@@ -21,9 +21,20 @@ OUTER = 0.025
 Options = HypercubeOptions | SampleOptions | MorrisOptions | SobolOptions
 
 
-def sampled_blocks(file: SweepFile) -> tuple[list[tuple[Sampled, Design]], list[CaseFault]]:
-    """Blocks of points that are drawn at random, in the order of the format's description, and
-    faults.
+def sampled_blocks(file: SweepFile) -> tuple[list[tuple[Sampled, Design]], list[CaseProblem]]:
+    """Blocks of points that are drawn at random, in the order of the format's description.
+
+    Parameters
+    ----------
+    file : SweepFile
+        The checked sweep file.
+
+    Returns
+    -------
+    blocks
+        Points of each block and its design.
+    problems
+        Wrong values.
     """
     tables: list[tuple[str, dict[str, Any], type[Options], Path]] = []
     several: dict[str, type[Options]] = {
@@ -39,7 +50,7 @@ def sampled_blocks(file: SweepFile) -> tuple[list[tuple[Sampled, Design]], list[
         table = getattr(file, name)
         tables += [] if table is None else [(name, table, kind, (name,))]
     blocks = []
-    faults: list[CaseFault] = []
+    faults: list[CaseProblem] = []
     for name, table, kind, place in tables:
         options = _options(kind, table, place)
         if isinstance(options, list):
@@ -51,35 +62,56 @@ def sampled_blocks(file: SweepFile) -> tuple[list[tuple[Sampled, Design]], list[
     return blocks, faults
 
 
-def _options(kind: type[Options], table: dict[str, Any], where: Path) -> Options | list[CaseFault]:
+def _options(
+    kind: type[Options], table: dict[str, Any], where: Path
+) -> Options | list[CaseProblem]:
     """The options of a block, or their faults."""
-    try:
-        given = {key: table[key] for key in kind.model_fields if key in table}
-        options = kind.model_validate(given)
-    except ValidationError as error:
-        faults = schema_faults(error.errors(include_url=False), kind.model_json_schema())
-        return [CaseFault((*where, *p.path), p.finding, p.allowed) for p in faults]
+    given = {key: table[key] for key in kind.model_fields if key in table}
+    options, faults = validated(kind, given)
+    if options is None:
+        return [CaseProblem((*where, *p.path), p.finding, p.allowed) for p in faults]
     two = isinstance(options, SobolOptions) or getattr(options, "method", "") == "sobol"
     if two and not isinstance(options, MorrisOptions) and options.samples.bit_count() != 1:
         near = 2 ** round(math.log2(options.samples))
         allowed = f"allowed: a power of 2, as {near}"
-        return [CaseFault((*where, "samples"), f"found {options.samples}", allowed)]
+        return [CaseProblem((*where, "samples"), f"found {options.samples}", allowed)]
     return options
 
 
 def sampled_block(
     name: str, table: dict[str, Any], options: Options, where: Path
-) -> tuple[Sampled, Design, list[CaseFault]]:
-    """The points of a block, what they are a design of, and faults."""
+) -> tuple[Sampled, Design, list[CaseProblem]]:
+    """The points of one block and the design that they form.
+
+    Parameters
+    ----------
+    name : str
+        Name of the block.
+    table : dict[str, Any]
+        Keys and options as parsed.
+    options : Options
+        The checked options.
+    where : Path
+        Path of the block in the file.
+
+    Returns
+    -------
+    points
+        The points; none where a value is wrong.
+    design
+        Keys, samples and ranges.
+    problems
+        Wrong values.
+    """
     own = set(type(options).model_fields)
     given = block_settings({k: v for k, v in table.items() if k not in own}, where)
     settings = [with_law(setting) for setting in given]
     any_law = not isinstance(options, HypercubeOptions)
     laws = [distribution(setting, laws=any_law) for setting in settings]
-    faults = [law for law in laws if isinstance(law, CaseFault)]
+    faults = [law for law in laws if isinstance(law, CaseProblem)]
     known = [law for law in laws if isinstance(law, Distribution)]
     if not settings:
-        faults.append(CaseFault(where, "no keys", "needed: keys with their [first, last]"))
+        faults.append(CaseProblem(where, "no keys", "needed: keys with their [first, last]"))
     keys = tuple(setting.key for setting in settings)
     matrix = np.eye(len(keys))
     if isinstance(options, SampleOptions):
@@ -88,28 +120,32 @@ def sampled_block(
     design = Design(block=name, keys=keys, samples=_runs(options))
     if faults:
         return Sampled(name, [], []), design, faults
-    shares = _shares(options, len(keys))
+    probabilities = _unit_design(options, len(keys))
     if isinstance(options, SampleOptions):
-        shares = correlated(shares, matrix) if options.correlations else shares
+        probabilities = (
+            correlated(probabilities, matrix) if options.correlations else probabilities
+        )
     elif isinstance(options, MorrisOptions):
-        shares = np.column_stack([_inside(s, law) for s, law in zip(shares.T, known, strict=True)])
+        probabilities = np.column_stack(
+            [_inside(s, law) for s, law in zip(probabilities.T, known, strict=True)]
+        )
     ends = [law.values(_inside(np.array([0.0, 1.0]), law)) for law in known]
     design = replace(design, ranges=tuple((float(low), float(high)) for low, high in ends))
-    columns = [law.values(column) for law, column in zip(known, shares.T, strict=True)]
+    columns = [law.values(column) for law, column in zip(known, probabilities.T, strict=True)]
     places = [(setting.key, setting.where) for setting in settings]
     return Sampled(name, places, list(zip(*columns, strict=True))), design, []
 
 
-def _inside(shares: Array, law: Distribution) -> Array:
+def _inside(probabilities: Array, law: Distribution) -> Array:
     """Levels of a law: the quantiles between its outer ones where it has no ends."""
-    return shares if law.bounded else OUTER + (1.0 - 2.0 * OUTER) * shares
+    return probabilities if law.bounded else OUTER + (1.0 - 2.0 * OUTER) * probabilities
 
 
 def _runs(options: Options) -> int:
     return options.trajectories if isinstance(options, MorrisOptions) else options.samples
 
 
-def _shares(options: Options, keys: int) -> Array:
+def _unit_design(options: Options, keys: int) -> Array:
     """Places of all points in the unit cube, shape (points, keys)."""
     if isinstance(options, MorrisOptions):
         return morris_design(keys, options.trajectories, options.levels, options.seed)
@@ -120,8 +156,26 @@ def _shares(options: Options, keys: int) -> Array:
 
 
 def unit_sample(method: str, keys: int, samples: int, seed: int) -> Array:
-    """A sample of the unit cube, shape (samples, keys): a Latin hypercube (McKay, Beckman and
-    Conover 1979), a scrambled Sobol sequence (Owen 1998), or random.
+    """A sample of the unit cube.
+
+    A Latin hypercube (McKay, Beckman and Conover 1979), a scrambled Sobol sequence (Owen 1998), or
+    random points.
+
+    Parameters
+    ----------
+    method : str
+        "latin hypercube", "sobol" or "random".
+    keys : int
+        Dimensions of the cube [-].
+    samples : int
+        Number of points [-].
+    seed : int
+        Seed of the random numbers.
+
+    Returns
+    -------
+    Array
+        Points, shape (samples, keys) [-].
     """
     from scipy.stats import qmc
 
@@ -134,8 +188,23 @@ def unit_sample(method: str, keys: int, samples: int, seed: int) -> Array:
 
 
 def saltelli_design(keys: int, samples: int, seed: int) -> Array:
-    """Points for Sobol indices: A, B, and for each key A with its column from B (Saltelli et al.
-    2010), shape (samples (keys + 2), keys); `samples` is a power of 2.
+    """Points for Sobol indices: A, B, and for each key A with its column from B.
+
+    Saltelli et al. (2010).
+
+    Parameters
+    ----------
+    keys : int
+        Number of keys [-].
+    samples : int
+        Rows of A and of B, a power of 2 [-].
+    seed : int
+        Seed of the random numbers.
+
+    Returns
+    -------
+    Array
+        Points of the unit cube, shape (samples (keys + 2), keys) [-].
     """
     both = unit_sample("sobol", 2 * keys, samples, seed)
     first, second = both[:, :keys], both[:, keys:]
@@ -148,8 +217,23 @@ def saltelli_design(keys: int, samples: int, seed: int) -> Array:
 
 
 def morris_design(keys: int, trajectories: int, levels: int, seed: int) -> Array:
-    """Trajectories in which one key after the other moves by p/(2(p - 1)), Morris (1991), shape
-    (trajectories (keys + 1), keys); `levels` p is even.
+    """Trajectories in which one key after the other moves by p/(2(p - 1)), Morris (1991).
+
+    Parameters
+    ----------
+    keys : int
+        Number of keys [-].
+    trajectories : int
+        Number of trajectories [-].
+    levels : int
+        Levels p of each key, an even number [-].
+    seed : int
+        Seed of the random numbers.
+
+    Returns
+    -------
+    Array
+        Points of the unit cube, shape (trajectories (keys + 1), keys) [-].
     """
     rng = np.random.default_rng(seed)
     step = levels / (2.0 * (levels - 1.0))
@@ -168,7 +252,7 @@ def morris_design(keys: int, trajectories: int, levels: int, seed: int) -> Array
 
 def _correlations(
     options: SampleOptions, keys: Sequence[str], where: Path
-) -> tuple[Array, list[CaseFault]]:
+) -> tuple[Array, list[CaseProblem]]:
     """The correlation matrix of normal scores, and what is wrong with it."""
     matrix = np.eye(len(keys))
     place = (*where, "correlations")
@@ -176,13 +260,13 @@ def _correlations(
     for entry in options.correlations:
         right = isinstance(entry, list | tuple) and len(entry) == 3
         if not right or entry[0] == entry[1] or not {*entry[:2]} <= {*keys}:
-            return matrix, [CaseFault(place, f"found {shown(entry)}", allowed)]
+            return matrix, [CaseProblem(place, f"found {shown(entry)}", allowed)]
         number = entry[2]
         if isinstance(number, bool | str) or not -1.0 < number < 1.0:
-            return matrix, [CaseFault(place, f"found {shown(entry)}", allowed)]
+            return matrix, [CaseProblem(place, f"found {shown(entry)}", allowed)]
         i, j = keys.index(entry[0]), keys.index(entry[1])
         matrix[i, j] = matrix[j, i] = number
     if options.correlations and np.linalg.eigvalsh(matrix).min() <= 0.0:
         finding = "no distribution has all of these correlations at once"
-        return matrix, [CaseFault(place, finding, "allowed: a positive definite matrix of them")]
+        return matrix, [CaseProblem(place, finding, "allowed: a positive definite matrix of them")]
     return matrix, []

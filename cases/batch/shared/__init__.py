@@ -1,4 +1,4 @@
-"""What points share.
+"""Contacts and traction tables that points share.
 
 | module | responsibility |
 |---|---|

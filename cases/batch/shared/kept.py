@@ -13,7 +13,7 @@ from ..store import write_file
 
 DIGEST = 16  # bytes at the beginning of a file
 # what arrays are put together from, beside the classes of `ehl`
-OF_ARRAYS = frozenset(("_reconstruct", "_frombuffer", "scalar", "ndarray", "dtype"))
+ARRAY_CLASSES = frozenset(("_reconstruct", "_frombuffer", "scalar", "ndarray", "dtype"))
 
 
 class _Reader(pickle.Unpickler):
@@ -23,20 +23,44 @@ class _Reader(pickle.Unpickler):
         found = super().find_class(module, name)
         package = module.partition(".")[0]
         own = package == "ehl" and isinstance(found, type)
-        if own or (package == "numpy" and name in OF_ARRAYS):
+        if own or (package == "numpy" and name in ARRAY_CLASSES):
             return found
         raise pickle.UnpicklingError(f"{module}.{name}")
 
 
-def keep(path: Path, thing: object) -> int:
-    """Write a thing to a file, whole or not at all; bytes that it takes [-]."""
+def store_object(path: Path, thing: object) -> int:
+    """Write an object to a file, whole or not at all.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    thing : object
+        An object of arrays and of classes of `ehl`.
+
+    Returns
+    -------
+    int
+        Size of the file [bytes].
+    """
     data = pickle.dumps(thing)
     write_file(path, _digest(path, data) + data)
     return DIGEST + len(data)
 
 
-def kept(path: Path) -> Any:
-    """What a file holds; None where there is none or it is damaged."""
+def load_object(path: Path) -> Any:
+    """Read an object from a file.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+
+    Returns
+    -------
+    Any
+        The object; None where there is no file, or it is damaged.
+    """
     try:
         data = path.read_bytes()
         if _digest(path, data[DIGEST:]) != data[:DIGEST]:

@@ -27,19 +27,32 @@ from ehl.traction.table.build import TableOptions, build_table
 from ehl.traction.table.table import TableRange
 
 from ...format.case import Case, ContactCase, case_of_document
-from ...format.traction import fitting_tables, tables_of_file
+from ...format.traction import require_fitting_tables, tables_of_file
 from ...runs.equilibrium import Equilibria, case_equilibrium, without_traction_equilibrium
 from ...runs.films import Progress
-from ...runs.interrupt import say
+from ...runs.interrupt import print_message
 from ...runs.traction_table import asked_films, films_of_atlas
-from ..keys import BESIDE_TRACTION_TABLES, content_key, digest, document_text
+from ..keys import NOT_IN_TRACTION_TABLES, content_key, digest, document_text
 from ..points import Point, Sweep
 from ..program import program_digest
 from ..store import TABLES, write_file
 
 
 def needs_tables(case: Case | ContactCase, compute: str) -> bool:
-    """Whether a point uses shared tables; torque does unless the case names a law."""
+    """Tell whether a point uses shared tables; torque does unless the case names a law.
+
+    Parameters
+    ----------
+    case : Case | ContactCase
+        The case of the point.
+    compute : str
+        Quantity that is computed.
+
+    Returns
+    -------
+    bool
+        True if it does.
+    """
     if not isinstance(case, Case):
         return False
     if compute == "torque":
@@ -49,7 +62,18 @@ def needs_tables(case: Case | ContactCase, compute: str) -> bool:
 
 
 def with_equilibrium(document: dict[str, Any]) -> dict[str, Any]:
-    """The document of a torque point: traction equilibrium, unless the case says otherwise."""
+    """The document of a torque point: traction equilibrium, unless the case says otherwise.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Document of the point.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document with its ball kinematics.
+    """
     model = document.get("model", {})
     if "bearing" not in document or not isinstance(model, dict) or "ball_kinematics" in model:
         return document
@@ -58,7 +82,18 @@ def with_equilibrium(document: dict[str, Any]) -> dict[str, Any]:
 
 
 def bodies_and_oil(case: Case) -> str:
-    """Hash of what points that share tables must have in common."""
+    """Hash of the inputs that points with common tables must agree in.
+
+    Parameters
+    ----------
+    case : Case
+        The case of a point.
+
+    Returns
+    -------
+    str
+        Hash of bearing, oil, shear law and temperature.
+    """
     temperature = case.operation.temperature
     try:
         films = case.file.friction.table_films
@@ -92,7 +127,7 @@ def with_table_names(
     texts: dict[str, set[str]] = {}
     for common, document in zip(sharing, documents, strict=True):
         if common is not None:
-            text = document_text(document, BESIDE_TRACTION_TABLES)
+            text = document_text(document, NOT_IN_TRACTION_TABLES)
             texts.setdefault(common, set()).add(text)
     names = {
         common: given or digest(common, *sorted(own), str(nodes), program_digest())
@@ -111,11 +146,21 @@ def with_table_names(
 def foreign_points(
     path: Path, sharing: Mapping[int, str], examples: Mapping[str, Case]
 ) -> dict[str, list[int]]:
-    """Points that the tables of a file were not made for, by what is wrong; none of damaged ones,
-    which are reported later.
+    """Points whose bearing or oil is not that of the tables of a file.
 
-    `sharing`: what the tables of points must have in common, by their numbers; `examples` has a
-    case for each of it.
+    Parameters
+    ----------
+    path : Path
+        The file; a damaged one is reported later.
+    sharing : Mapping[int, str]
+        Hash of the inputs of the tables, by number of the point.
+    examples : Mapping[str, Case]
+        A case for each of these hashes.
+
+    Returns
+    -------
+    dict[str, list[int]]
+        Numbers of the points by the reason.
     """
     try:
         tables = tables_of_file(path)
@@ -126,7 +171,7 @@ def foreign_points(
         assert case.rheology is not None  # of every bearing case
         oil = (case.lubricant, case.rheology)
         try:
-            fitting_tables(tables(*oil), path.name, case.bearing, *oil, case.films.solids)
+            require_fitting_tables(tables(*oil), path.name, case.bearing, *oil, case.films.solids)
         except ValueError as problem:
             numbers = [number for number, name in sharing.items() if name == common]
             wrong.setdefault(str(problem).replace(str(path), path.name), []).extend(numbers)
@@ -134,7 +179,20 @@ def foreign_points(
 
 
 def table_path(directory: Path, name: str) -> Path:
-    """Where the tables of a batch are."""
+    """File of the traction tables of a batch.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the batch.
+    name : str
+        Name of the tables.
+
+    Returns
+    -------
+    Path
+        The path.
+    """
     return directory / TABLES / f"{name}.zip"
 
 
@@ -146,12 +204,14 @@ def prepare_tables(
 
     Parameters
     ----------
-    keys : collection of str
+    sweep : Sweep
+        The points.
+    keys : Collection[str]
         Names of the points.
     directory : Path
-        Of the batch.
-    progress : callable
-        Called with films done, films planned so far, and a word.
+        Folder of the batch.
+    progress : Progress
+        Called with films done, films planned so far, and a text.
 
     Returns
     -------
@@ -171,13 +231,13 @@ def prepare_tables(
 
 
 def _whole(path: Path) -> bool:
-    """Whether tables are there, and can be read; damaged ones are said."""
+    """Tell whether tables exist and can be read; damaged ones are reported."""
     if not path.exists():
         return False
     try:
         tables_once(str(path))
     except ValueError:
-        say(f"oilfilm: {path}: damaged; the traction tables are made anew")
+        print_message(f"oilfilm: {path}: damaged; the traction tables are made anew")
         return False
     return True
 
@@ -192,9 +252,28 @@ def _put(sweep: Sweep, name: str, path: Path, progress: Progress) -> None:
 
 
 def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
-    """Tables over the loads [N] and speeds [m/s] of all points that share them.
+    """Build tables over the loads and speeds of all points that share them.
 
     Rolling radii are those of the heaviest contact of each race among all points.
+
+    Parameters
+    ----------
+    sweep : Sweep
+        The points.
+    name : str
+        Name of the tables.
+    progress : Progress
+        Called with films done, films planned so far, and a text.
+
+    Returns
+    -------
+    Tables
+        Tables of both races, over [N] and [m/s].
+
+    Raises
+    ------
+    ValueError
+        If no point has an equilibrium.
     """
     cases = [_bearing_case(point) for point in sweep.points if point.tables == name]
     states = []
@@ -247,5 +326,16 @@ def _without_films(case: Case) -> Case:
 
 @lru_cache(maxsize=2)
 def tables_once(path: str) -> Callable[[Lubricant, Rheology], Tables]:
-    """Tables of both races for an oil and its shear law, the file read once by each worker."""
+    """Tables of both races of a file, which each worker reads once.
+
+    Parameters
+    ----------
+    path : str
+        The file.
+
+    Returns
+    -------
+    Callable[[Lubricant, Rheology], Tables]
+        Function of an oil and its shear law that gives the tables.
+    """
     return tables_of_file(Path(path))

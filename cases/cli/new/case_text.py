@@ -59,7 +59,25 @@ class BoundaryDimensions:
 
 
 def case_of_designation(name: str, given: FirstOperation) -> str:
-    """Text of a case file for a bearing of the catalogue; ValueError for an unknown name."""
+    """Text of a case file for a bearing of the catalogue.
+
+    Parameters
+    ----------
+    name : str
+        Designation of the bearing.
+    given : FirstOperation
+        Speed and loads that the user prescribes.
+
+    Returns
+    -------
+    str
+        The text.
+
+    Raises
+    ------
+    ValueError
+        If the name is unknown.
+    """
     try:
         entry = load_catalogue_entry(name)
     except ValueError as error:
@@ -87,8 +105,24 @@ def _by_size(name: str) -> str:
 
 
 def case_of_dimensions(size: BoundaryDimensions, given: FirstOperation) -> str:
-    """Text of a case file for a bearing whose internal geometry is estimated [mm, kN, deg];
-    ValueError names what is impossible.
+    """Text of a case file for a bearing whose internal geometry is estimated.
+
+    Parameters
+    ----------
+    size : BoundaryDimensions
+        Boundary dimensions [mm], ratings [kN] and contact angle [deg].
+    given : FirstOperation
+        Speed and loads that the user prescribes.
+
+    Returns
+    -------
+    str
+        The text.
+
+    Raises
+    ------
+    ValueError
+        If a value is impossible; the message names it.
     """
     _check_size(size)
     ratings = (size.dynamic_rating, size.static_rating)
@@ -121,7 +155,23 @@ def _check_size(size: BoundaryDimensions) -> None:
 
 
 def checked(text: str) -> str:
-    """The text of a new case; ValueError where a number given for it, a speed say, is none."""
+    """Check the text of a new case.
+
+    Parameters
+    ----------
+    text : str
+        The text.
+
+    Returns
+    -------
+    str
+        The same text.
+
+    Raises
+    ------
+    ValueError
+        If a number given for it is out of range.
+    """
     try:
         validate_text(text, "")
     except CaseError as error:
@@ -225,7 +275,7 @@ def _kind(entry: Mapping[str, Any], designation: Designation | None) -> BearingK
 
 
 def _is_set(designation: Designation | None) -> bool:
-    """Whether it names two bearings side by side."""
+    """Tell whether it names two bearings side by side."""
     return designation is not None and designation.arrangement in PRELOADS
 
 

@@ -36,7 +36,7 @@ SUPPLY_TEMPERATURE = 40.0  # of circulating oil [C]; assumed
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FirstOperation:
-    """What the user asks of a new case; what is None is chosen."""
+    """Speed and loads that the user prescribes for a new case; None: chosen."""
 
     speed: float | None = None  # of the inner ring [r/min]
     radial_load: float | None = None  # [N]
@@ -45,7 +45,7 @@ class FirstOperation:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BearingKind:
-    """What the choice depends on, beside the entry of the catalogue."""
+    """Properties of the bearing on which the choice depends besides its catalogue entry."""
 
     angular: bool
     spindle: bool  # of a series of machine spindles
@@ -57,7 +57,22 @@ class BearingKind:
 def first_tables(
     entry: Mapping[str, Any], kind: BearingKind, given: FirstOperation
 ) -> dict[str, dict[str, str]]:
-    """[lubricant], [operation] and [friction] of a new case, values as TOML with a comment."""
+    """Tables [lubricant], [operation] and [friction] of a new case.
+
+    Parameters
+    ----------
+    entry : Mapping[str, Any]
+        The bearing as an entry of the catalogue.
+    kind : BearingKind
+        Properties of the bearing on which the choice depends.
+    given : FirstOperation
+        Speed and loads that the user prescribes.
+
+    Returns
+    -------
+    dict[str, dict[str, str]]
+        Values as TOML with a comment, by table and key.
+    """
     speed = given.speed
     if speed is None:
         factor = SPINDLE_SPEED_FACTOR if kind.spindle else FIRST_SPEED_FACTOR
@@ -177,7 +192,20 @@ def _capacity(entry: Mapping[str, Any]) -> float:
 
 
 def typical(key: str, factor: float = 1.0) -> str:
-    """A typical value times a factor [-] and its range, as a value of TOML with a comment."""
+    """A typical value and its range, as a value of TOML with a comment.
+
+    Parameters
+    ----------
+    key : str
+        Name of the value in the library.
+    factor : float, default 1.0
+        Factor on value and range.
+
+    Returns
+    -------
+    str
+        The text.
+    """
     data = library_data(TYPICAL)[key]
     low, high = data["range"]
     value = float(f"{factor * data['value']:.3g}")
@@ -185,7 +213,18 @@ def typical(key: str, factor: float = 1.0) -> str:
 
 
 def two_digits(value: float) -> float:
-    """A positive value to two digits, zero otherwise [-]."""
+    """Round a positive value to two digits.
+
+    Parameters
+    ----------
+    value : float
+        The value.
+
+    Returns
+    -------
+    float
+        The rounded value; zero if it is not positive.
+    """
     if value <= 0.0:
         return 0.0
     step = 10.0 ** (floor(log10(value)) - 1)

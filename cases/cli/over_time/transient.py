@@ -12,10 +12,10 @@ import typer
 from bearing.files import is_disk_failure
 
 from ...format.problems import CaseError
-from ...runs.interrupt import say
+from ...runs.interrupt import print_message
 from ..app import CaseName, Json, Output, Quiet, app
-from ..cost import tell_cost, transient_cost
-from ..output import held_directory, report, results_directory, save_with
+from ..cost import report_cost, transient_cost
+from ..output import lock_output_directory, report, results_directory, save_with
 from ..progress import progress_bar
 from ..terminal import NOT_CONVERGED, guarded
 
@@ -46,7 +46,7 @@ def transient(
         raise CaseError(f"{case}: is a bearing; a contact over time needs a [contact] table")
     directory = results_directory(case, output, as_json)
     folder = None if directory is None else _steps_folder(directory)
-    tell_cost(transient_cost(loaded), quiet=quiet)
+    report_cost(transient_cost(loaded), quiet=quiet)
     try:
         with progress_bar(quiet=quiet) as progress:
             results = run_transient(loaded, case, folder, progress)
@@ -56,16 +56,18 @@ def transient(
                 write = _writer(results, movie, hurry.is_set)
                 save_with(write, directory, hurry.set)
     except NoStart as problem:
-        say(f"oilfilm: {case}: not converged: {problem}; nothing is written")
+        print_message(f"oilfilm: {case}: not converged: {problem}; nothing is written")
         return NOT_CONVERGED
     except Interrupted as stop:
         if stop.kept:
-            say(f"finished steps are kept in {folder}; the same command goes on with them")
+            print_message(
+                f"finished steps are kept in {folder}; the same command goes on with them"
+            )
         raise KeyboardInterrupt from None
     if folder is not None:
-        from ...runs.studies.kept_steps import KeptSteps
+        from ...runs.studies.kept_steps import Checkpoints
 
-        KeptSteps(folder, "").forget()
+        Checkpoints(folder, "").forget()
     from postprocess.contact.transient_summary import transient_summary, transient_table
 
     document = transient_summary(results)
@@ -73,8 +75,8 @@ def transient(
 
 
 def _steps_folder(directory: Path) -> Path:
-    """Where the steps of a run into a directory are kept."""
-    return held_directory(directory.with_name(f"{directory.name}_steps"))
+    """Folder of the checkpoints of a run into a directory."""
+    return lock_output_directory(directory.with_name(f"{directory.name}_steps"))
 
 
 def _writer(

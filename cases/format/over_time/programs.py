@@ -1,26 +1,32 @@
-"""Tables of [dynamics] over time: what they may move, and the viscosity at a temperature."""
+"""Tables of [dynamics] over time and the rules that they follow."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator
 from typing import Any
 
-import numpy as np
-
-from bearing.library.lubricants import dynamic_viscosity, list_lubricants, lubricant_data
+from bearing.library.lubricants import list_lubricants, lubricant_data
 from bearing.library.names import matching_name
 
 from ..fields import FREE_WORD
 from ..lubricant import VISCOSITIES, Oil, oil_of
-from ..problems import CaseFault, shown
+from ..problems import CaseProblem, shown
 from ..rules import CaseValues
 
 TEMPERATURES = ("dynamics", "temperature_table_C")
-# error of a viscosity that is linear between rows of a temperature over time [-]
-VISCOSITY_ERROR = 1.0e-3
-LARGEST_SPLIT = 1024  # of the time between two rows
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
-    """Displacements where the ring is held, loads where it is free, a temperature that counts."""
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
+    """Conflicts of tables over time with [operation], and temperatures without effect.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     displacements = _held(values, "displacement_um", 3)
     tilts = _held(values, "tilt_mrad", 2)
     yield from _place_faults(values, "displacement_table_um", "xyz", displacements)
@@ -31,7 +37,9 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
 
 
 def _held(values: CaseValues, name: str, length: int) -> tuple[bool, ...] | None:
-    """Whether [operation] holds the ring along or about each axis; None where it is at fault."""
+    """Tell whether [operation] constrains the ring along or about each axis; None where it is
+    wrong.
+    """
     given = values.get("operation", name)
     if given is not None:
         return tuple(entry != FREE_WORD for entry in given)
@@ -44,7 +52,7 @@ def _held(values: CaseValues, name: str, length: int) -> tuple[bool, ...] | None
 
 def _place_faults(
     values: CaseValues, name: str, axes: str, held: tuple[bool, ...] | None
-) -> Iterator[CaseFault]:
+) -> Iterator[CaseProblem]:
     """A table holds what [operation] holds, in every row."""
     key = name.replace("_table", "")
     motion = name.split("_")[0]
@@ -58,7 +66,7 @@ def _place_faults(
             allowed = f'allowed: "{FREE_WORD}" there, or a number in operation.{key}'
         else:
             continue
-        yield CaseFault(("dynamics", name), finding, allowed)
+        yield CaseProblem(("dynamics", name), finding, allowed)
         return
 
 
@@ -73,26 +81,26 @@ def _entries(
 
 def _load_faults(
     values: CaseValues, displacements: tuple[bool, ...] | None, tilts: tuple[bool, ...] | None
-) -> Iterator[CaseFault]:
+) -> Iterator[CaseProblem]:
     """No load where the ring is held against it."""
     for axis, load, fixed in _entries(values, "load_table_N", "xyz", displacements):
         if load and fixed:
             finding = f"found a load of {shown(load)} N along {axis}, where the ring is held"
             allowed = f'allowed: 0, or "{FREE_WORD}" in operation.displacement_um'
-            yield CaseFault(("dynamics", "load_table_N"), finding, allowed)
+            yield CaseProblem(("dynamics", "load_table_N"), finding, allowed)
             break
     moments = _entries(values, "moment_table_N_mm", "yz", tilts)
     if any(moment and fixed for _, moment, fixed in moments):
         finding = "found a moment where the tilt is held"
         allowed = 'free it by operation.moment_N_mm or operation.tilt = "free"'
-        yield CaseFault(("dynamics", "moment_table_N_mm"), finding, allowed)
+        yield CaseProblem(("dynamics", "moment_table_N_mm"), finding, allowed)
     if values.get("dynamics", "rotating_load_N") and any((displacements or ())[1:]):
         finding = "found where the ring is held across the axis"
         allowed = f'free it by "{FREE_WORD}" for y and z in operation.displacement_um'
-        yield CaseFault(("dynamics", "rotating_load_N"), finding, allowed)
+        yield CaseProblem(("dynamics", "rotating_load_N"), finding, allowed)
 
 
-def _temperature_faults(values: CaseValues) -> Iterator[CaseFault]:
+def _temperature_faults(values: CaseValues) -> Iterator[CaseProblem]:
     """Something in the simulation that depends on it, and an oil whose data reach that far."""
     reasons = {
         'friction = "table", whose films are of one temperature': (
@@ -111,7 +119,7 @@ def _temperature_faults(values: CaseValues) -> Iterator[CaseFault]:
     for reason, holds in reasons.items():
         if holds:
             allowed = "allowed: without it, at operation.temperature_C"
-            yield CaseFault(TEMPERATURES, f"found with {reason}", allowed)
+            yield CaseProblem(TEMPERATURES, f"found with {reason}", allowed)
             return
     document = values.document
     oil = oil_of(document.get("lubricant") or {}, document.get("lubricants"))
@@ -119,7 +127,7 @@ def _temperature_faults(values: CaseValues) -> Iterator[CaseFault]:
     if data is None:
         if not oil.of_library or any(key in oil.keys for key in VISCOSITIES):
             finding = "found with a viscosity that is given at one temperature"
-            yield CaseFault(
+            yield CaseProblem(
                 TEMPERATURES, finding, "allowed with an oil of the library by its name"
             )
         return
@@ -127,48 +135,25 @@ def _temperature_faults(values: CaseValues) -> Iterator[CaseFault]:
     for row in values.get(*TEMPERATURES):
         if not low <= row[1] <= high:
             finding = f"found {shown(row[1])} C, outside the data of {shown(oil.keys['name'])}"
-            yield CaseFault(TEMPERATURES, finding, f"allowed: {low:g} to {high:g}")
+            yield CaseProblem(TEMPERATURES, finding, f"allowed: {low:g} to {high:g}")
             return
 
 
 def oil_data(oil: Oil) -> dict[str, Any] | None:
-    """Data of the library for an oil that has its viscosity from there; None for another."""
+    """Data of the library for an oil that has its viscosity from there.
+
+    Parameters
+    ----------
+    oil : Oil
+        Keys of the oil.
+
+    Returns
+    -------
+    dict[str, Any] | None
+        The data; None for another oil.
+    """
     name = str(oil.keys.get("name"))
     key = matching_name(name, list_lubricants(name)) if oil.of_library else None
     if key is None or any(viscosity in oil.keys for viscosity in VISCOSITIES):
         return None
     return lubricant_data(key)
-
-
-def viscosity_table(
-    table: Sequence[Sequence[float]], oil: Oil, viscosity: float
-) -> list[tuple[float, float]]:
-    """Rows of time [s] and viscosity over `viscosity` [Pa s], from rows of time and temperature
-    [K]: as many between two of these as keep a straight line within `VISCOSITY_ERROR` of the law.
-    """
-    data = oil_data(oil)
-    assert data is not None  # checked before
-
-    def ratio(temperature: float) -> float:
-        return dynamic_viscosity(data, temperature) / viscosity
-
-    rows = [(table[0][0], ratio(table[0][1]))]
-    for (start, cold), (end, warm) in zip(table, table[1:], strict=False):
-        parts = _parts(ratio, cold, warm)
-        for share in np.linspace(0.0, 1.0, parts + 1)[1:]:
-            rows.append((start + share * (end - start), ratio(cold + share * (warm - cold))))
-    return rows
-
-
-def _parts(ratio: Callable[[float], float], cold: float, warm: float) -> int:
-    """Equal parts of a change of temperature [K] in which the viscosity is nearly straight."""
-    parts = 1
-    while parts < LARGEST_SPLIT:
-        ends = [ratio(t) for t in np.linspace(cold, warm, parts + 1)]
-        half = 0.5 * (warm - cold) / parts
-        middles = [ratio(t) for t in np.linspace(cold + half, warm - half, parts)]
-        straight = 0.5 * (np.array(ends[:-1]) + np.array(ends[1:]))
-        if np.max(np.abs(straight / np.array(middles) - 1.0)) <= VISCOSITY_ERROR:
-            break
-        parts *= 2
-    return parts

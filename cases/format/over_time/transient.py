@@ -2,19 +2,20 @@
 
 from collections.abc import Iterator, Mapping
 from math import inf
-from pathlib import Path
+from pathlib import Path as FilePath
 from typing import Annotated, Any, Literal
 
 import numpy as np
 
 from ehl import ContactConditions, MoesConditions
+from ehl.arrays import Array
 from ehl.transient.features import Dent, Feature, Profile, Ridge, Waviness
 from ehl.transient.inputs import Course, Impact, Scheme, TransientConditions, TransientOptions
 from ehl.units import MICROMETRE
 
 from ..contact import ContactEhlTable
 from ..fields import OneOf, SpeedTable, Table, above, between, described, is_number, within
-from ..problems import MISSING, CaseFault, UnfitKey, shown
+from ..problems import MISSING, CaseProblem, InvalidKeyError, Path, shown
 from ..rules import CaseValues, Needs, OnlyWith, Relation, Where
 
 NAME = "features"
@@ -101,16 +102,26 @@ RELATIONS: tuple[Relation, ...] = (
 DIMENSIONLESS = "nothing with Moes' groups, which have no unit of time"
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
-    """Keys of a feature that its kind lacks or does not know; a contact without lengths, with
-    spin, a layer or another film than the Newtonian one.
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
+    """Conflicts of [transient] and [[features]]: keys of another kind, a contact that is not
+    computed.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
     """
     for index, table in _features(values):
         yield from _feature_faults(index, table)
     if not isinstance(values.get("transient"), dict):
         return
     if values.given("contact", "moes_M"):
-        yield CaseFault(("transient",), "found with moes_M", f"allowed: {DIMENSIONLESS}")
+        yield CaseProblem(("transient",), "found with moes_M", f"allowed: {DIMENSIONLESS}")
     without = {
         ("contact", "spin_rad_s"): "spin",
         ("contact", "mean_spin_rad_s"): "spin",
@@ -120,11 +131,11 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     for path, what in without.items():
         if values.get(*path):
             finding = f"found {shown(values.get(*path))} together with [transient]"
-            yield CaseFault(path, finding, f"allowed: contacts over time without {what}")
+            yield CaseProblem(path, finding, f"allowed: contacts over time without {what}")
     film = values.get("ehl", "film_model")
     if film not in (None, "newtonian"):
         finding = f"found {shown(film)} together with [transient]"
-        yield CaseFault(("ehl", "film_model"), finding, 'allowed: "newtonian"')
+        yield CaseProblem(("ehl", "film_model"), finding, 'allowed: "newtonian"')
 
 
 def _features(values: CaseValues) -> Iterator[tuple[int, dict[str, Any]]]:
@@ -134,22 +145,22 @@ def _features(values: CaseValues) -> Iterator[tuple[int, dict[str, Any]]]:
             yield index, table
 
 
-def _feature_faults(index: int, table: Mapping[str, Any]) -> Iterator[CaseFault]:
+def _feature_faults(index: int, table: Mapping[str, Any]) -> Iterator[CaseProblem]:
     kind = table.get("kind")
     if not isinstance(kind, str) or kind not in KINDS:
         return
     needed, beside = KINDS[kind]
     for key in needed:
         if key not in table:
-            yield CaseFault((NAME, index, key), MISSING, f"needed with kind = {shown(kind)}")
+            yield CaseProblem((NAME, index, key), MISSING, f"needed with kind = {shown(kind)}")
     known = (*COMMON, *needed, *beside)
     for key in table:
         if key in FeatureTable.model_fields and key not in known:
             finding = f"found with kind = {shown(kind)}"
             allowed = f"allowed: {', '.join((*needed, *beside, 'start_um'))}"
-            yield CaseFault((NAME, index, key), finding, allowed)
+            yield CaseProblem((NAME, index, key), finding, allowed)
         elif key in ("depth_um", "height_um") and is_number(table[key]) and table[key] == 0.0:
-            yield CaseFault((NAME, index, key), "found 0", "allowed: a height that is not zero")
+            yield CaseProblem((NAME, index, key), "found 0", "allowed: a height that is not zero")
 
 
 def transient(
@@ -157,15 +168,33 @@ def transient(
     features: tuple[FeatureTable, ...],
     contact: ContactConditions | MoesConditions,
 ) -> TransientConditions | None:
-    """The contact over time, SI; None without [transient]. `UnfitKey` or ValueError where it
-    cannot be computed.
+    """The contact over time.
+
+    Parameters
+    ----------
+    table : TransientTable | None
+        The checked table, where there is one.
+    features : tuple[FeatureTable, ...]
+        Features of the surfaces.
+    contact : ContactConditions | MoesConditions
+        The steady contact.
+
+    Returns
+    -------
+    TransientConditions | None
+        The contact, SI; None without [transient].
+
+    Raises
+    ------
+    InvalidKeyError
+        If a profile cannot be read.
+    ValueError
+        If the contact cannot be computed.
     """
     if table is None or isinstance(contact, MoesConditions):
         return None
     si = table.si()
-    impact = None
-    if table.mass_kg is not None:
-        impact = Impact(mass=si["mass"], approach_speed=si["approach_speed"], gap=si["gap"])
+    impact = None if table.mass_kg is None else table.build(Impact)
     return TransientConditions(
         contact=contact,
         end_time=si["end_time"],
@@ -177,16 +206,22 @@ def transient(
 
 
 def transient_options(table: TransientTable, grid: ContactEhlTable) -> TransientOptions:
-    """Grid, scheme and steps of a run, SI."""
+    """Grid, scheme and steps of a run.
+
+    Parameters
+    ----------
+    table : TransientTable
+        The checked table.
+    grid : ContactEhlTable
+        The checked table [ehl].
+
+    Returns
+    -------
+    TransientOptions
+        The options, SI.
+    """
     points = POINTS if grid.points is None else grid.points
-    return TransientOptions(
-        points=points,
-        domain=grid.domain,
-        scheme=Scheme(table.scheme),
-        largest_step=table.si()["largest_step"],
-        frames=table.frames,
-        tolerance=table.tolerance,
-    )
+    return table.build(TransientOptions, points=points, domain=grid.domain)
 
 
 def _course(rows: tuple[tuple[float, float], ...] | None) -> Course | None:
@@ -197,56 +232,66 @@ def _course(rows: tuple[tuple[float, float], ...] | None) -> Course | None:
 
 def _feature(index: int, table: FeatureTable) -> Feature:
     """A feature, SI."""
-    si = table.si()
-    common = {"body": table.body, "start": si["start"]}
     if table.kind == "waviness":
-        return Waviness(
-            amplitude=si["amplitude"],
-            wavelength=si["wavelength"],
-            wavelength_across=si["wavelength_across"],
-            phase=si["phase"] or 0.0,
-            **common,
-        )
+        return table.build(Waviness)
     if table.kind == "dent":
-        return Dent(
-            depth=si["depth"],
-            radius=si["radius"],
-            radius_across=si["radius_across"],
-            place_across=si["place_across"] or 0.0,
-            **common,
-        )
+        return table.build(Dent)
     if table.kind == "ridge":
-        angle = si["angle"] or 0.0
-        return Ridge(ridge_height=si["height"], width=si["width"], angle=angle, **common)
-    return _profile(index, table, common)
+        return table.build(Ridge, ridge_height=table.si()["height"])
+    return _profile(index, table)
 
 
-def _profile(index: int, table: FeatureTable, common: dict[str, Any]) -> Profile:
-    """A measured profile of a file [m]; `UnfitKey` where it cannot be read."""
+def _profile(index: int, table: FeatureTable) -> Profile:
+    """A measured profile of a file [m]; `InvalidKeyError` where it cannot be read."""
     key = (NAME, index, "file")
     assert table.file is not None
     allowed = "allowed: rows of x and height, or x, y and height on a grid, in um"
-    try:
-        text = Path(table.file).read_text(encoding="utf-8").replace(",", " ").replace(";", " ")
-        rows = np.atleast_2d(np.loadtxt(text.splitlines(), comments=["#", "%"]))
-    except OSError as error:
-        finding = f"{table.file} cannot be read: {error.strerror or error}"
-        raise UnfitKey(key, finding, allowed) from None
-    except ValueError as error:
-        raise UnfitKey(key, f"{table.file}: {error}", allowed) from None
-    rows = rows * MICROMETRE
+    rows = read_columns(key, table.file, allowed) * MICROMETRE
     try:
         if rows.shape[1] == 2:
-            return Profile(x=rows[:, 0], heights=rows[:, 1], **common)
+            return table.build(Profile, x=rows[:, 0], heights=rows[:, 1])
         if rows.shape[1] == 3:
-            return _surface(rows, common)
+            x, y, heights = _grid(rows)
+            return table.build(Profile, x=x, y=y, heights=heights)
     except ValueError as error:
-        raise UnfitKey(key, f"{table.file}: {error}", allowed) from None
-    raise UnfitKey(key, f"{table.file} has {rows.shape[1]} columns", allowed)
+        raise InvalidKeyError(key, f"{table.file}: {error}", allowed) from None
+    raise InvalidKeyError(key, f"{table.file} has {rows.shape[1]} columns", allowed)
 
 
-def _surface(rows: Any, common: dict[str, Any]) -> Profile:
-    """Heights over a grid of x and y [m]."""
+def read_columns(key: Path, file: str, allowed: str) -> Array:
+    """Read the columns of numbers of a text file; commas and semicolons separate like spaces.
+
+    Parameters
+    ----------
+    key : tuple of (str or int)
+        Path of the key that names the file.
+    file : str
+        The file, a path from the working directory.
+    allowed : str
+        Text for messages: the content that is allowed.
+
+    Returns
+    -------
+    ndarray, shape (n, columns)
+        The numbers, in the units of the file.
+
+    Raises
+    ------
+    InvalidKeyError
+        If the file cannot be read, or holds something else.
+    """
+    try:
+        text = FilePath(file).read_text(encoding="utf-8").replace(",", " ").replace(";", " ")
+        return np.atleast_2d(np.loadtxt(text.splitlines(), comments=["#", "%"]))
+    except OSError as error:
+        finding = f"{file} cannot be read: {error.strerror or error}"
+        raise InvalidKeyError(key, finding, allowed) from None
+    except ValueError as error:
+        raise InvalidKeyError(key, f"{file}: {error}", allowed) from None
+
+
+def _grid(rows: Array) -> tuple[Array, Array, Array]:
+    """Axes x and y and the heights over their grid [m]."""
     x, at_x = np.unique(rows[:, 0], return_inverse=True)
     y, at_y = np.unique(rows[:, 1], return_inverse=True)
     if len(rows) != x.size * y.size:
@@ -255,4 +300,4 @@ def _surface(rows: Any, common: dict[str, Any]) -> Profile:
     heights[at_x, at_y] = rows[:, 2]
     if not np.isfinite(heights).all():
         raise ValueError("a place of the grid has no height, another one two")
-    return Profile(x=x, y=y, heights=heights, **common)
+    return x, y, heights

@@ -2,7 +2,6 @@
 
 from collections.abc import Iterator
 from math import radians
-from pathlib import Path
 from typing import Annotated, Literal
 
 import numpy as np
@@ -21,8 +20,9 @@ from bearing.vibration.inputs import (
 from ehl.units import MICROMETRE, RPM
 
 from ..fields import OneOf, Table, above, between, checked, described, numbers, within
-from ..problems import CaseFault, UnfitKey, shown
+from ..problems import CaseProblem, InvalidKeyError, shown
 from ..rules import CaseValues, Needs, OnlyWith, Relation, Where
+from .transient import read_columns
 
 DEFECTS_MAXIMUM = 20
 WAVES_MAXIMUM = 2000
@@ -99,7 +99,7 @@ class FormTable(Table):
 
 
 class SupportTable(Table):
-    """What holds the rings while the bearing vibrates."""
+    """Support of the rings while the bearing vibrates."""
 
     inner_ring: Literal["free", "held"] = described(
         "held: on a stiff spindle, where the loads put it", "free"
@@ -175,16 +175,27 @@ RELATIONS: tuple[Relation, ...] = (
 )
 
 
-def faults(values: CaseValues) -> Iterator[CaseFault]:
-    """Rings without a hold; a run-up from more than the speed; what belongs to other laws."""
+def faults(values: CaseValues) -> Iterator[CaseProblem]:
+    """Conflicts of [form], [support] and [vibration]: rings without a hold, keys of another law.
+
+    Parameters
+    ----------
+    values : CaseValues
+        The valid values of the file.
+
+    Yields
+    ------
+    Iterator[CaseProblem]
+        The problems.
+    """
     held = values.get("support", "inner_ring") == "held"
     if held and not values.given("support", "seat_stiffness_N_um"):
         path = ("support", "inner_ring")
         allowed = "needed: seat_stiffness_N_um, which may be 0, for an outer ring that moves"
-        yield CaseFault(path, 'found "held" beside an outer ring that stands still', allowed)
+        yield CaseProblem(path, 'found "held" beside an outer ring that stands still', allowed)
     if values.get("support", "seat_stiffness_N_um") == 0.0 and not held:
         path = ("support", "seat_stiffness_N_um")
-        yield CaseFault(
+        yield CaseProblem(
             path,
             "found 0, which leaves both rings without a hold",
             'allowed: with inner_ring = "held", or a stiffness',
@@ -194,28 +205,28 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     if start is not None:
         path = ("vibration", "start_speed_rpm")
         if values.get("operation", "outer_speed_rpm"):
-            yield CaseFault(path, "found with outer_speed_rpm", "allowed: an outer ring at rest")
+            yield CaseProblem(path, "found with outer_speed_rpm", "allowed: an outer ring at rest")
         elif speed is not None and not 0.0 <= start < speed:
-            yield CaseFault(
+            yield CaseProblem(
                 path, f"found {shown(start)}", f"allowed: below inner_speed_rpm, {shown(speed)}"
             )
     law = values.get("vibration", "contact_law") or "film"
     if law == "film" and values.get("vibration", "loss_time_us"):
         path = ("vibration", "loss_time_us")
-        yield CaseFault(
+        yield CaseProblem(
             path, 'found with contact_law = "film"', "allowed: with dry or linear contacts"
         )
     yield from _ball_faults(values)
 
 
-def _ball_faults(values: CaseValues) -> Iterator[CaseFault]:
+def _ball_faults(values: CaseValues) -> Iterator[CaseProblem]:
     """Balls that the bearing does not have."""
     balls = values.get("bearing", "balls")
     given = values.get("form", "ball_diameter_um")
     if balls is None or given is None:
         return
     if len(given) != balls:
-        yield CaseFault(
+        yield CaseProblem(
             ("form", "ball_diameter_um"),
             f"found {len(given)} values",
             f"allowed: {balls}, one a ball",
@@ -228,9 +239,28 @@ def vibration(
     table: VibrationTable | None,
     speeds: tuple[float, float | None],
 ) -> VibrationModel:
-    """Model of the vibration, SI; `UnfitKey` where a profile cannot be read.
+    """Model of the vibration.
 
-    speeds: of the inner ring [rad/s], and the end time of [dynamics] [s].
+    Parameters
+    ----------
+    form : FormTable | None
+        The checked table [form], where there is one.
+    support : SupportTable | None
+        The checked table [support], where there is one.
+    table : VibrationTable | None
+        The checked table [vibration], where there is one.
+    speeds : tuple[float, float | None]
+        Speed of the inner ring [rad/s], and end time of [dynamics] [s].
+
+    Returns
+    -------
+    VibrationModel
+        The model, SI.
+
+    Raises
+    ------
+    InvalidKeyError
+        If a profile cannot be read.
     """
     return VibrationModel(
         form=SurfaceForm() if form is None else surface_form(form),
@@ -240,11 +270,27 @@ def vibration(
 
 
 def surface_form(table: FormTable) -> SurfaceForm:
-    """Form of the surfaces, SI; `UnfitKey` where a profile cannot be read."""
+    """Form of the surfaces.
+
+    Parameters
+    ----------
+    table : FormTable
+        The checked table.
+
+    Returns
+    -------
+    SurfaceForm
+        Waves, profiles and defects, SI.
+
+    Raises
+    ------
+    InvalidKeyError
+        If a profile cannot be read.
+    """
     waves = {
-        Place.INNER: tuple(map(_wave, table.inner_waviness)),
-        Place.OUTER: tuple(map(_wave, table.outer_waviness)),
-        Place.BALL: tuple(map(_wave, table.ball_waviness)),
+        Place.INNER: tuple(wave.build(Wave) for wave in table.inner_waviness),
+        Place.OUTER: tuple(wave.build(Wave) for wave in table.outer_waviness),
+        Place.BALL: tuple(wave.build(Wave) for wave in table.ball_waviness),
     }
     files = {
         Place.INNER: ("inner_profile", table.inner_profile),
@@ -256,25 +302,7 @@ def surface_form(table: FormTable) -> SurfaceForm:
         waves=waves,
         profiles=profiles,
         ball_diameters=tuple(table.si()["ball_diameter"] or ()),
-        defects=tuple(_defect(one) for one in table.defects),
-    )
-
-
-def _wave(table: WaveTable) -> Wave:
-    si = table.si()
-    ball = table.ball if isinstance(table, BallWaveTable) else 0
-    return Wave(order=table.order, amplitude=si["amplitude"], phase=si["phase"], ball=ball)
-
-
-def _defect(table: DefectTable) -> Defect:
-    si = table.si()
-    return Defect(
-        place=Place(table.place),
-        kind=DefectKind(table.kind),
-        width=si["width"],
-        depth=si["depth"],
-        azimuth=si["azimuth"],
-        ball=table.ball,
+        defects=tuple(defect.build(Defect) for defect in table.defects),
     )
 
 
@@ -287,28 +315,18 @@ def _support(table: SupportTable) -> Support:
             frequency=si["sensor_frequency"],
             damping_ratio=si["sensor_damping_ratio"],
         )
-    return Support(
-        shaft_mass=si["shaft_mass"],
-        inner_ring_held=table.inner_ring == "held",
-        seat_stiffness=si["seat_stiffness"],
-        seat_axial_stiffness=si["seat_axial_stiffness"],
-        seat_damping=si["seat_damping"] or 0.0,
-        outer_mass=si["outer_ring_mass"],
-        housing_mass=si["housing_mass"],
-        sensor=sensor,
-    )
+    held = table.inner_ring == "held"
+    outer_mass = si["outer_ring_mass"]
+    return table.build(Support, inner_ring_held=held, outer_mass=outer_mass, sensor=sensor)
 
 
 def _options(table: VibrationTable, speed: float, end_time: float | None) -> VibrationOptions:
-    si = table.si()
     start = table.start_speed_rpm
-    return VibrationOptions(
+    return table.build(
+        VibrationOptions,
         duration=table.duration_s or end_time or END_TIME,
-        settling=si["settling_time"],
-        sample_rate=si["sample_rate"],
+        settling=table.settling_time_s,
         law=ContactLaw(table.contact_law),
-        wave_filter=WaveFilter(table.wave_filter),
-        loss_time=si["loss_time"],
         cage_slip=table.cage_slip_ratio,
         start_speed_ratio=1.0 if start is None else start * RPM / speed,
     )
@@ -317,40 +335,46 @@ def _options(table: VibrationTable, speed: float, end_time: float | None) -> Vib
 def _profile(key: str, file: str | None) -> Array:
     """Heights over a turn, even, of a file [m]."""
     allowed = "allowed: rows of a rising angle [deg] from 0 and a height [um], at least 4"
-    rows = _rows(("form", key), str(file), 2, allowed)
+    rows = _columns(("form", key), str(file), 2, allowed)
     angle, height = rows.T
     if len(rows) < 4 or angle[0] < 0.0 or angle[-1] > 360.0 or (np.diff(angle) <= 0.0).any():
-        raise UnfitKey(("form", key), f"{file}: angles do not rise from 0 to 360", allowed)
+        raise InvalidKeyError(("form", key), f"{file}: angles do not rise from 0 to 360", allowed)
     even = np.linspace(0.0, 360.0, max(4096, 4 * len(rows)), endpoint=False)
     values = np.interp(even, angle, height, period=360.0)
     return np.asarray((values - values.mean()) * MICROMETRE)
 
 
 def frequency_response(table: SupportTable | None) -> Array | None:
-    """Rows of frequency [Hz], amplitude ratio [-], phase [rad]; `UnfitKey` where the file cannot
-    be read.
+    """Frequency response that the acceleration passes through.
+
+    Parameters
+    ----------
+    table : SupportTable | None
+        The checked table [support], where there is one.
+
+    Returns
+    -------
+    Array | None
+        Rows of frequency [Hz], amplitude ratio [-] and phase [rad], shape (n, 3).
+
+    Raises
+    ------
+    InvalidKeyError
+        If the file cannot be read.
     """
     if table is None or table.frequency_response is None:
         return None
     path = ("support", "frequency_response")
     allowed = "allowed: rows of a rising frequency [Hz], an amplitude ratio and a phase [deg]"
-    rows = _rows(path, table.frequency_response, 3, allowed)
+    rows = _columns(path, table.frequency_response, 3, allowed)
     if len(rows) < 2 or (np.diff(rows[:, 0]) <= 0.0).any() or (rows[:, 1] < 0.0).any():
-        raise UnfitKey(path, f"{table.frequency_response}: no rising frequencies", allowed)
+        raise InvalidKeyError(path, f"{table.frequency_response}: no rising frequencies", allowed)
     return np.column_stack([rows[:, 0], rows[:, 1], radians(1.0) * rows[:, 2]])
 
 
-def _rows(path: tuple[str | int, ...], file: str, columns: int, allowed: str) -> Array:
-    """Numbers of a text file, shape (n, columns)."""
-    try:
-        text = Path(file).read_text(encoding="utf-8").replace(",", " ").replace(";", " ")
-        rows = np.atleast_2d(np.loadtxt(text.splitlines(), comments=["#", "%"]))
-    except OSError as error:
-        raise UnfitKey(
-            path, f"{file} cannot be read: {error.strerror or error}", allowed
-        ) from None
-    except ValueError as error:
-        raise UnfitKey(path, f"{file}: {error}", allowed) from None
-    if rows.shape[1] != columns or not np.isfinite(rows).all():
-        raise UnfitKey(path, f"{file} has {rows.shape[1]} columns", allowed)
-    return np.asarray(rows)
+def _columns(path: tuple[str | int, ...], file: str, count: int, allowed: str) -> Array:
+    """Finite numbers of a text file, shape (n, count)."""
+    rows = read_columns(path, file, allowed)
+    if rows.shape[1] != count or not np.isfinite(rows).all():
+        raise InvalidKeyError(path, f"{file} has {rows.shape[1]} columns", allowed)
+    return rows

@@ -31,7 +31,25 @@ NO_EQUILIBRIUM = "there is no equilibrium"
 
 
 def run_atlas_contact(case: ContactCase, name: str) -> AtlasContactResults:
-    """Films of a single contact; `CaseError` where the atlas does not cover it."""
+    """Films of a single contact by the film atlas.
+
+    Parameters
+    ----------
+    case : ContactCase
+        The contact.
+    name : str
+        Name of the case in messages.
+
+    Returns
+    -------
+    AtlasContactResults
+        The films.
+
+    Raises
+    ------
+    CaseError
+        If the atlas does not cover the contact.
+    """
     solver = f"use 'oilfilm contact {name}'"
     _require_newtonian(case, name, solver)
     start = perf_counter()
@@ -49,8 +67,24 @@ def run_atlas_contact(case: ContactCase, name: str) -> AtlasContactResults:
 
 
 def run_atlas_bearing(case: Case, name: str) -> AtlasBearingResults:
-    """Films of all contacts of a bearing at its quasi-static loads, whatever `film_maps` asks for;
-    without films are those that the atlas does not cover.
+    """Films of all contacts of a bearing by the film atlas, whatever `film_maps` asks for.
+
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    name : str
+        Name of the case in messages.
+
+    Returns
+    -------
+    AtlasBearingResults
+        Films at the quasi-static loads; none where the atlas does not cover a contact.
+
+    Raises
+    ------
+    CaseError
+        If the films of the case have heat or shear thinning.
     """
     solver = f"use 'oilfilm run {name}'"
     _require_newtonian(case, name, solver)
@@ -78,8 +112,21 @@ def run_atlas_bearing(case: Case, name: str) -> AtlasBearingResults:
 def fill_from_atlas(
     contacts: Sequence[BearingContact], wanted: Sequence[ContactConditions | None], films: Films
 ) -> tuple[ContactFilm | None, ...]:
-    """Films in place of solved ones, with those of the atlas at the contacts whose films were not
-    asked for and that it covers.
+    """Films with those of the atlas at contacts that were not to be solved.
+
+    Parameters
+    ----------
+    contacts : Sequence[BearingContact]
+        Contacts of the bearing.
+    wanted : Sequence[ContactConditions | None]
+        Conditions of the contacts that are solved.
+    films : Films
+        Films of formulas in place of solved ones.
+
+    Returns
+    -------
+    tuple[ContactFilm | None, ...]
+        Films of formulas and of the atlas; None elsewhere.
     """
 
     def free(contact: BearingContact) -> bool:

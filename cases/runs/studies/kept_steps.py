@@ -18,7 +18,7 @@ STATE_FILE = "state.npz"
 EVERY = 5.0  # between two states on disk [s]
 
 
-class KeptSteps:
+class Checkpoints:
     """The folder of the steps of one run; frames as they come, the state now and then.
 
     OSError where the disk takes no more.
@@ -31,9 +31,18 @@ class KeptSteps:
         self._last = monotonic()
 
     def resume(self, run: TransientRun) -> int:
-        """Go on from what is there of the same case; the step it stands at, 0 if there is none.
+        """Continue from the checkpoint of the same case; a damaged one, or one of another case, is
+        ignored.
 
-        A state that is damaged, or of another case, counts as none.
+        Parameters
+        ----------
+        run : TransientRun
+            The run.
+
+        Returns
+        -------
+        int
+            Its step, 0 without a checkpoint [-].
         """
         try:
             state = _read(self.folder / STATE_FILE)
@@ -47,7 +56,15 @@ class KeptSteps:
         return run.done
 
     def keep(self, run: TransientRun, *, now: bool = False) -> None:
-        """Write what is new, `now` or where the last time is some seconds ago."""
+        """Write the new steps, if the last time is some seconds ago.
+
+        Parameters
+        ----------
+        run : TransientRun
+            The run.
+        now : bool, default False
+            True: write in any case.
+        """
         if not now and monotonic() - self._last < EVERY:
             return
         self.folder.mkdir(parents=True, exist_ok=True)
@@ -91,7 +108,7 @@ def _frame(data: dict[str, Any]) -> Frame:
 
 
 def _state(run: TransientRun, key: str) -> dict[str, Any]:
-    """What a run goes on from."""
+    """State from which a run continues."""
     past = run.past
     return {
         "key": key,

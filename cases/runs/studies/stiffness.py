@@ -25,16 +25,28 @@ def run_stiffness(
 
     Parameters
     ----------
+    case : Case
+        The bearing.
     name : str
-        Of the case, for messages.
-    speeds : tuple of float or None
-        First and last [rad/s]; None goes from rest to the speed of the case.
+        Name of the case in messages.
+    speeds : tuple[float, float] | None
+        First and last [rad/s]; None: from rest to the speed of the case.
     points : int
-        Speeds [-].
+        Number of speeds [-].
     damping : float
-        For the rotor code [N s/m].
-    progress : callable, optional
-        Called with the speeds done, the speeds in all, and a word on the state.
+        Damping for the rotor code [N s/m].
+    progress : Progress | None, optional
+        Called with speeds done, speeds in all, and a text.
+
+    Returns
+    -------
+    StiffnessResults
+        Stiffness at each speed.
+
+    Raises
+    ------
+    CaseError
+        If the inner ring stands still.
     """
     first, last = speeds or (0.0, case.operation.inner_speed)
     if first == last:

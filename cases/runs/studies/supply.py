@@ -1,5 +1,5 @@
-"""What the oil of a bearing decides beside its torque: torque with other supplies, films after the
-supply stops.
+"""Effects of the oil supply beside the torque: torque with other supplies, films after the supply
+stops.
 """
 
 from collections.abc import Sequence

@@ -37,14 +37,21 @@ def run_temperatures(
 
     Parameters
     ----------
+    case : Case
+        The bearing.
     name : str
-        Of the case, for messages.
-    run : callable
+        Name of the case in messages.
+    run : Callable[[Case], BearingResults]
         Computes a case: `cases.runs.bearing.run_case`.
-    duration : float, optional
-        Of the course [s]; five times the longest time constant if left out.
-    progress : callable, optional
-        Called with parts done, parts in all, and a word on the state.
+    duration : float | None, optional
+        Time of the course [s]; None: five times the longest time constant.
+    progress : Progress | None, optional
+        Called with parts done, parts in all, and a text.
+
+    Returns
+    -------
+    TemperatureResults
+        Balances over the speed, and temperatures over time.
 
     Raises
     ------

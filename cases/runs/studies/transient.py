@@ -14,7 +14,7 @@ from ...format.problems import CaseError
 from ...version import version
 from ..films import Progress
 from ..interrupt import finish_first, interruptible
-from .kept_steps import KeptSteps
+from .kept_steps import Checkpoints
 
 NOT_USED = "ehl.tolerance, ehl.certify: not used over time, where transient.tolerance counts"
 
@@ -31,14 +31,23 @@ class Interrupted(KeyboardInterrupt):
 def run_transient(
     case: ContactCase, name: str, folder: Path | None = None, progress: Progress | None = None
 ) -> TransientResults:
-    """Solve a contact over time, by its `name` in messages, its steps kept in a folder.
+    """Solve a contact over time; its steps are stored in a folder.
 
     Parameters
     ----------
-    folder : Path, optional
-        Where steps are kept while it runs; those of the same case that are there are gone on from.
-    progress : callable, optional
-        Called with steps done, steps in all, and the time still to go.
+    case : ContactCase
+        The contact.
+    name : str
+        Name of the case in messages.
+    folder : Path | None, optional
+        Folder of the steps while it runs; steps of the same case in it are continued.
+    progress : Progress | None, optional
+        Called with steps done, steps in all, and the time left.
+
+    Returns
+    -------
+    TransientResults
+        Films over time.
 
     Raises
     ------
@@ -60,7 +69,9 @@ def run_transient(
         run = interruptible(partial(transient_run, *case.transient))
     except ValueError as problem:
         raise CaseError(f"{name}: transient: {problem}") from problem
-    kept = None if folder is None else KeptSteps(folder, json.dumps(case.document, sort_keys=True))
+    kept = (
+        None if folder is None else Checkpoints(folder, json.dumps(case.document, sort_keys=True))
+    )
     resumed = 0 if kept is None else kept.resume(run)
     _stream(case, run, kept, (resumed, began), notify)
     return _results(case, run, (resumed, began))
@@ -69,7 +80,7 @@ def run_transient(
 def _stream(
     case: ContactCase,
     run: TransientRun,
-    kept: KeptSteps | None,
+    kept: Checkpoints | None,
     start: tuple[int, float],
     notify: Progress,
 ) -> None:

@@ -1,26 +1,23 @@
 """Run the vibration of a bearing case: equilibrium, films, form, time."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
 from time import perf_counter
 
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.contacts import contact_conditions
-from bearing.films.operating import OilAtInlets, supplied_films
-from bearing.geometry import Race
 from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.supply.supply import AMPLE
 from bearing.vibration.assembly import assembled
 from bearing.vibration.inputs import Direction
-from bearing.vibration.laws import FilmsNotSolvedError, heaviest
+from bearing.vibration.laws import FilmsNotSolvedError, film_shares
 from bearing.vibration.simulation import VibrationRun, pieces, vibration_run
 from ehl.multigrid.bordered import LinearSolverError
 from postprocess.vibration.results import VibrationResults
 
 from ...format.case import Case
 from ...format.over_time.vibration import VibrationTable, frequency_response, vibration
-from ...format.problems import CaseError, UnfitKey
+from ...format.problems import CaseError, InvalidKeyError
 from ...version import version
 from ..equilibrium import case_equilibrium
 from ..films import Progress, inlet_layers
@@ -32,10 +29,21 @@ class NotSolvedError(RuntimeError):
 
 
 def run_vibration(case: Case, name: str, progress: Progress | None = None) -> VibrationResults:
-    """Compute the vibration of a case; `name` of it in messages.
+    """Compute the vibration of a case.
 
-    progress : callable, optional
-        Called with per mille done, 1000, and a word on the state.
+    Parameters
+    ----------
+    case : Case
+        The bearing.
+    name : str
+        Name of the case in messages.
+    progress : Progress | None, optional
+        Called with per mille done, 1000, and a text.
+
+    Returns
+    -------
+    VibrationResults
+        Motion over time.
 
     Raises
     ------
@@ -58,10 +66,14 @@ def run_vibration(case: Case, name: str, progress: Progress | None = None) -> Vi
         if not state.converged:
             raise NotSolvedError(state.message)
         contacts = _contacts(case, state)
-        model = replace(model, film_shares=_film_shares(case, contacts))
+        if case.friction is not None and case.friction.asperities is not None:
+            supply = case.friction.scarce if case.inlet_layer is not None else None
+            asperities = case.friction.asperities
+            shares = film_shares(contacts, asperities, supply, case.bearing.balls)
+            model = replace(model, film_shares=shares)
         equations = interruptible(partial(assembled, state, contacts, model))
         run = vibration_run(state, model, equations)
-    except UnfitKey as error:
+    except InvalidKeyError as error:
         raise CaseError(f"{name}: {error.fault.text(name, {})}") from error
     except ValueError as error:
         raise CaseError(f"{name}: {error}") from error
@@ -105,25 +117,8 @@ def _contacts(case: Case, state: QuasistaticSolution) -> list[BearingContact]:
     ]
 
 
-def _film_shares(case: Case, contacts: Sequence[BearingContact]) -> dict[Race, float]:
-    """Part of the load of the heaviest contact of each race that its film carries [-]."""
-    asperities = None if case.friction is None else case.friction.asperities
-    if asperities is None:
-        return {}
-    assert case.friction is not None  # it has asperities
-    scarce = case.friction.scarce if case.inlet_layer is not None else None
-    shares = {}
-    for race in Race:
-        contact = heaviest(contacts, race)
-        oil = OilAtInlets(oil=scarce or AMPLE, balls=case.bearing.balls)
-        (film,) = supplied_films([contact], [None], oil)
-        if film is not None:
-            shares[race] = 1.0 - asperities.share(contact, film.central.value)
-    return shares
-
-
 def _notes(case: Case) -> Iterator[str]:
-    """What of the oil is left out."""
+    """Notes on effects of the oil that are left out."""
     if case.inlet_layer is not None:
         yield "vibration: waves enter as through flooded films; behind layers it is not known"
     elif case.friction is not None and case.friction.scarce is not None:
@@ -131,7 +126,7 @@ def _notes(case: Case) -> Iterator[str]:
 
 
 def _band(table: VibrationTable) -> tuple[float, float] | None:
-    """Of the envelope [Hz]; CaseError beyond half the sample rate."""
+    """Band of the envelope [Hz]; CaseError beyond half the sample rate."""
     if table.envelope_band_Hz is None:
         return None
     low, high = table.envelope_band_Hz

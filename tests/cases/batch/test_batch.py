@@ -19,11 +19,11 @@ from typer.testing import CliRunner
 import postprocess
 from bearing import contact_conditions, solve_quasistatic
 from cases import CaseError, load_case
-from cases.batch.engine import Choice, ProgressEstimate, duration, run_batch
+from cases.batch.engine import PointSelection, ProgressEstimate, duration, run_batch
 from cases.batch.keys import WITHOUT_CONTACTS, content_key
 from cases.batch.points import Task
 from cases.batch.pools import LocalPool, scheduler_address
-from cases.batch.results import gathered, write_batch
+from cases.batch.results import load_results, write_batch
 from cases.batch.shared import contact_cache
 from cases.batch.shared.contact_cache import ContactCache
 from cases.batch.store import finished_points, open_folder
@@ -168,7 +168,7 @@ def test_sensitivity_varies_what_is_assumed():
 def test_sensitivities_are_in_the_summary(tmp_path):
     text = HEAD + '[fixed]\n"ehl.film_maps" = "none"\n[sensitivity]\n'
     batch = run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool)
-    write_batch(gathered(batch), tmp_path / "out")
+    write_batch(load_results(batch), tmp_path / "out")
     document = json.loads((tmp_path / "out" / "summary.json").read_text())
     found = {row["key"]: row["results"] for row in document["sensitivity"]}
     modulus = found["materials.silicon nitride.youngs_modulus_GPa"]["hertz_pressure_maximum_GPa"]
@@ -263,7 +263,7 @@ def test_equal_points_are_computed_once(tmp_path):
     pool = HerePool()
     batch = run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", lambda: pool)
     assert len(pool.handed_out) == 1
-    assert len(gathered(batch).points) == 3
+    assert len(load_results(batch).points) == 3
 
 
 def test_files_of_a_point_are_there_before_it_counts_as_finished(tmp_path, monkeypatch):
@@ -277,13 +277,13 @@ def test_files_of_a_point_are_there_before_it_counts_as_finished(tmp_path, monke
             super().put(record)
 
     monkeypatch.setattr("cases.batch.store.PointStore", Watched)
-    run_batch(sweep_from_text(QUICK, "sweep.toml"), tmp_path / "out", HerePool, Choice(keep_json=True))
+    run_batch(sweep_from_text(QUICK, "sweep.toml"), tmp_path / "out", HerePool, PointSelection(keep_json=True))
     assert seen == [True] * 6
 
 
 def test_files_of_a_batch(tmp_path):
     batch = run_batch(sweep_from_text(QUICK, "sweep.toml"), tmp_path / "out", HerePool)
-    write_batch(gathered(batch), tmp_path / "out")
+    write_batch(load_results(batch), tmp_path / "out")
     with (tmp_path / "out" / "batch.csv").open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     assert [row["operation.radial_load_N [N]"] for row in rows] == ["400.0", "900.0", "1750.0"] * 2
@@ -318,7 +318,7 @@ def test_a_failing_point_is_recorded_and_does_not_stop_the_others(tmp_path, monk
     original = module.run_case
     monkeypatch.setattr("cases.batch.compute.run_case", run)
     batch = run_batch(sweep, tmp_path / "out", HerePool)
-    results = gathered(batch)
+    results = load_results(batch)
     assert bad["operation"]["radial_load_N"] == 1750.0
     assert [point.status for point in results.points] == ["done", "done", "failed"] * 2
     assert results.points[2].message == "ArithmeticError: no such equilibrium"
@@ -327,19 +327,19 @@ def test_a_failing_point_is_recorded_and_does_not_stop_the_others(tmp_path, monk
     assert summary["failed"] == 2
     assert any("no such equilibrium" in message for message in summary["messages"])
     monkeypatch.undo()
-    again = run_batch(sweep, tmp_path / "out", HerePool, Choice(resume=True))
+    again = run_batch(sweep, tmp_path / "out", HerePool, PointSelection(resume=True))
     assert len(again.resumed) == 4
-    assert all(point.status == "done" for point in gathered(again).points)
+    assert all(point.status == "done" for point in load_results(again).points)
 
 
 def test_a_lost_worker_costs_nothing_but_the_point_that_kills_it(tmp_path):
     sweep = sweep_from_text(QUICK, "sweep.toml")
     once = HerePool([sweep.points[1].key])
-    results = gathered(run_batch(sweep, tmp_path / "once", lambda: once))
+    results = load_results(run_batch(sweep, tmp_path / "once", lambda: once))
     assert once.rebuilt == 1
     assert all(point.status == "done" for point in results.points)
     twice = HerePool([sweep.points[1].key], times=2)
-    results = gathered(run_batch(sweep, tmp_path / "twice", lambda: twice))
+    results = load_results(run_batch(sweep, tmp_path / "twice", lambda: twice))
     assert [point.status for point in results.points] == ["done", "lost", "done", "done", "done", "done"]
     assert "the worker was lost twice" in results.points[1].message
     assert twice.closed is False
@@ -356,7 +356,7 @@ def test_an_interrupt_keeps_what_is_finished_and_resume_goes_on(tmp_path):
     with pytest.raises(CaseError, match="--resume"):
         run_batch(sweep, tmp_path / "out", HerePool)
     rest = HerePool()
-    batch = run_batch(sweep, tmp_path / "out", lambda: rest, Choice(resume=True))
+    batch = run_batch(sweep, tmp_path / "out", lambda: rest, PointSelection(resume=True))
     assert len(rest.handed_out) == 2
     assert batch.resumed == kept
 
@@ -380,11 +380,11 @@ def test_resume_after_the_sweep_was_extended_and_a_file_was_damaged(tmp_path):
     damage(tmp_path / "out" / "points.sqlite", first.points[0].key)
     longer = sweep_from_text(QUICK.replace("1750.0", "1750.0, 3000.0"), "sweep.toml")
     pool = HerePool()
-    batch = run_batch(longer, tmp_path / "out", lambda: pool, Choice(resume=True))
+    batch = run_batch(longer, tmp_path / "out", lambda: pool, PointSelection(resume=True))
     assert len(pool.handed_out) == 3
     assert len(batch.resumed) == 5
     nothing = HerePool()
-    run_batch(longer, tmp_path / "out", lambda: nothing, Choice(resume=True))
+    run_batch(longer, tmp_path / "out", lambda: nothing, PointSelection(resume=True))
     assert nothing.handed_out == []
 
 
@@ -461,7 +461,7 @@ def test_contacts_equal_in_several_points_are_solved_once(tmp_path, monkeypatch)
 
     original = ehl.solve_contact
     monkeypatch.setattr("cases.format.film_model.solve_contact", solve)
-    results = gathered(run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool))
+    results = load_results(run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool))
     assert len(solved) == 2  # both races of one ball, for two points
     first, second = (point.summary["contacts"] for point in results.points)
     assert [c["film_minimum_um"] for c in first] == [c["film_minimum_um"] for c in second]
@@ -486,16 +486,16 @@ def test_contacts_of_balls_without_load_are_solved_once_for_all_loads(tmp_path, 
     )
     sweep = sweep_from_text(text, "sweep.toml")
     run_batch(sweep, tmp_path / "out", HerePool)
-    assert sweep.share and len(solved) == len({content_key(one) for one in solved})
+    assert sweep.share_contacts and len(solved) == len({content_key(one) for one in solved})
     sampled = HEAD + '[sample]\nsamples = 3\n"operation.radial_load_N" = [900.0, 1000.0]\n'
-    assert not sweep_from_text(sampled, "sweep.toml").share
+    assert not sweep_from_text(sampled, "sweep.toml").share_contacts
 
 
 def test_the_cache_is_looked_through_a_few_times_only(tmp_path, monkeypatch):
     """10 000 contacts of 100 kB are 10 looks, of which each reads the sizes of all there are."""
     looks = []
-    monkeypatch.setattr(contact_cache, "kept", lambda path: None)
-    monkeypatch.setattr(contact_cache, "keep", lambda path, thing: 100_000)
+    monkeypatch.setattr(contact_cache, "load_object", lambda path: None)
+    monkeypatch.setattr(contact_cache, "store_object", lambda path, thing: 100_000)
     monkeypatch.setattr(contact_cache, "content_key", lambda *words: f"{words[0]}")
     cache = ContactCache(tmp_path)
     plain = cache._look
@@ -589,11 +589,11 @@ def test_a_damaged_point_is_told_and_computed_anew(suffix, tmp_path, capsys):
         data = path.read_bytes()
         path.write_bytes(data[:-90] + bytes([data[-90] ^ 1]) + data[-89:])
     pool = HerePool()
-    batch = run_batch(sweep, tmp_path / "out", lambda: pool, Choice(resume=True))
+    batch = run_batch(sweep, tmp_path / "out", lambda: pool, PointSelection(resume=True))
     assert pool.handed_out == [sweep.points[0].key]
     assert batch.resumed == {sweep.points[1].key}
     assert f"{path}: {told}" in capsys.readouterr().err
-    assert [point.status for point in gathered(batch).points] == ["done"] * 2
+    assert [point.status for point in load_results(batch).points] == ["done"] * 2
 
 
 def test_film_maps_are_kept_where_they_are_wanted(tmp_path):
@@ -610,13 +610,15 @@ def test_film_maps_are_kept_where_they_are_wanted(tmp_path):
 def test_slip_maps_are_points_too(tmp_path):
     text = 'case = "hirano_7000C"\ncompute = "slip"\n[sweep]\n"slip.points" = [3]\n"slip.critical_points" = [2]\n'
     batch = run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool)
-    (point,) = gathered(batch).points
+    (point,) = load_results(batch).points
     assert point.status == "done", point.message
     assert "minimum_loads" in json.dumps(point.summary) or point.summary["converged"]
 
 
 def test_a_worker_of_another_version_is_refused(tmp_path):
-    task = Task(key="a", document={}, compute="run", fields=False, share=False, folder=str(tmp_path), program="0.0.0")
+    task = Task(
+        key="a", document={}, compute="run", fields=False, share_contacts=False, folder=str(tmp_path), program="0.0.0"
+    )
     with pytest.raises(RuntimeError, match=r"started with code 0\.0\.0"):
         compute_point(task)
 
@@ -631,8 +633,8 @@ def test_a_worker_without_the_folder_sends_its_files(tmp_path):
             assert block[0].folder is None
             return super().submit(block)
 
-    apart = gathered(run_batch(sweep, tmp_path / "apart", Elsewhere))
-    here = gathered(run_batch(sweep, tmp_path / "here", HerePool))
+    apart = load_results(run_batch(sweep, tmp_path / "apart", Elsewhere))
+    here = load_results(run_batch(sweep, tmp_path / "here", HerePool))
     write_batch(apart, tmp_path / "apart")
     write_batch(here, tmp_path / "here")
     assert (tmp_path / "apart" / "batch.csv").read_bytes() == (tmp_path / "here" / "batch.csv").read_bytes()
@@ -642,7 +644,7 @@ def test_rate_and_time_left():
     told = []
     pace = ProgressEstimate(10, lambda *words: told.append(words))
     pace.resumed = 2
-    pace.tell()
+    pace.report()
     assert told == [(2, 10, "points")]
     pace.done = 4
     assert pace.text(8.0) == "points, 30/min, 8 s left"
@@ -659,8 +661,8 @@ def test_addresses_without_a_host_are_of_this_machine():
 @pytest.mark.slow
 def test_processes_give_the_same_as_one_after_the_other(tmp_path):
     sweep = sweep_from_text(QUICK, "sweep.toml")
-    two = gathered(run_batch(sweep, tmp_path / "two", lambda: LocalPool(2)))
-    one = gathered(run_batch(sweep, tmp_path / "one", HerePool))
+    two = load_results(run_batch(sweep, tmp_path / "two", lambda: LocalPool(2)))
+    one = load_results(run_batch(sweep, tmp_path / "one", HerePool))
     write_batch(two, tmp_path / "two")
     write_batch(one, tmp_path / "one")
     assert (tmp_path / "two" / "batch.csv").read_bytes() == (tmp_path / "one" / "batch.csv").read_bytes()

@@ -15,10 +15,10 @@ from bearing.friction.table_files import load_tables
 from bearing.operation import BallKinematics
 from cases import CaseError, load_case, run_case
 from cases.batch.compute import torque_by_tables
-from cases.batch.engine import Choice, run_batch
+from cases.batch.engine import PointSelection, run_batch
 from cases.batch.points import Task
 from cases.batch.pools import ClusterPool, LocalPool
-from cases.batch.results import gathered, write_batch
+from cases.batch.results import load_results, write_batch
 from cases.batch.shared import tables
 from cases.batch.sweep import sweep_from_text
 from cases.batch.worker import compute_point
@@ -71,8 +71,8 @@ def shared(tmp_path_factory):
         patch.setattr(tables, "TableOptions", few)
         patch.setattr(tables, "build_table", counted)
         folder = tmp_path_factory.mktemp("shared")
-        results = gathered(run_batch(sweep_from_text(TORQUE, "sweep.toml"), folder, HerePool))
-        again = run_batch(sweep_from_text(TORQUE, "sweep.toml"), folder, HerePool, Choice(resume=True))
+        results = load_results(run_batch(sweep_from_text(TORQUE, "sweep.toml"), folder, HerePool))
+        again = run_batch(sweep_from_text(TORQUE, "sweep.toml"), folder, HerePool, PointSelection(resume=True))
     assert len(again.resumed) == len(results.points)
     (file,) = (folder / "tables").glob("*.zip")
     return results, file, made
@@ -99,7 +99,7 @@ def test_tables_that_are_given(shared, tmp_path):
     (tmp_path / "ready.zip").write_bytes(file.read_bytes())
     text = TORQUE.replace("table_points = 65", 'table = "ready.zip"').replace("3000.0", "9000.0")
     given = sweep_from_text(text, "sweep.toml", tmp_path)
-    results = gathered(run_batch(given, tmp_path / "given", lambda: LocalPool(2)))
+    results = load_results(run_batch(given, tmp_path / "given", lambda: LocalPool(2)))
     assert len(made) == 2
     assert [point.converged for point in results.points] == [True] * 4
     document = batch_summary(results)
@@ -109,7 +109,7 @@ def test_tables_that_are_given(shared, tmp_path):
         document=given.points[0].document,
         compute="torque",
         fields=False,
-        share=False,
+        share_contacts=False,
         folder=None,
         tables="far/x.zip",
     )
@@ -126,7 +126,9 @@ def test_a_point_from_tables_is_the_run_of_the_case_with_them(shared, tmp_path):
     """To the last bit, and its power balance closes."""
     _, file, _ = shared
     (tmp_path / "ready.zip").write_bytes(file.read_bytes())
-    results = gathered(run_batch(sweep_of(tmp_path, case_text(), 'table = "ready.zip"'), tmp_path / "out", HerePool))
+    results = load_results(
+        run_batch(sweep_of(tmp_path, case_text(), 'table = "ready.zip"'), tmp_path / "out", HerePool)
+    )
     found = results.points[1].summary
     named = case_text(f'traction = "table"\ntraction_table = "{file}"\n')
     path = tmp_path / "named.toml"
@@ -152,8 +154,8 @@ def test_tables_reach_the_workers_of_a_cluster(shared, tmp_path):
     with distributed.LocalCluster(
         n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, host="127.0.0.1"
     ) as cluster:
-        far = gathered(run_batch(sweep, tmp_path / "far", lambda: ClusterPool(cluster.scheduler_address)))
-    near = gathered(run_batch(sweep, tmp_path / "near", HerePool))
+        far = load_results(run_batch(sweep, tmp_path / "far", lambda: ClusterPool(cluster.scheduler_address)))
+    near = load_results(run_batch(sweep, tmp_path / "near", HerePool))
     for results, name in ((far, "far"), (near, "near")):
         write_batch(results, tmp_path / name)
     assert [point.status for point in far.points] == ["done"] * 4
@@ -168,7 +170,7 @@ def test_tables_of_every_point(shared, tmp_path, monkeypatch):
     text = TORQUE.replace('compute = "torque"', 'compute = "table"').replace("[8000.0, 10000.0]", "[10000.0]")
     text = text.replace("[2000.0, 3000.0]", '[3000.0]\n"friction.lubrication" = ["oil bath", "oil jet"]')
     pool = HerePool()
-    results = gathered(run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", lambda: pool))
+    results = load_results(run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", lambda: pool))
     assert len(pool.handed_out) == 1
     assert [point.status for point in results.points] == ["done"] * 2
     assert results.points[0].key == results.points[1].key
@@ -225,7 +227,7 @@ def test_damaged_tables_fail_their_points_and_are_told(tmp_path):
     (tmp_path / "bad.zip").write_bytes(b"no archive")
     text = TORQUE.replace("table_points = 65", 'table = "bad.zip"')
     sweep = sweep_from_text(text, "sweep.toml", tmp_path)
-    results = gathered(run_batch(sweep, tmp_path / "out", HerePool))
+    results = load_results(run_batch(sweep, tmp_path / "out", HerePool))
     assert [point.status for point in results.points] == ["failed"] * 4
     assert all("no traction tables of a bearing" in point.message for point in results.points)
 
@@ -267,7 +269,7 @@ def test_points_are_named_after_their_tables():
 
 def test_words_are_drawn_as_families(tmp_path):
     sweep = sweep_from_text(DYNAMICS, "sweep.toml")
-    results = gathered(run_batch(sweep, tmp_path / "out", HerePool))
+    results = load_results(run_batch(sweep, tmp_path / "out", HerePool))
     keys = list(varied_keys(results).values())
     assert [key.label for key in keys] == ["axial load [N]", "friction"]
     assert keys[1].words == ("coulomb", "four constants")

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from typer.testing import CliRunner
 
-from cases.batch.engine import Choice, run_batch
-from cases.batch.results import gathered
+from cases.batch.engine import PointSelection, run_batch
+from cases.batch.results import load_results
 from cases.batch.sweep import read_sweep
 from cases.cli.main import app
 from postprocess import open_results
@@ -51,7 +51,7 @@ def test_commands_read_it(old):
 
 def test_its_points_are_not_taken_over_and_not_lost(old):
     sweep = read_sweep(old / "sweep.toml")
-    batch = run_batch(sweep, old, HerePool, Choice(resume=True))
+    batch = run_batch(sweep, old, HerePool, PointSelection(resume=True))
     assert not batch.resumed  # of another program
-    assert [point.status for point in gathered(batch).points] == ["done"] * 3
+    assert [point.status for point in load_results(batch).points] == ["done"] * 3
     assert len(list((old / "points").glob("*.json"))) == 3

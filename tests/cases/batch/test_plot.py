@@ -12,7 +12,7 @@ from rich.console import Console
 from typer.testing import CliRunner
 
 from cases.batch.engine import run_batch
-from cases.batch.results import gathered
+from cases.batch.results import load_results
 from cases.batch.sweep import read_sweep, sweep_from_text
 from cases.cli.main import app
 from cases.format.shipped import shipped_sweeps
@@ -43,7 +43,7 @@ plot = ["torque_N_mm.models.skf.sliding", "torque_N_mm.models.skf_as_printed.sli
 @pytest.fixture(scope="module")
 def results(tmp_path_factory):
     folder = tmp_path_factory.mktemp("plot")
-    return gathered(run_batch(sweep_from_text(TEXT, "sweep.toml"), folder, HerePool))
+    return load_results(run_batch(sweep_from_text(TEXT, "sweep.toml"), folder, HerePool))
 
 
 def test_the_lines_of_the_figure_are_the_numbers_asked_for(results):

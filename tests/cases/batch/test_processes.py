@@ -20,7 +20,7 @@ from typer.testing import CliRunner
 import postprocess
 from cases.batch.engine import run_batch
 from cases.batch.pools import ClusterPool, LocalPool
-from cases.batch.results import gathered, write_batch
+from cases.batch.results import load_results, write_batch
 from cases.batch.sweep import sweep_from_text
 from cases.cli.main import app
 
@@ -106,9 +106,9 @@ def test_a_dask_cluster_of_two_workers_gives_the_same(tmp_path):
         n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, host="127.0.0.1"
     ) as cluster:
         far = run_batch(sweep, tmp_path / "far", lambda: ClusterPool(cluster.scheduler_address))
-        write_batch(gathered(far), tmp_path / "far")
+        write_batch(load_results(far), tmp_path / "far")
     near = run_batch(sweep, tmp_path / "near", lambda: LocalPool(1))
-    write_batch(gathered(near), tmp_path / "near")
+    write_batch(load_results(near), tmp_path / "near")
     same_data(tmp_path / "far", tmp_path / "near")
 
 
@@ -132,7 +132,7 @@ def test_a_dead_worker_of_a_cluster_costs_nothing(tmp_path):
     with distributed.LocalCluster(
         n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, host="127.0.0.1"
     ) as cluster:
-        results = gathered(run_batch(sweep, tmp_path / "out", lambda: Killing(cluster.scheduler_address)))
+        results = load_results(run_batch(sweep, tmp_path / "out", lambda: Killing(cluster.scheduler_address)))
     assert killed
     assert [point.status for point in results.points] == ["done"] * 16
 
@@ -153,7 +153,7 @@ def test_a_worker_killed_from_outside(tmp_path):
             return future
 
     killed = []
-    results = gathered(run_batch(sweep_from_text(QUICK, "sweep.toml"), tmp_path / "out", lambda: Killing(2)))
+    results = load_results(run_batch(sweep_from_text(QUICK, "sweep.toml"), tmp_path / "out", lambda: Killing(2)))
     assert killed
     assert [point.status for point in results.points] == ["done"] * 6
 
@@ -171,7 +171,7 @@ def test_kernels_are_compiled_by_one_worker(tmp_path):
     sweep, stamp = sweep_from_text(QUICK, "sweep.toml"), tmp_path / "kernels" / "stamp"
     for cold in (True, False):
         at_hand, futures = [], []
-        results = gathered(run_batch(sweep, tmp_path / str(cold), lambda: Watched(2, stamp)))
+        results = load_results(run_batch(sweep, tmp_path / str(cold), lambda: Watched(2, stamp)))
         assert [point.status for point in results.points] == ["done"] * 6
         assert at_hand[0] == (cold, 0)
         assert all(others == 0 for still, others in at_hand if still)

@@ -10,7 +10,7 @@ from scipy import stats
 
 from cases.batch.engine import run_batch
 from cases.batch.planning.samples import unit_sample
-from cases.batch.results import gathered, write_batch
+from cases.batch.results import load_results, write_batch
 from cases.batch.sweep import sweep_from_text
 from postprocess.batch.summary import batch_summary
 from postprocess.batch.table import batch_table
@@ -91,7 +91,7 @@ def test_designs_are_in_the_summary(tmp_path):
     keys = f"{LOAD} = [400.0, 3000.0]\n{SPEED} = [5000.0, 5500.0]\n"
     text = f'[sample]\nmethod = "sobol"\nsamples = 8\n{keys}[morris]\ntrajectories = 2\n{keys}'
     text += f"[sobol_indices]\nsamples = 4\n{keys}"
-    results = gathered(run_batch(sweep_from_text(QUICK + text, "sweep.toml"), tmp_path / "out", HerePool))
+    results = load_results(run_batch(sweep_from_text(QUICK + text, "sweep.toml"), tmp_path / "out", HerePool))
     assert len(results.points) == 8 + 2 * 3 + 4 * 4
     write_batch(results, tmp_path / "out")
     document = json.loads((tmp_path / "out" / "summary.json").read_text())
@@ -122,6 +122,6 @@ def test_indices_of_a_design_with_gaps_are_null_with_the_reason(tmp_path, monkey
 
     monkeypatch.setattr(HerePool, "submit", submit)
     text = QUICK + f"[sobol_indices]\nsamples = 4\n{LOAD} = [400.0, 3000.0]\n"
-    results = gathered(run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool))
+    results = load_results(run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool))
     found = batch_summary(results)["sobol_indices"]["results"]["load_maximum_N"]
     assert found == "null, 1 of 12 points have no result"

@@ -14,13 +14,13 @@ from typer.testing import CliRunner
 
 from cases import CaseError
 from cases.batch import results as batch_results
-from cases.batch.engine import Choice, computed_before, run_batch
+from cases.batch.engine import PointSelection, computed_before, run_batch
 from cases.batch.keys import digest
 from cases.batch.limits import limited
 from cases.batch.points import Limits
-from cases.batch.pools import ExecutorPool, executor_factory
+from cases.batch.pools import Pool, executor_factory
 from cases.batch.program import program_digest, program_sources
-from cases.batch.results import collected, gathered, write_batch
+from cases.batch.results import collect_results, load_results, write_batch
 from cases.batch.shards import Shard, shard_of
 from cases.batch.sweep import sweep_from_text
 from cases.batch.worker import compute_point, failure
@@ -53,7 +53,7 @@ def whole(tmp_path_factory):
     """A batch computed in one piece, its folder and its sweep."""
     folder = tmp_path_factory.mktemp("whole") / "out"
     sweep = sweep_from_text(QUICK, "sweep.toml")
-    write_batch(gathered(run_batch(sweep, folder, HerePool)), folder)
+    write_batch(load_results(run_batch(sweep, folder, HerePool)), folder)
     return folder, sweep
 
 
@@ -72,13 +72,15 @@ def test_every_point_belongs_to_one_shard():
 def test_shards_give_the_same_files_to_the_byte(whole, tmp_path):
     folder, sweep = whole
     for number in (3, 1, 2):
-        run_batch(sweep, tmp_path / "out", HerePool, Choice(shard=Shard(number, 3)))
+        run_batch(sweep, tmp_path / "out", HerePool, PointSelection(shard=Shard(number, 3)))
     batch = computed_before(sweep, tmp_path / "out")
     assert len(batch.resumed) == 6
-    write_batch(gathered(batch), tmp_path / "out")
+    write_batch(load_results(batch), tmp_path / "out")
     assert files(folder) == files(tmp_path / "out")
     nothing = HerePool()
-    run_batch(sweep, tmp_path / "out", lambda: nothing, Choice(shard=Shard(1, 2)))  # cut otherwise: all is there
+    run_batch(
+        sweep, tmp_path / "out", lambda: nothing, PointSelection(shard=Shard(1, 2))
+    )  # cut otherwise: all is there
     assert nothing.handed_out == []
 
 
@@ -89,8 +91,8 @@ def test_a_shard_that_is_written_is_refused_and_others_are_not(whole, tmp_path):
     (out / "sweep.toml").touch()
     with one_writer(out / Shard(1, 2).file):
         with pytest.raises(CaseError, match="another oilfilm is writing there"):
-            run_batch(sweep, out, HerePool, Choice(shard=Shard(1, 2)))
-        run_batch(sweep, out, HerePool, Choice(shard=Shard(2, 2)))
+            run_batch(sweep, out, HerePool, PointSelection(shard=Shard(1, 2)))
+        run_batch(sweep, out, HerePool, PointSelection(shard=Shard(2, 2)))
 
 
 def test_a_whole_batch_waits_for_no_shard(tmp_path):
@@ -146,7 +148,7 @@ def test_only_failed_points_are_computed_again(tmp_path, monkeypatch):
         with pytest.raises(KeyboardInterrupt):
             run_batch(sweep, tmp_path / "out", lambda: HerePool(stop_after=5))
     pool = HerePool()
-    run_batch(sweep, tmp_path / "out", lambda: pool, Choice(only_failed=True))
+    run_batch(sweep, tmp_path / "out", lambda: pool, PointSelection(only_failed=True))
     assert sorted(pool.handed_out) == sorted(
         p.key for p in sweep.points if p.values["operation.radial_load_N"] == 900.0
     )
@@ -175,8 +177,8 @@ def test_a_point_that_cannot_be_a_case_fails_with_its_message(tmp_path, monkeypa
     """In a sweep too large to check all of it: the others are computed."""
     monkeypatch.setattr("cases.batch.sweep.CHECKED", 1)
     text = HEAD + '[fixed]\n"ehl.film_maps" = "none"\n[sweep]\n"bearing.balls" = [8, 40, 9]\n'
-    monkeypatch.setattr("cases.batch.sweep._places", lambda plan, compute: [0])
-    results = gathered(run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool))
+    monkeypatch.setattr("cases.batch.sweep._checked_indices", lambda plan, compute: [0])
+    results = load_results(run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool))
     assert [point.status for point in results.points] == ["done", "failed", "done"]
     assert "at most 15 balls" in results.points[1].message
     assert [point.values["bearing.balls"] for point in results.points] == [8, 40, 9]
@@ -189,7 +191,7 @@ def test_a_batch_too_large_for_memory_has_the_same_columns(whole, tmp_path, monk
     batch = run_batch(sweep, out, HerePool)
     monkeypatch.setattr(batch_results, "LARGE", 2)
     monkeypatch.setattr(batch_results, "CHUNK", 4)
-    with collected(batch) as (results, columns):
+    with collect_results(batch) as (results, columns):
         write_batch(results, out, columns, {"batch.parquet": write_batch_parquet})
         assert not results.points
     assert (out / "batch.csv").read_bytes() == (folder / "batch.csv").read_bytes()
@@ -235,8 +237,8 @@ def test_a_point_beyond_its_memory_fails():
 def test_a_point_within_limits_is_the_same(whole, tmp_path):
     folder, sweep = whole
     limits = Limits(seconds=120.0, memory=4.0)
-    batch = run_batch(sweep, tmp_path / "out", HerePool, Choice(limits=limits))
-    write_batch(gathered(batch), tmp_path / "out")
+    batch = run_batch(sweep, tmp_path / "out", HerePool, PointSelection(limits=limits))
+    write_batch(load_results(batch), tmp_path / "out")
     assert files(folder) == files(tmp_path / "out")
 
 
@@ -247,8 +249,8 @@ def test_an_executor_of_the_users_own(whole, tmp_path, monkeypatch):
         "def nothing():\n    return 1\n\ndef fails():\n    raise RuntimeError('no nodes free')\n"
     )
     monkeypatch.syspath_prepend(tmp_path)
-    batch = run_batch(sweep, tmp_path / "out", lambda: ExecutorPool("mine:make"))
-    write_batch(gathered(batch), tmp_path / "out")
+    batch = run_batch(sweep, tmp_path / "out", lambda: Pool(executor_factory("mine:make")))
+    write_batch(load_results(batch), tmp_path / "out")
     assert files(folder) == files(tmp_path / "out")
     for wrong in ("mine", "mine:other", "no_such_module:make", "mine:nothing"):
         with pytest.raises(CaseError, match="a function that makes a concurrent"):
@@ -262,15 +264,15 @@ def test_a_folder_without_a_point_is_no_earlier_batch(whole, tmp_path, monkeypat
     monkeypatch.syspath_prepend(tmp_path)
     folder, sweep = whole
     with pytest.raises(CaseError):
-        run_batch(sweep, tmp_path / "out", lambda: ExecutorPool("late:fails"))
-    write_batch(gathered(run_batch(sweep, tmp_path / "out", HerePool)), tmp_path / "out")
+        run_batch(sweep, tmp_path / "out", lambda: Pool(executor_factory("late:fails")))
+    write_batch(load_results(run_batch(sweep, tmp_path / "out", HerePool)), tmp_path / "out")
     assert files(folder) == files(tmp_path / "out")
 
 
 def test_results_are_written_where_every_point_failed(tmp_path, monkeypatch):
     monkeypatch.setattr("cases.batch.worker.compute_point", lambda task, tables=None: failure(task.key, FAILED, "no"))
     sweep = sweep_from_text(QUICK, "sweep.toml")
-    with collected(run_batch(sweep, tmp_path / "out", HerePool)) as (results, columns):
+    with collect_results(run_batch(sweep, tmp_path / "out", HerePool)) as (results, columns):
         write_batch(results, tmp_path / "out", columns)
         write_batch_parquet(columns, tmp_path / "out" / "batch.parquet")
     lines = (tmp_path / "out" / "batch.csv").read_text().splitlines()
@@ -288,8 +290,7 @@ def test_points_travel_in_blocks_of_some_seconds(monkeypatch):
 
     clock = [0.0]
     monkeypatch.setattr("cases.batch.pools.monotonic", lambda: clock[0])
-    monkeypatch.setattr("cases.batch.pools.executor_factory", lambda name: Instant)
-    pool = ExecutorPool("any:thing")
+    pool = Pool(Instant)
     assert pool.block() == 1
     pool.submit((None,))
     assert pool.block() == 200  # of 0.1 s each

@@ -13,8 +13,8 @@ from bearing.friction.race_tables import table_contacts, table_range
 from bearing.geometry import Race
 from cases import load_case
 from cases.batch.shared import kept, table_films
-from cases.batch.shared.table_films import forget_films, kept_films
-from cases.cli.compute import _films_kept
+from cases.batch.shared.table_films import remove_films, stored_film_sampler
+from cases.cli.compute import _film_sampler
 
 
 class Hostile:
@@ -54,7 +54,7 @@ def test_a_disk_that_takes_no_film_ends_the_table_and_keeps_those_before(place, 
             write_file(path, data)
 
         monkeypatch.setattr(kept, "write_file", on_disk)
-        with _films_kept(tmp_path / "table.zip") as sample:
+        with _film_sampler(tmp_path / "table.zip") as sample:
             for one in places:
                 sample(*one)
 
@@ -82,13 +82,13 @@ def test_a_kept_film_is_not_solved_again_and_a_damaged_one_is(place, tmp_path, m
     film_sample = table_films.film_sample
     monkeypatch.setattr(table_films, "film_sample", counted)
     folder = tmp_path / "films"
-    first = kept_films(folder)(*place)
-    again = kept_films(folder)(*place)
+    first = stored_film_sampler(folder)(*place)
+    again = stored_film_sampler(folder)(*place)
     assert len(solved) == 1
     assert (again.moment, again.scales, again.place) == (first.moment, first.scales, first.place)
     assert again.response == first.response
     assert (again.film.solution.film == first.film.solution.film).all()
-    assert kept_films(folder)(*place[:2], (log(600.0), log(10.0)), 65).moment != first.moment
+    assert stored_film_sampler(folder)(*place[:2], (log(600.0), log(10.0)), 65).moment != first.moment
     files = sorted(folder.iterdir(), key=lambda file: file.stat().st_mtime_ns)
     assert len(files) == len(solved) == 2
     whole = files[0].read_bytes()
@@ -100,8 +100,8 @@ def test_a_kept_film_is_not_solved_again_and_a_damaged_one_is(place, tmp_path, m
         hostile(files[0]),
     ):
         files[0].write_bytes(damage)
-        assert kept_films(folder)(*place).moment == first.moment
+        assert stored_film_sampler(folder)(*place).moment == first.moment
     assert len(solved) == 7
     assert "read without care" not in capsys.readouterr().out
-    forget_films(folder)
+    remove_films(folder)
     assert not folder.exists()

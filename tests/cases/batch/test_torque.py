@@ -8,7 +8,7 @@ from bearing import Race
 from bearing.operation import BallKinematics
 from cases import load_case, run_case
 from cases.batch.engine import run_batch
-from cases.batch.results import gathered
+from cases.batch.results import load_results
 from cases.batch.shared.tables import _without_films, shared_tables
 from cases.batch.sweep import sweep_from_text
 from cases.format.case import case_of_document
@@ -68,7 +68,7 @@ def test_a_law_of_the_case_itself_is_taken_as_by_run(tmp_path, kinematics):
     text = case_text(LAW, kinematics).replace('film_maps = "all"', 'film_maps = "none"')
     sweep = sweep_of(tmp_path, text)
     assert [point.tables for point in sweep.points] == [None, None]
-    results = gathered(run_batch(sweep, tmp_path / "out", HerePool))
+    results = load_results(run_batch(sweep, tmp_path / "out", HerePool))
     found = results.points[1].summary
     assert found["converged"]
     assert without_times(found) == without_times(summary(run_case(load_case(tmp_path / "case.toml"))))

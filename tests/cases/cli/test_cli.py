@@ -355,7 +355,7 @@ def test_a_closed_pipe_is_no_error():
 
 
 def test_errors_of_a_file_of_garbage_are_shortened(capsys):
-    terminal._say_errors([f"line {i}" for i in range(100)])
+    terminal._print_errors([f"line {i}" for i in range(100)])
     errors = capsys.readouterr().err.splitlines()
     assert len(errors) == terminal.MOST_MESSAGES + 1
     assert errors[-1] == "... and 80 more errors"

@@ -41,7 +41,7 @@ def test_a_program_that_ends_while_it_writes_leaves_no_part_of_a_file(tmp_path):
 
 def test_a_signal_of_this_very_moment_is_known():
     """The thread that sees it may not have run when the command has ended already."""
-    code = "import os, signal; from cases.runs.interrupt import end_unless_obeyed; came = end_unless_obeyed(3)\n"
+    code = "import os, signal; from cases.runs.interrupt import end_after_signal; came = end_after_signal(3)\n"
     code += "signal.signal(signal.SIGINT, lambda *_: None); print('up', flush=True); assert not came()\n"
     code += "os.kill(os.getpid(), signal.SIGINT); os._exit(0 if came() else 1)"
     for _ in range(5):
@@ -50,7 +50,7 @@ def test_a_signal_of_this_very_moment_is_known():
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_program_in_compiled_code_ends_all_the_same(number):
-    code = "import hashlib; from cases.runs.interrupt import end_unless_obeyed; end_unless_obeyed(3)\n"
+    code = "import hashlib; from cases.runs.interrupt import end_after_signal; end_after_signal(3)\n"
     code += "import signal, cases.runs.interrupt as i; signal.signal(signal.SIGTERM, i.interrupt)\n"
     code += f"print('up', flush=True); {LONG}"
     assert signalled(code, number)[:2] == (3, "oilfilm: interrupted\n")
@@ -58,8 +58,8 @@ def test_a_program_in_compiled_code_ends_all_the_same(number):
 
 FINALIZED = """
 import os, signal, time
-from cases.runs.interrupt import end_unless_obeyed, interrupt
-end_unless_obeyed(3)
+from cases.runs.interrupt import end_after_signal, interrupt
+end_after_signal(3)
 signal.signal(signal.SIGINT, interrupt)
 class File:
     def __del__(self):
@@ -225,15 +225,15 @@ def test_the_cost_of_long_work_is_told_before_it_begins(capsys):
     from cases import load_case
 
     case = load_case("6208_full_ceramic")
-    cost.tell_cost(cost.run_cost(case, 2), quiet=True)
-    cost.tell_cost(cost.run_cost(load_case("209_radial_8900N"), 2), quiet=False)  # without films
+    cost.report_cost(cost.run_cost(case, 2), quiet=True)
+    cost.report_cost(cost.run_cost(load_case("209_radial_8900N"), 2), quiet=False)  # without films
     assert capsys.readouterr().err == ""
-    cost.tell_cost(cost.run_cost(case, 1), quiet=False)
+    cost.report_cost(cost.run_cost(case, 1), quiet=False)
     text = "oilfilm: at most 18 films on at most 257 nodes, 1 at a time: about 11 s\n"
     assert capsys.readouterr().err == text
-    cost.tell_cost(cost.table_cost(513, 3, 2), quiet=False)
+    cost.report_cost(cost.table_cost(513, 3, 2), quiet=False)
     assert capsys.readouterr().err.endswith("360 films on 513 nodes or more, 2 at a time: about 7 min\n")
-    cost.tell_cost(cost.slip_cost(load_case("hirano_7000C"), 1), quiet=False)
+    cost.report_cost(cost.slip_cost(load_case("hirano_7000C"), 1), quiet=False)
     simulated = cost.dynamics_cost(load_case("7008_combined"))
     assert simulated == ("0.1 s of 18 balls simulated", pytest.approx(0.1 * 18 * 1.6))
     planar = load_case("6304_planar")

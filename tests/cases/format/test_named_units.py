@@ -7,7 +7,7 @@ import csv
 import pytest
 
 from cases.batch.engine import run_batch
-from cases.batch.results import gathered, write_batch
+from cases.batch.results import load_results, write_batch
 from cases.batch.sweep import sweep_from_text
 from cases.format.document import BearingFile, ContactFile
 from ehl.units import UNITS, unit_of, without_unit
@@ -75,7 +75,7 @@ def test_what_has_no_unit_takes_none_from_its_block():
 
 
 def test_headers_of_a_batch(tmp_path):
-    results = gathered(run_batch(sweep_from_text(LAW, "sweep.toml"), tmp_path, HerePool))
+    results = load_results(run_batch(sweep_from_text(LAW, "sweep.toml"), tmp_path, HerePool))
     write_batch(results, tmp_path)
     with (tmp_path / "batch.csv").open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))

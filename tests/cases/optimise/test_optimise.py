@@ -9,11 +9,11 @@ from typer.testing import CliRunner
 from cases import CaseError
 from cases.cli.main import app
 from cases.cli.optimise import optimisation_table
-from cases.optimise.ask import Told, first_designs, next_designs, pareto_front, scalar_goal
-from cases.optimise.designs import Design, Found
-from cases.optimise.proof import improvement, proof_messages
+from cases.optimise.ask import Observations, first_designs, next_designs, pareto_front, scalar_goal
+from cases.optimise.designs import Design, OptimisationResult
+from cases.optimise.proof import confirmation_messages, improvement
 from cases.optimise.results import write_optimisation
-from cases.optimise.search import searched
+from cases.optimise.search import search_designs
 from cases.optimise.study import read_study
 from cases.optimise.surrogate import fitted
 
@@ -40,32 +40,32 @@ together = 1
 """
 
 
-def told(places, goals, constraints=None):
+def told(positions, goals, constraints=None):
     """Designs without noise."""
-    none = np.zeros((len(places), 0))
+    none = np.zeros((len(positions), 0))
     constraints = none if constraints is None else constraints
-    return Told(places, goals, np.zeros_like(goals), constraints, np.zeros_like(constraints))
+    return Observations(positions, goals, np.zeros_like(goals), constraints, np.zeros_like(constraints))
 
 
 def test_the_surrogate_meets_exact_values_and_not_noisy_ones():
     rng = np.random.default_rng(SEED)
-    places = first_designs(2, 25, SEED)
-    values = np.sin(4.0 * places[:, 0]) + places[:, 1] ** 2
-    exact = fitted(places, values, np.zeros(25))
-    mean, deviation = exact.predict(places)
+    positions = first_designs(2, 25, SEED)
+    values = np.sin(4.0 * positions[:, 0]) + positions[:, 1] ** 2
+    exact = fitted(positions, values, np.zeros(25))
+    mean, deviation = exact.predict(positions)
     assert mean == pytest.approx(values, abs=1e-4)
     assert deviation.max() < 1e-2
     other = rng.random((200, 2))
     mean, deviation = exact.predict(other)
     error = np.abs(mean - np.sin(4.0 * other[:, 0]) - other[:, 1] ** 2)
     assert error.mean() < 0.02 and (error < 4.0 * deviation + 1e-3).mean() > 0.9
-    noisy = fitted(places, values + 0.1 * rng.standard_normal(25), np.full(25, 0.1))
-    assert np.abs(noisy.predict(places)[0] - values).mean() < 0.08  # nearer than the noise
+    noisy = fitted(positions, values + 0.1 * rng.standard_normal(25), np.full(25, 0.1))
+    assert np.abs(noisy.predict(positions)[0] - values).mean() < 0.08  # nearer than the noise
 
 
 def test_the_search_finds_the_least_of_branins_function():
     """0.397887 in three places (Dixon and Szego 1978), with a constraint that leaves one of them."""
-    places = first_designs(2, 10, SEED)
+    positions = first_designs(2, 10, SEED)
 
     def branin(u):
         x, y = 15.0 * u[:, 0] - 5.0, 15.0 * u[:, 1]
@@ -73,11 +73,11 @@ def test_the_search_finds_the_least_of_branins_function():
         return bowl + 10.0 * (1.0 - 1.0 / (8.0 * np.pi)) * np.cos(x) + 10.0
 
     for k in range(12):
-        goals, limits = branin(places)[:, None], (places[:, 0] - 0.3)[:, None]  # x below -0.5
-        places = np.vstack([places, next_designs(told(places, goals, limits), 2, SEED + k)])
-    met = places[:, 0] <= 0.3
-    assert branin(places)[met].min() < 0.42
-    assert branin(places)[~met].size < 15  # it does not look where the constraint is not met
+        goals, limits = branin(positions)[:, None], (positions[:, 0] - 0.3)[:, None]  # x below -0.5
+        positions = np.vstack([positions, next_designs(told(positions, goals, limits), 2, SEED + k)])
+    met = positions[:, 0] <= 0.3
+    assert branin(positions)[met].min() < 0.42
+    assert branin(positions)[~met].size < 15  # it does not look where the constraint is not met
 
 
 def test_several_goals_are_one_by_weights_and_their_front_is_what_nothing_betters():
@@ -91,10 +91,10 @@ def test_a_search_is_the_same_in_one_piece_and_resumed(tmp_path):
     path = tmp_path / "study.toml"
     path.write_text(STUDY)
     study = read_study(path)
-    whole = searched(study, tmp_path / "whole", HerePool, False, lambda *_: None)
+    whole = search_designs(study, tmp_path / "whole", HerePool, False, lambda *_: None)
     with pytest.raises(KeyboardInterrupt):
-        searched(study, tmp_path / "part", lambda: HerePool(stop_after=3), False, lambda *_: None)
-    part = searched(study, tmp_path / "part", HerePool, True, lambda *_: None)
+        search_designs(study, tmp_path / "part", lambda: HerePool(stop_after=3), False, lambda *_: None)
+    part = search_designs(study, tmp_path / "part", HerePool, True, lambda *_: None)
     for found, name in ((whole, "whole"), (part, "part")):
         write_optimisation(found, tmp_path / name)
     same = [(tmp_path / name / "designs.csv").read_bytes() for name in ("whole", "part")]
@@ -104,9 +104,9 @@ def test_a_search_is_the_same_in_one_piece_and_resumed(tmp_path):
     best = whole.designs[whole.front[0] - 1]
     assert best.numbers["torque_N_mm"] <= min(d.numbers["torque_N_mm"] for d in whole.designs if d.feasible)
     gain = improvement(whole)
-    assert whole.proved[0][0] == "case"
+    assert whole.confirmed[0][0] == "case"
     assert gain["best"] < gain["case"] and gain["error"] is None and gain["proved"] is None
-    told_words = list(proof_messages(whole))
+    told_words = list(confirmation_messages(whole))
     assert told_words[0].startswith("improvement.proved: null, torque_N_mm has no error bar; ehl.points in [proof]")
     assert len(told_words) == 1
     assert len(optimisation_table(whole).renderables) >= 4
@@ -133,7 +133,9 @@ def proof_of(tmp_path, fine, coarse=None, error=0.0):
         return tuple(zip(("case", "design 2"), designs(torques), strict=True))
 
     both = tuple(designs((100.0, 90.0)))
-    return Found(study=study, designs=both, front=(2,), proved=named(fine), coarse=named(coarse) if coarse else ())
+    return OptimisationResult(
+        study=study, designs=both, front=(2,), confirmed=named(fine), coarse=named(coarse) if coarse else ()
+    )
 
 
 def test_a_gain_is_proved_where_half_the_nodes_change_it_less(tmp_path):
@@ -147,15 +149,15 @@ def test_why_there_is_no_gain_is_told(tmp_path):
     found = proof_of(tmp_path, (103.0, None))
     assert improvement(found) is None
     assert (
-        next(proof_messages(found))
+        next(confirmation_messages(found))
         == "improvement: null, none of design 2 converges and meets the constraints in the proof"
     )
     found = proof_of(tmp_path, (None, 90.0))
-    assert next(proof_messages(found)) == "improvement: null, the case has no torque_N_mm in the proof"
+    assert next(confirmation_messages(found)) == "improvement: null, the case has no torque_N_mm in the proof"
 
 
 def test_a_search_that_was_misled_is_told(tmp_path):
-    told_words = list(proof_messages(proof_of(tmp_path, (103.0, 90.5), (103.0, 90.5))))
+    told_words = list(confirmation_messages(proof_of(tmp_path, (103.0, 90.5), (103.0, 90.5))))
     assert told_words == ["case: torque_N_mm 100 in the search, 103 proved (2.9% off)"]
 
 

@@ -42,7 +42,7 @@ PICTURES = ("speeds", "spin", "forces", "sliding", "states", "orbits", "spectrum
 
 # of 7008_combined: an oil whose viscosity is known over temperature; a ring held along x and z
 OIL = ("viscosity_mPa_s = 20.0\npressure_viscosity_1_GPa = 18.0\ndensity_kg_m3 = 870.0", 'name = "iso vg 32"')
-HELD = ("axial_load_N = 100.0", 'displacement_um = [220.0, "free", 0.0]')
+EXIT_STACK = ("axial_load_N = 100.0", 'displacement_um = [220.0, "free", 0.0]')
 WARMER = "temperature_table_C = [[0.0, 40.0], [1.0, 60.0]]"
 
 
@@ -299,8 +299,8 @@ def test_ctrl_c_in_the_middle_of_the_steps(tmp_path):
         ([("restitution = 0.9", "displacement_table_um = [[0.0, 5.0, 0.0, 0.0]]")], "along x, where the ring is free"),
         ([("restitution = 0.9", 'displacement_table_um = [[0.0, 5.0, "fre", 0.0]]')], 'the word "free"'),
         ([("restitution = 0.9", 'tilt_table_mrad = [[0.0, 5.0, "free"]]')], "holds the ring"),
-        ([HELD, ("restitution = 0.9", "load_table_N = [[0.0, 5.0, 0.0, 0.0]]")], "a load of 5.0 N along x"),
-        ([HELD, ("restitution = 0.9", "rotating_load_N = 5.0")], "held across the axis"),
+        ([EXIT_STACK, ("restitution = 0.9", "load_table_N = [[0.0, 5.0, 0.0, 0.0]]")], "a load of 5.0 N along x"),
+        ([EXIT_STACK, ("restitution = 0.9", "rotating_load_N = 5.0")], "held across the axis"),
         ([("pocket_friction = 0.05", 'guided_by = "outer ring"')], "land_diameter_mm"),
     ],
 )

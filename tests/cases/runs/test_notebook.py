@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 import ehl
 from cases import load_case, run_case
 from cases.batch.engine import run_batch
-from cases.batch.results import gathered
+from cases.batch.results import load_results
 from cases.batch.sweep import sweep_from_text
 from cases.runs.contact import run_contact
 from ehl.units import from_si, notebook_html, value_with_error
@@ -71,6 +71,6 @@ def test_a_bearing_shows_balls_films_and_torque():
 def test_a_batch_shows_its_points(tmp_path):
     batch = run_batch(sweep_from_text(SWEEP, "sweep.toml"), tmp_path / "out", HerePool)
     assert ["points", "2, 0 of them taken over"] in cells(batch._repr_html_())
-    rows = cells(gathered(batch)._repr_html_())
+    rows = cells(load_results(batch)._repr_html_())
     assert [row[1] for row in rows if row[-1] == "converged" and len(row) > 2] == ["1000", "2000"]
     assert "IPython" not in sys.modules

@@ -259,9 +259,9 @@ def by_law(layer, more="", points=65):
 def test_films_of_a_bearing_by_the_law():
     """Untold the law; flooded films beside, the rolling moment less."""
     document = found(by_law(0.2))
-    untold = found(by_law(0.2).replace('starvation = "tabulated"\n', ""))
-    assert untold["case"]["ehl"]["starvation"] == "tabulated"
-    assert untold["contacts"] == document["contacts"]
+    default = found(by_law(0.2).replace('starvation = "tabulated"\n', ""))
+    assert default["case"]["ehl"]["starvation"] == "tabulated"
+    assert default["contacts"] == document["contacts"]
     assert document["torque_N_mm"]["model"] == "integrated"
     flooded = found(by_law(0.2).replace('"tabulated"', '"none"'))
     integrated = [one["torque_N_mm"]["models"]["integrated"] for one in (document, flooded)]

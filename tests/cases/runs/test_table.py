@@ -66,7 +66,7 @@ table_films = "atlas"
 
 def test_films_of_the_atlas_are_told(quick, monkeypatch, tmp_path):
     solved = []
-    monkeypatch.setattr("cases.cli.compute._films_kept", lambda path: nullcontext(solved.append))
+    monkeypatch.setattr("cases.cli.compute._film_sampler", lambda path: nullcontext(solved.append))
     path = tmp_path / "loaded.toml"
     path.write_text(LOADED)
     found = call(str(path), "--json")
