@@ -7,7 +7,8 @@ import numpy as np
 from scipy.interpolate import make_interp_spline
 
 from ..arrays import Array
-from ..oil.lubricant import Lubricant, density, log_viscosity_ratio, roelands_rise
+from ..oil import _kernels
+from ..oil.lubricant import Lubricant, density, log_viscosity_ratio
 from ..scaling import ScaledContact
 
 # of the laws without closed form: pressures over p_h up to which they are tabulated, beyond which
@@ -33,10 +34,11 @@ def _closed_forms(contact: ScaledContact, P: Array) -> Laws:
     """1 + d1 P/(1 + d2 P), Dowson and Higginson (1966); s [(1 + q P)^z - 1], Roelands (1966),
     Barus z = 1, isoviscous s = 0.
     """
-    n = contact.density_numerator
-    base = 1.0 + contact.density_denominator * P
-    rise = roelands_rise(contact.viscosity_pressure * P, contact.viscosity_exponent)
-    return 1.0 + n * P / base, n / base**2, contact.viscosity_slope * (rise - 1.0)
+    constants = contact.density_numerator, contact.density_denominator
+    rho = _kernels.dowson_higginson(P, *constants)
+    rho_P = _kernels.dowson_higginson_slope(P, *constants)
+    rise = _kernels.roelands_rise(contact.viscosity_pressure * P, contact.viscosity_exponent)
+    return rho, rho_P, contact.viscosity_slope * (rise - 1.0)
 
 
 @lru_cache(maxsize=16)

@@ -30,13 +30,11 @@ from numpy.typing import ArrayLike
 
 from ..arrays import Array
 from ..ranges import require_finite, require_positive
+from . import _rheology_kernels
+from ._rheology_kernels import LARGEST_ARGUMENT
 from .lubricant import Lubricant, secant_pressure_viscosity
 
 SMALLEST_ARGUMENT = 1e-6  # of sinh(b)/b, which is 1 from there on to round-off
-# of exponentials: keeps the rate finite at stresses that only occur while iterating
-LARGEST_ARGUMENT = 300.0
-LIMIT_POWER = 32  # m of the limiting stress on other laws than Newton's [-]
-LIMIT_ROOTS = 5  # square roots in a row that are the m-th root [-]
 
 
 class ShearLaw(Enum):
@@ -47,7 +45,11 @@ class ShearLaw(Enum):
     CARREAU_YASUDA = "carreau-yasuda"
 
 
-LAW_CODES = {ShearLaw.NEWTONIAN: 0, ShearLaw.REE_EYRING: 1, ShearLaw.CARREAU_YASUDA: 2}
+LAW_CODES = {
+    ShearLaw.NEWTONIAN: _rheology_kernels.NEWTONIAN,
+    ShearLaw.REE_EYRING: _rheology_kernels.REE_EYRING,
+    ShearLaw.CARREAU_YASUDA: _rheology_kernels.CARREAU_YASUDA,
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -155,17 +157,24 @@ def kernel_rheology(rheology: Rheology) -> KernelRheology:
     """Numbers of a rheology for compiled kernels; the one place where a law becomes a code."""
     _require_known(rheology)
     eyring = rheology.law is ShearLaw.REE_EYRING
-    coefficient = rheology.limiting_coefficient
     return KernelRheology(
-        law=LAW_CODES[rheology.law],
-        stress=rheology.eyring_stress if eyring else rheology.carreau_modulus,
-        exponent=rheology.carreau_exponent,
-        breadth=rheology.yasuda_exponent,
-        limit_coefficient=inf if coefficient is None else coefficient,
-        limit_stress=rheology.limiting_stress,
-        limit_slope=rheology.limiting_temperature_slope,
-        limit_temperature=rheology.reference_temperature,
-        limit_minimum=rheology.limiting_minimum,
+        LAW_CODES[rheology.law],
+        rheology.eyring_stress if eyring else rheology.carreau_modulus,
+        rheology.carreau_exponent,
+        rheology.yasuda_exponent,
+        *_limit_numbers(rheology),
+    )
+
+
+def _limit_numbers(rheology: Rheology) -> tuple[float, float, float, float, float]:
+    """Numbers of the limiting stress, the last five of `KernelRheology`."""
+    coefficient = rheology.limiting_coefficient
+    return (
+        inf if coefficient is None else coefficient,
+        rheology.limiting_stress,
+        rheology.limiting_temperature_slope,
+        rheology.reference_temperature,
+        rheology.limiting_minimum,
     )
 
 
@@ -192,14 +201,11 @@ def limiting_stress(
     [Pa] and temperature [K], None: the reference temperature; infinite if there is no limit.
     """
     p = np.asarray(pressure, dtype=np.float64)
-    if rheology.limiting_coefficient is None:
-        return np.full_like(p, inf)
-    reference = rheology.reference_temperature
-    excess = 0.0 if temperature is None else np.asarray(temperature) - reference
-    softening = np.maximum(1.0 + rheology.limiting_temperature_slope * excess, 0.0)
+    numbers = _limit_numbers(rheology)
+    now = rheology.reference_temperature if temperature is None else np.asarray(temperature)
     with np.errstate(divide="ignore", invalid="ignore"):
-        limit = rheology.limiting_stress + rheology.limiting_coefficient * p / softening
-    return np.fmax(limit, rheology.limiting_minimum)
+        limit: Array = _rheology_kernels.limiting_stress(p, now, *numbers)
+    return limit
 
 
 def shear_stress(
@@ -214,32 +220,27 @@ def shear_stress(
 
     Pressure [Pa] and temperature [K] enter the limiting stress only.
     """
-    _require_known(rheology)
-    rate, eta = np.asarray(rate, dtype=np.float64), np.asarray(viscosity, dtype=np.float64)
-    newtonian = eta * np.abs(rate)
-    if rheology.law is ShearLaw.REE_EYRING:
-        stress = rheology.eyring_stress * np.arcsinh(newtonian / rheology.eyring_stress)
-    elif rheology.law is ShearLaw.CARREAU_YASUDA:
-        n = rheology.carreau_exponent
-        a = rheology.yasuda_exponent
-        stress = newtonian * (1.0 + (newtonian / rheology.carreau_modulus) ** a) ** ((n - 1.0) / a)
-    else:
-        stress = newtonian
-    if rheology.limiting_coefficient is not None:
-        stress = limited(stress, limiting_stress(pressure, rheology, temperature), rheology.law)
+    numbers = kernel_rheology(rheology)
+    limit = limiting_stress(pressure, rheology, temperature)
+    rates, viscosities, limits = _broadcast(np.abs(rate), viscosity, limit)
+    stress = np.empty(rates.shape)
+    flat = rates.ravel(), viscosities.ravel(), limits.ravel()
+    _rheology_kernels.shear_stresses(*flat, *numbers[:4], stress.reshape(-1))
     return np.copysign(stress, rate)
+
+
+def _broadcast(*values: ArrayLike) -> list[Array]:
+    """Arrays of the common shape of numbers and arrays."""
+    return np.broadcast_arrays(*(np.asarray(value, dtype=np.float64) for value in values))
 
 
 def limited(stress: ArrayLike, limit: ArrayLike, law: ShearLaw) -> Array:
     """Magnitude of a base law's stress under a limiting one, both positive [Pa]."""
-    tau, limit = np.asarray(stress, dtype=np.float64), np.asarray(limit, dtype=np.float64)
-    if law is ShearLaw.NEWTONIAN:
-        bound = np.where(np.isfinite(limit), limit, 1.0)
-        return np.where(np.isfinite(limit), -bound * np.expm1(-tau / bound), tau)
-    larger = np.maximum(tau, limit)
-    with np.errstate(invalid="ignore"):
-        ratio = np.where(np.isfinite(larger), np.minimum(tau, limit) / larger, 0.0)
-    return np.asarray(np.minimum(tau, limit) / (1.0 + ratio**LIMIT_POWER) ** (1.0 / LIMIT_POWER))
+    stresses, limits = _broadcast(stress, limit)
+    result = np.empty(stresses.shape)
+    flat = stresses.ravel(), limits.ravel()
+    _rheology_kernels.limited_stresses(*flat, LAW_CODES[law], result.reshape(-1))
+    return result
 
 
 def shear_stress_vector(
