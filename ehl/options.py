@@ -9,7 +9,16 @@ MOST_POINTS = 1025  # taken to reach a tolerance, where no other number is given
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SolverOptions:
-    """What the user may choose about a contact solve."""
+    """Options of a contact solve that a user may choose.
+
+    Examples
+    --------
+    >>> from oilfilm import SolverOptions
+    >>> SolverOptions(tolerance=0.005).most_points
+    1025
+    >>> SolverOptions(points=257).wanted_tolerance is None
+    True
+    """
 
     # nodes along x on the finest level, 2^k + 1, or with a tolerance the most of them; None: as
     # many as the tolerance needs, `MOST_POINTS` at most [-]

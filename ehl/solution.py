@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .closed_form.hertz import MEAN_PRESSURE_RATIO
-from .closed_form.starvation import Share, StarvationShares
+from .closed_form.starvation import ReductionFactor, StarvationShares
 from .conditions import ContactConditions, MoesConditions
 from .oil.film_state import FilmState
 from .options import SolverOptions
@@ -84,7 +84,7 @@ class OilSupply:
     # or by the law
     meniscus: float | None
     rolling_moment_ratio: float  # of the box, over that of the flooded film there
-    damping: Share  # along the normal at 0.3 u_m/a rad/s, by the law of starvation
+    damping: ReductionFactor  # along the normal at 0.3 u_m/a rad/s, by the law of starvation
     # None by the law: shape (ny,), oil that leaves the box over its velocity, and shape (nx, ny),
     # share of the gap that oil fills
     outlet_layer: Array | None = None
@@ -108,7 +108,20 @@ class OilSupply:
         return self.flooded.film_minimum_dimensionless
 
     def thinned(self, points: int, step: int) -> "OilSupply":
-        """The same on every `step`-th node, and flooded on as many as leave `points` along x."""
+        """Every `step`-th node of the fields.
+
+        Parameters
+        ----------
+        points : int
+            largest number of nodes along x of the flooded film [-]
+        step : int
+            distance of the nodes that stay, of those behind the layer [-]
+
+        Returns
+        -------
+        OilSupply
+            the same supply on fewer nodes
+        """
         thin = replace(self, flooded=self.flooded.thinned(points))
         if self.outlet_layer is None or self.filled is None:
             return thin
@@ -163,8 +176,17 @@ class ContactSolution:
         return MEAN_PRESSURE_RATIO * self.hertz_pressure
 
     def thinned(self, points: int) -> "ContactSolution":
-        """The same on every second node, or every fourth and so on, until at most `points` are
-        left along x; edges and origin stay.
+        """Every second node, or every fourth and so on; edges and origin stay.
+
+        Parameters
+        ----------
+        points : int
+            largest number of nodes along x [-]
+
+        Returns
+        -------
+        ContactSolution
+            the same solution on at most `points` nodes along x where the mesh allows it
         """
         step = 1
         cells = (self.X.size - 1, self.Y.size - 1)

@@ -39,7 +39,7 @@ ASSUMED_SPREAD = 0.35  # of the loss, more, of such an oil (0.51^0.55 to 1.31^0.
 
 
 class HeatShare(NamedTuple):
-    """Of an isothermal film that the heat of its inlet leaves [-]."""
+    """Thermal reduction factor of a film: film with inlet heat over the isothermal film."""
 
     value: float
     low: float
@@ -53,8 +53,19 @@ class HeatShare(NamedTuple):
         return max(self.value - self.low, self.high - self.value)
 
     def at(self, inlet: float) -> "HeatShare":
-        """Of a film behind a layer that leaves a share of the rolling moment [-], which stands for
-        its inlet: s to this power (assumed).
+        """Thermal reduction factor of a film behind a layer.
+
+        The factor on the rolling moment stands for its inlet: s to this power (assumed).
+
+        Parameters
+        ----------
+        inlet : float
+            starvation factor of the rolling moment [-]
+
+        Returns
+        -------
+        HeatShare
+            factor of the starved film
         """
         if inlet == 1.0:
             return self
@@ -63,7 +74,20 @@ class HeatShare(NamedTuple):
 
 
 def inlet_heat(conditions: ContactConditions, pressure: float) -> HeatShare:
-    """Share of the flooded film that heat leaves [-], with its spread; `pressure`: Hertz' [Pa]."""
+    """Thermal reduction factor of a flooded film, with its range.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        the contact; without thermal properties its oil counts as a mineral oil
+    pressure : float
+        Hertz pressure [Pa]
+
+    Returns
+    -------
+    HeatShare
+        factor and its range [-]
+    """
     oil = conditions.lubricant
     assumed = oil.thermal is None
     if oil.thermal is None:
@@ -85,7 +109,22 @@ def inlet_heat(conditions: ContactConditions, pressure: float) -> HeatShare:
 
 
 def heat_loss(loading: float, pressure_ratio: float, moes_load: float = inf) -> float:
-    """1 - s of L_T, p_h/E' and M [-]."""
+    """Loss of film by the heat of the inlet, 1 - s.
+
+    Parameters
+    ----------
+    loading : float
+        L_T [-]
+    pressure_ratio : float
+        p_h/E' [-]
+    moes_load : float, default inf
+        M; infinite without the reduction in light contacts [-]
+
+    Returns
+    -------
+    float
+        1 - s [-]
+    """
     if not loading > 0.0:
         return 0.0
     rise = LOSS_FACTOR * loading**LOSS_BY_LOADING * pressure_ratio**LOSS_BY_PRESSURE

@@ -44,10 +44,10 @@ TIME_STEP = 0.1  # the first
 SMALLEST_TIME_STEP = 1e-4  # of one that is tried again
 SHORTER = 3.0  # of the time step before over the next, where that one was too long
 LONGER = 2.0  # of the next over the time step before, after half of `PRESSURE_STEP` at most
-NEAR = 0.03  # change of pressure [-] below which the steady equations are solved
+STEADY_STEP = 0.03  # change of pressure [-] below which the steady equations are solved
 OTHER_DEFLECTIONS = 3  # of a step beside those of GMRES: film, given pressures, change
-# share of a change that the next takes back, above which only half of that is made: at M 31, L 31,
-# R_x/R_y 0.05 all of it was taken back, for ever
+# fraction of a change that the next one reverses, above which only half of that is applied: at
+# M 31, L 31, R_x/R_y 0.05 all of it was reversed, without end
 REVERSED = 0.9
 STALLED = 4  # steps at rest with a film that does not follow the pressure
 
@@ -127,8 +127,8 @@ def newton(level: Level, progress: Progress) -> tuple[bool, str]:
         except LinearSolverError as error:
             return False, f"the linear system was not solved: {error}; {ADVICE} or a smaller load"
         last, size = size, step.size
-        share = share_of_step(before, step.pressure)
-        _advance(level, share * step.pressure, share * step.approach, miss, progress)
+        fraction = step_fraction(before, step.pressure)
+        _advance(level, fraction * step.pressure, fraction * step.approach, miss, progress)
         before = step.pressure
         time_step = next_time_step(step.time, size)
         tolerance = ALTERNATING if size > 0.5 * last else TOLERANCE
@@ -161,7 +161,7 @@ def _short_enough(level: Level, miss: Array, progress: Progress, time_step: floa
     return step
 
 
-def share_of_step(before: Array, change: Array) -> float:
+def step_fraction(before: Array, change: Array) -> float:
     """Half of a change that takes back the one before, else all of it: between two sets of wet
     nodes that lead to each other, the solution lies on neither [-].
     """
@@ -171,9 +171,9 @@ def share_of_step(before: Array, change: Array) -> float:
 
 def next_time_step(time_step: float, size: float) -> float:
     """After a step that changed the pressure by `size` [-]: longer after a small change, infinite
-    from `NEAR` on.
+    from `STEADY_STEP` on.
     """
-    if size < NEAR:
+    if size < STEADY_STEP:
         return inf
     return LONGER * time_step if size < 0.5 * PRESSURE_STEP else time_step
 
