@@ -28,7 +28,7 @@ from .reynolds import (
 
 ADVICE = "try more points"
 STEPS = 100  # of Newton on each mesh
-# change of pressure at a node [-] above which a step is not made but tried again over a shorter
+# change of pressure at a node [-] above which a step is refused and computed again over a shorter
 # time. Of 28 contacts on 257 points none takes more than 23 steps on a mesh that converges so,
 # M 1000, L 25, R_x/R_y 0.05 67 at 0.5, M 2000, L 28 52 where the time grows after 0.7 of it
 PRESSURE_STEP = 0.3
@@ -45,7 +45,7 @@ SMALLEST_TIME_STEP = 1e-4  # of one that is tried again
 SHORTER = 3.0  # of the time step before over the next, where that one was too long
 LONGER = 2.0  # of the next over the time step before, after half of `PRESSURE_STEP` at most
 STEADY_STEP = 0.03  # change of pressure [-] below which the steady equations are solved
-OTHER_DEFLECTIONS = 3  # of a step beside those of GMRES: film, given pressures, change
+OTHER_DEFLECTIONS = 3  # of a step beside those of GMRES: film, prescribed pressures, change
 # fraction of a change that the next one reverses, above which only half of that is applied: at
 # M 31, L 31, R_x/R_y 0.05 all of it was reversed, without end
 REVERSED = 0.9
@@ -110,10 +110,24 @@ class _Change:
 
 
 def newton(level: Level, progress: Progress) -> tuple[bool, str]:
-    """Newton's method on one mesh, in place; whether it converged, and a message.
+    """Newton's method on one mesh, in place.
 
     Film and pressure are both unknowns, so that a film may stay positive where the start is not a
     solution of the film equation, which holds after one full step.
+
+    Parameters
+    ----------
+    level : Level
+        mesh and state; P, H and H0 are changed
+    progress : Progress
+        history of the steps, extended
+
+    Returns
+    -------
+    converged
+        the last change of pressure is below the tolerance
+    message
+        outcome in words
     """
     time_step = inf
     at_rest = 0
@@ -162,16 +176,40 @@ def _short_enough(level: Level, miss: Array, progress: Progress, time_step: floa
 
 
 def step_fraction(before: Array, change: Array) -> float:
-    """Half of a change that takes back the one before, else all of it: between two sets of wet
-    nodes that lead to each other, the solution lies on neither [-].
+    """Fraction of a Newton step to apply: half where it reverses the one before, else all of it.
+
+    Between two sets of wet nodes that lead to each other, the solution lies on neither.
+
+    Parameters
+    ----------
+    before : Array
+        change of pressure in the step before, shape (nodes,) [-]
+    change : Array
+        change of pressure, shape (nodes,) [-]
+
+    Returns
+    -------
+    float
+        0.5 or 1 [-]
     """
     back = -float(before @ change)
     return 0.5 if back > REVERSED * float(before @ before) else 1.0
 
 
 def next_time_step(time_step: float, size: float) -> float:
-    """After a step that changed the pressure by `size` [-]: longer after a small change, infinite
-    from `STEADY_STEP` on.
+    """Time step of the transient after a step: longer after a small change of pressure.
+
+    Parameters
+    ----------
+    time_step : float
+        of the step, in units of a/u_m [-]
+    size : float
+        largest change of pressure at a node [-]
+
+    Returns
+    -------
+    float
+        next time step, infinite for changes below `STEADY_STEP` [-]
     """
     if size < STEADY_STEP:
         return inf
@@ -202,8 +240,8 @@ def _step(level: Level, miss: Array, progress: Progress, time_step: float) -> _C
     wedge = level.flow.wedge - squeeze
     by_pressure = poiseuille_by_pressure(level.flow, k) + wedge @ sparse.diags(k.q_P)
     by_film = poiseuille_by_film(level.flow, k) + wedge @ sparse.diags(k.q_H)
-    # 2. nodes that keep or take a given pressure: edge and cavitation
-    by_deflection = by_film.diagonal() * level.compliance.own
+    # 2. nodes with a prescribed pressure: edge and cavitation
+    by_deflection = by_film.diagonal() * level.compliance.diagonal
     scale = np.abs(by_pressure.diagonal()) + np.abs(by_deflection)
     fixed = level.edge | (level.P + residual / scale <= 0.0)
     target, exterior = edge_pressure(level)
@@ -211,9 +249,9 @@ def _step(level: Level, miss: Array, progress: Progress, time_step: float) -> _C
     error = load - float(level.weights @ level.P)
     progress.residual.append(float(np.abs(np.where(fixed, 0.0, residual / scale)).max()))
     progress.load.append(abs(error) / load)
-    given = np.where(fixed, target - level.P, 0.0)
-    moved = by_pressure @ given + by_film @ (level.compliance @ given + miss)
-    # 3. the free ones answer, with H0 and the load
+    change = np.where(fixed, target - level.P, 0.0)
+    shifted = by_pressure @ change + by_film @ (level.compliance @ change + miss)
+    # 3. solve for the free nodes, H0 and the load
     free = ~fixed
 
     calls = 0
@@ -229,11 +267,11 @@ def _step(level: Level, miss: Array, progress: Progress, time_step: float) -> _C
     near = _near(level, k, by_pressure, by_film)[free][:, free]
     border = Border(column=np.asarray(by_film.sum(axis=1)).ravel()[free], row=level.weights[free])
     factors = factor_bordered(near, border, _elimination(level, free))
-    right = (-(residual + moved)[free], error - float(level.weights @ given))
-    given[free], rise = solve_bordered(operator, border, factors, right, LINEAR_TOLERANCE)
+    right = (-(residual + shifted)[free], error - float(level.weights @ change))
+    change[free], rise = solve_bordered(operator, border, factors, right, LINEAR_TOLERANCE)
     progress.iterations.append(calls)
     progress.deflected_nodes += (calls + OTHER_DEFLECTIONS) * len(level.P)
-    return _Change(given, rise, float(np.abs(given).max()), time_step)
+    return _Change(change, rise, float(np.abs(change).max()), time_step)
 
 
 def _near(
@@ -252,9 +290,22 @@ def _elimination(level: Level, free: NDArray[np.bool_]) -> NDArray[np.intp]:
 
 
 def balance(level: Level) -> tuple[float, float]:
-    """sum |R| and sum R over the nodes that are neither cavitated nor on the edge, both over the
-    sum of |integral of rho H U grad phi| there: how far the discrete equations are from holding,
-    and the oil lost or gained [-].
+    """Equation error and mass imbalance of the discrete equations.
+
+    sum |R| and sum R over the nodes that are neither cavitated nor on the edge, both over the
+    sum of |integral of rho H U grad phi| there.
+
+    Parameters
+    ----------
+    level : Level
+        mesh and state
+
+    Returns
+    -------
+    equation_error
+        sum |R| over the flow [-]
+    imbalance
+        sum R over the flow, oil lost or gained [-]
     """
     k = coefficients(level.contact, level.P, level.film)
     fluid = ~level.edge & (level.P > 0.0)
@@ -264,7 +315,20 @@ def balance(level: Level) -> tuple[float, float]:
 
 
 def edge_pressure(level: Level) -> tuple[Array, float]:
-    """Kapitza's (1955) pressure -(k X)/H^2 on the edge of an open box, and its load [-]."""
+    """Pressure -(k X)/H^2 on the edge of an open box, Kapitza (1955), and its load.
+
+    Parameters
+    ----------
+    level : Level
+        mesh and state
+
+    Returns
+    -------
+    pressure
+        at the nodes, zero inside, shape (nodes,) [-]
+    load
+        integral of P outside the box [-]
+    """
     H = level.H
     target = np.zeros_like(H)
     if level.far is None:

@@ -75,7 +75,23 @@ class YasutomiGlass:
 
 
 def relative_volume(p: ArrayLike, temperature: ArrayLike, tait: TaitVolume) -> Array:
-    """V/V_R = [1 + a (T - T_R)] {1 - ln[1 + p (1 + K_0')/K_0(T)]/(1 + K_0')} after Tait."""
+    """Relative volume V/V_R = [1 + a (T - T_R)] {1 - ln[1 + p (1 + K_0')/K_0(T)]/(1 + K_0')},
+    Tait.
+
+    Parameters
+    ----------
+    p : ArrayLike
+        pressure, any shape [Pa]
+    temperature : ArrayLike
+        a shape that broadcasts with `p` [K]
+    tait : TaitVolume
+        constants of the oil
+
+    Returns
+    -------
+    Array
+        V/V_R, the common shape [-]
+    """
     pressure = np.asarray(p, dtype=np.float64)
     t = np.asarray(temperature, dtype=np.float64)
     volume: Array = _kernels.relative_volume(pressure, t, *astuple(tait))
@@ -83,8 +99,23 @@ def relative_volume(p: ArrayLike, temperature: ArrayLike, tait: TaitVolume) -> A
 
 
 def log_viscosity_yasutomi(p: ArrayLike, temperature: ArrayLike, glass: YasutomiGlass) -> Array:
-    """ln(eta/eta_g) = -ln(10) C1 D F/(C2 + D F), D = T - T_g(p), Yasutomi, Bair and Winer (1984);
-    below the glass temperature, where the law ends, that of the glass.
+    """ln(eta/eta_g) = -ln(10) C1 D F/(C2 + D F), D = T - T_g(p), Yasutomi, Bair and Winer (1984).
+
+    Below the glass temperature, where the law ends, the viscosity is that of the glass.
+
+    Parameters
+    ----------
+    p : ArrayLike
+        pressure, any shape [Pa]
+    temperature : ArrayLike
+        a shape that broadcasts with `p` [K]
+    glass : YasutomiGlass
+        constants of the oil
+
+    Returns
+    -------
+    Array
+        ln of the viscosity over that of the glass, the common shape [-]
     """
     pressure = np.asarray(p, dtype=np.float64)
     constants = yasutomi_constants(glass)
@@ -94,7 +125,19 @@ def log_viscosity_yasutomi(p: ArrayLike, temperature: ArrayLike, glass: Yasutomi
 
 
 def yasutomi_constants(glass: YasutomiGlass) -> tuple[float, ...]:
-    """Constants of Yasutomi's law in the order of the kernel's arguments."""
+    """Constants of Yasutomi's law in the order of the kernel's arguments.
+
+    Parameters
+    ----------
+    glass : YasutomiGlass
+        constants of the oil
+
+    Returns
+    -------
+    tuple[float, ...]
+        T_g0 [K], A1 [K], A2 [1/Pa], both of the expansivity, ln(10) C1 [-], C2 [K], 1 for the
+        logarithmic form
+    """
     return (
         glass.glass_temperature,
         glass.glass_rise,
@@ -110,7 +153,22 @@ def yasutomi_constants(glass: YasutomiGlass) -> tuple[float, ...]:
 def pressure_viscosity_doolittle(
     tait: TaitVolume, doolittle: DoolittleFreeVolume, temperature: float
 ) -> float:
-    """d(ln eta)/dp at p = 0 [1/Pa], B R O (V_0/V_R)/{K_0(T) [V_0/V_R - R O]^2}, T in [K]."""
+    """d(ln eta)/dp at p = 0 after Doolittle: B R O (V_0/V_R)/{K_0(T) [V_0/V_R - R O]^2}.
+
+    Parameters
+    ----------
+    tait : TaitVolume
+        constants of the volume
+    doolittle : DoolittleFreeVolume
+        constants of the viscosity
+    temperature : float
+        T [K]
+
+    Returns
+    -------
+    float
+        pressure-viscosity coefficient [1/Pa]
+    """
     expansion = doolittle.occupied_expansion
     above = 0.0 if expansion is None else temperature - tait.reference_temperature
     occupied = 1.0 + (expansion or 0.0) * above
@@ -121,8 +179,20 @@ def pressure_viscosity_doolittle(
 
 
 def pressure_viscosity_yasutomi(glass: YasutomiGlass, temperature: float) -> float:
-    """d(ln eta)/dp at ambient pressure and a temperature [K], ln(10) C1 C2 [A1 A2 - D F'(0)]/(C2
-    + D)^2, D = T - T_g0 [1/Pa].
+    """d(ln eta)/dp at p = 0 after Yasutomi: ln(10) C1 C2 [A1 A2 - D F'(0)]/(C2 + D)^2, D = T -
+    T_g0.
+
+    Parameters
+    ----------
+    glass : YasutomiGlass
+        constants of the oil
+    temperature : float
+        T [K]
+
+    Returns
+    -------
+    float
+        pressure-viscosity coefficient [1/Pa]
     """
     distance = temperature - glass.glass_temperature
     sign = -1.0 if glass.form is ExpansivityForm.LOGARITHMIC else 1.0

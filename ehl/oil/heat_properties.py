@@ -61,7 +61,26 @@ CAPACITY_POWER = -4.0  # of the volume in rho c, Habchi and Bair [-]
 def volume_heat(
     p: ArrayLike, temperature: ArrayLike, tait: TaitVolume, law: VolumeHeat
 ) -> tuple[Array, Array]:
-    """Conductivity and heat capacity rho c of an oil by its volume, Habchi and Bair."""
+    """Conductivity and heat capacity rho c of an oil by its volume, Habchi and Bair.
+
+    Parameters
+    ----------
+    p : ArrayLike
+        pressure, any shape [Pa]
+    temperature : ArrayLike
+        a shape that broadcasts with `p` [K]
+    tait : TaitVolume
+        constants of the volume
+    law : VolumeHeat
+        constants of conductivity and capacity
+
+    Returns
+    -------
+    conductivity
+        k, the common shape [W/(m K)]
+    capacity
+        rho c, the common shape [J/(m^3 K)]
+    """
     volume = relative_volume(p, temperature, tait)
     warm = np.asarray(temperature) / tait.reference_temperature
     k = _kernels.volume_conductivity(

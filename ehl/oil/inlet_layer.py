@@ -44,11 +44,35 @@ class InletLayer:
         return float(np.interp(0.0, self.y, self.thickness))
 
     def at(self, y: Array) -> Array:
-        """Thickness at places, shape of `y`, in its own units."""
+        """Thickness at positions across the track.
+
+        Parameters
+        ----------
+        y : Array
+            positions, any shape [unit of the layer's y]
+
+        Returns
+        -------
+        Array
+            thickness, shape of `y` [unit of the layer's thickness]
+        """
         return np.interp(y, self.y, self.thickness)
 
     def scaled(self, length: float, height: float) -> "InletLayer":
-        """In units of a length along y and of a height [m]."""
+        """The layer in units of a length along y and of a height.
+
+        Parameters
+        ----------
+        length : float
+            unit of the positions [m]
+        height : float
+            unit of the thickness [m]
+
+        Returns
+        -------
+        InletLayer
+            the dimensionless layer [-]
+        """
         return InletLayer(
             thickness=tuple(h / height for h in self.thickness),
             y=tuple(place / length for place in self.y),

@@ -84,7 +84,15 @@ class ThermalProperties:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lubricant:
-    """Oil properties at the temperature of operation, SI."""
+    """Oil properties at the temperature of operation, SI.
+
+    Examples
+    --------
+    >>> from oilfilm import Lubricant
+    >>> oil = Lubricant(viscosity=0.04, pressure_viscosity=22e-9, temperature=353.15)
+    >>> f"{oil.exponent:.3f}"
+    '0.668'
+    """
 
     viscosity: float  # eta_0, dynamic, at ambient pressure [Pa s]
     pressure_viscosity: float  # d(ln eta)/dp at ambient pressure [1/Pa]
@@ -176,7 +184,18 @@ def _require_constants(lubricant: Lubricant) -> None:
 
 
 def law_pressure_viscosity(lubricant: Lubricant) -> float:
-    """d(ln eta)/dp at ambient pressure that the constants of the lubricant's law imply [1/Pa]."""
+    """d(ln eta)/dp at ambient pressure that the constants of the lubricant's law imply.
+
+    Parameters
+    ----------
+    lubricant : Lubricant
+        the oil
+
+    Returns
+    -------
+    float
+        pressure-viscosity coefficient [1/Pa]
+    """
     oil = lubricant
     law = oil.viscosity_law
     if law is ViscosityLaw.TAIT_DOOLITTLE and oil.tait and oil.doolittle and oil.temperature:
@@ -193,14 +212,33 @@ def law_pressure_viscosity(lubricant: Lubricant) -> float:
 def log_viscosity_ratio(
     p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = None
 ) -> Array:
-    """ln(eta/eta_0) at a pressure after the lubricant's law, eta_0 at ambient pressure and the
-    temperature of operation T_0.
+    """ln(eta/eta_0) after the lubricant's law, eta_0 at ambient pressure and temperature of
+    operation.
 
     At another temperature, D = T - T_0: Roelands (1966) s {(1 + p/p_r)^z [(T - 138 K)/(T_0 -
     138 K)]^(-S) - 1}, s = alpha p_r/z, S such that -d(ln eta)/dT = beta at T_0 and ambient
     pressure; Yasutomi, the modulus, the scaled volume, and Doolittle with an expansion of the
     occupied volume, as their laws say; the others -beta D on top of the isothermal law, Barus
-    (1893) alpha p. The result is 600 at most: there is no oil as thick.
+    (1893) alpha p. The result is 600 at most: no oil is as thick.
+
+    Parameters
+    ----------
+    p : ArrayLike
+        pressure, any shape [Pa]
+    lubricant : Lubricant
+        the oil
+    temperature : ArrayLike | None, optional
+        a shape that broadcasts with `p` [K]; None: that of operation
+
+    Returns
+    -------
+    Array
+        ln(eta/eta_0), the common shape [-]
+
+    Raises
+    ------
+    ValueError
+        if the lubricant lacks what its law needs at other temperatures
     """
     oil = lubricant
     numbers = oil_numbers(oil)
@@ -240,15 +278,48 @@ def _operation(oil: Lubricant) -> float:
 
 
 def viscosity(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = None) -> Array:
-    """Dynamic viscosity [Pa s] at `p` [Pa] and temperature [K] after the lubricant's law."""
+    """Dynamic viscosity after the lubricant's law.
+
+    Parameters
+    ----------
+    p : ArrayLike
+        pressure, any shape [Pa]
+    lubricant : Lubricant
+        the oil
+    temperature : ArrayLike | None, optional
+        a shape that broadcasts with `p` [K]; None: that of operation
+
+    Returns
+    -------
+    Array
+        viscosity, the common shape [Pa s]
+
+    Raises
+    ------
+    ValueError
+        if the lubricant lacks what its law needs at other temperatures
+    """
     return lubricant.viscosity * np.exp(log_viscosity_ratio(p, lubricant, temperature))
 
 
 def secant_pressure_viscosity(
     p: Array, lubricant: Lubricant, temperature: float | None = None
 ) -> Array:
-    """alpha(p, T) = ln[eta(p, T)/eta(0, T)]/p [1/Pa], at pressures of shape (n,) [Pa] and a
-    temperature [K].
+    """Secant pressure-viscosity coefficient alpha(p, T) = ln[eta(p, T)/eta(0, T)]/p.
+
+    Parameters
+    ----------
+    p : Array
+        pressures above zero, shape (n,) [Pa]
+    lubricant : Lubricant
+        the oil
+    temperature : float | None, optional
+        T [K]; None: that of operation
+
+    Returns
+    -------
+    Array
+        alpha, shape (n,) [1/Pa]
     """
     pressures = np.concatenate([[0.0], p])
     at = None if temperature is None else np.full_like(pressures, temperature)
@@ -257,11 +328,30 @@ def secant_pressure_viscosity(
 
 
 def density(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = None) -> Array:
-    """Density [kg/m^3] at pressure `p` [Pa] and temperature [K] after the lubricant's own law.
+    """Density after the lubricant's law.
 
     rho_0 [1 + 0.6 p/(1 + 1.7 p)], p in GPa, Dowson and Higginson (1966), or rho_0; both times
     exp[-e (T - T_0)] with the oil's thermal expansion e. Tait: rho_0 V(0, T_0)/V(p, T), with that
     factor if Tait's own expansion is zero.
+
+    Parameters
+    ----------
+    p : ArrayLike
+        pressure, any shape [Pa]
+    lubricant : Lubricant
+        the oil
+    temperature : ArrayLike | None, optional
+        a shape that broadcasts with `p` [K]; None: that of operation
+
+    Returns
+    -------
+    Array
+        density, the common shape [kg/m^3]
+
+    Raises
+    ------
+    ValueError
+        if a temperature is given and the lubricant has none
     """
     oil = lubricant
     numbers = oil_numbers(oil)
@@ -276,11 +366,31 @@ def density(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = 
 def heat_properties(
     p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike
 ) -> tuple[Array, Array]:
-    """Conductivity [W/(m K)] and heat capacity rho c [J/(m^3 K)] at a pressure [Pa] and
-    temperature [K]; ValueError without thermal properties.
+    """Conductivity and heat capacity rho c of an oil under pressure and temperature.
 
-    With a law of their own these are those at ambient pressure and the temperature of operation
+    With a law for them these are the values at ambient pressure and the temperature of operation
     times its ratios; else k is constant, and c, so that rho c follows the density.
+
+    Parameters
+    ----------
+    p : ArrayLike
+        pressure, any shape [Pa]
+    lubricant : Lubricant
+        the oil, with thermal properties
+    temperature : ArrayLike
+        a shape that broadcasts with `p` [K]
+
+    Returns
+    -------
+    conductivity
+        k, the common shape [W/(m K)]
+    capacity
+        rho c, the common shape [J/(m^3 K)]
+
+    Raises
+    ------
+    ValueError
+        if the lubricant has no thermal properties or no temperature
     """
     oil = lubricant
     if oil.thermal is None:
@@ -296,11 +406,21 @@ def heat_properties(
 
 
 def oil_numbers(lubricant: Lubricant) -> Array:
-    """Constants of a lubricant for the kernels, in SI.
+    """Constants of a lubricant as the array that `ehl.oil._kernels` takes.
 
     Codes of the two laws; eta_0, rho_0, T_0, beta, thermal expansion; constants of the viscosity
-    law; those of Tait; of the heat under pressure; of the density. The temperature is taken as
-    298.15 K where none is given: it is a name then, as nothing varies with it.
+    law, of Tait's equation, of the heat under pressure, of the density. Without a temperature
+    298.15 K stands there, with which nothing varies then.
+
+    Parameters
+    ----------
+    lubricant : Lubricant
+        the oil
+
+    Returns
+    -------
+    Array
+        constants by the columns of `ehl.oil._kernels`, shape (35,) [SI]
     """
     oil = lubricant
     temperature = UNNAMED_TEMPERATURE if oil.temperature is None else oil.temperature

@@ -50,7 +50,24 @@ class ScaledVolume:
 def log_viscosity_scaled(
     p: ArrayLike, temperature: ArrayLike, tait: TaitVolume, law: ScaledVolume
 ) -> Array:
-    """ln(eta/eta_inf) = B phi_inf/(phi - phi_inf); infinite at the glass, phi_inf."""
+    """ln(eta/eta_inf) = B phi_inf/(phi - phi_inf), phi = (T/T_R) (V/V_R)^g, Bair (2019).
+
+    Parameters
+    ----------
+    p : ArrayLike
+        pressure, any shape [Pa]
+    temperature : ArrayLike
+        T, a shape that broadcasts with `p` [K]
+    tait : TaitVolume
+        constants of the volume
+    law : ScaledVolume
+        constants of the viscosity
+
+    Returns
+    -------
+    Array
+        ln(eta/eta_inf), the common shape [-]; infinite where phi reaches phi_inf, the glass
+    """
     t = np.asarray(temperature, dtype=np.float64)
     volume = relative_volume(p, t, tait)
     warm = t / tait.reference_temperature
@@ -60,12 +77,40 @@ def log_viscosity_scaled(
 
 
 def pressure_viscosity_modulus(law: PressureModulus, temperature: float) -> float:
-    """d(ln eta)/dp at p = 0 [1/Pa], 1/(a_1 + a_2 T), T in [K]."""
+    """d(ln eta)/dp at p = 0, 1/(a_1 + a_2 T).
+
+    Parameters
+    ----------
+    law : PressureModulus
+        constants of the oil
+    temperature : float
+        T [K]
+
+    Returns
+    -------
+    float
+        pressure-viscosity coefficient [1/Pa]
+    """
     return 1.0 / (law.a1 + law.a2 * temperature)
 
 
 def pressure_viscosity_scaled(tait: TaitVolume, law: ScaledVolume, temperature: float) -> float:
-    """d(ln eta)/dp at p = 0 [1/Pa], T in [K]: B phi_inf g phi/[(phi - phi_inf)^2 K_0(T)]."""
+    """d(ln eta)/dp at p = 0, B phi_inf g phi/[(phi - phi_inf)^2 K_0(T)].
+
+    Parameters
+    ----------
+    tait : TaitVolume
+        constants of the volume
+    law : ScaledVolume
+        constants of the viscosity
+    temperature : float
+        T [K]
+
+    Returns
+    -------
+    float
+        pressure-viscosity coefficient [1/Pa]
+    """
     above = temperature - tait.reference_temperature
     modulus = tait.bulk_modulus * float(np.exp(-tait.bulk_modulus_temperature * above))
     volume = float(relative_volume(0.0, temperature, tait))

@@ -111,10 +111,28 @@ class Rheology:
 
 
 def contact_rheology(rheology: Rheology, oil: Lubricant, mean_pressure: float) -> Rheology:
-    """The rheology with Eyring's stress 2 Lambda_0/alpha at a contact's mean pressure [Pa] and the
-    oil's temperature; ValueError for an oil whose viscosity does not rise with the pressure.
+    """The rheology with Eyring's stress 2 Lambda_0/alpha at the mean pressure of a contact.
 
     The film may be hotter: alpha is that of the oil that flows in.
+
+    Parameters
+    ----------
+    rheology : Rheology
+        shear law of the oil
+    oil : Lubricant
+        the lubricant, at its temperature of operation
+    mean_pressure : float
+        load over the Hertz area [Pa]
+
+    Returns
+    -------
+    Rheology
+        the rheology with a constant Eyring stress
+
+    Raises
+    ------
+    ValueError
+        if the viscosity of the oil does not rise with the pressure
     """
     if rheology.of_contact:
         return rheology
@@ -123,8 +141,26 @@ def contact_rheology(rheology: Rheology, oil: Lubricant, mean_pressure: float) -
 
 
 def eyring_stresses(rheology: Rheology, oil: Lubricant, mean_pressure: Array) -> Array:
-    """Eyring's stresses of contacts at their mean pressures [Pa], (contacts,), as
-    `contact_rheology` has them for one.
+    """Eyring stresses of contacts at their mean pressures, see `contact_rheology`.
+
+    Parameters
+    ----------
+    rheology : Rheology
+        shear law of the oil
+    oil : Lubricant
+        the lubricant, at its temperature of operation
+    mean_pressure : Array
+        load over the Hertz area, shape (contacts,) [Pa]
+
+    Returns
+    -------
+    Array
+        tau_0, shape (contacts,) [Pa]
+
+    Raises
+    ------
+    ValueError
+        if the viscosity of the oil does not rise with the pressure
     """
     if rheology.eyring_coefficient is None:
         return np.full_like(mean_pressure, rheology.eyring_stress)
@@ -154,7 +190,23 @@ class KernelRheology(NamedTuple):
 
 
 def kernel_rheology(rheology: Rheology) -> KernelRheology:
-    """Numbers of a rheology for compiled kernels; the one place where a law becomes a code."""
+    """Numbers of a rheology for compiled kernels; the only conversion of a law to a code.
+
+    Parameters
+    ----------
+    rheology : Rheology
+        shear law of the oil
+
+    Returns
+    -------
+    KernelRheology
+        numbers in the order of the kernels' arguments
+
+    Raises
+    ------
+    ValueError
+        if the Eyring stress depends on the mean pressure of a contact
+    """
     _require_known(rheology)
     eyring = rheology.law is ShearLaw.REE_EYRING
     return KernelRheology(
@@ -179,7 +231,20 @@ def _limit_numbers(rheology: Rheology) -> tuple[float, float, float, float, floa
 
 
 def divide_stresses(rheology: Rheology, divisor: float) -> Rheology:
-    """The law with all stresses divided by a number in (0, 1] [-]: more Newtonian."""
+    """The law with all stresses divided by a number: more Newtonian.
+
+    Parameters
+    ----------
+    rheology : Rheology
+        shear law of the oil
+    divisor : float
+        in (0, 1] [-]
+
+    Returns
+    -------
+    Rheology
+        the more Newtonian law
+    """
     if divisor == 1.0:
         return rheology
     _require_known(rheology)
@@ -197,8 +262,22 @@ def divide_stresses(rheology: Rheology, divisor: float) -> Rheology:
 def limiting_stress(
     pressure: ArrayLike, rheology: Rheology, temperature: ArrayLike | None = None
 ) -> Array:
-    """tau_L = tau_L0 + Lambda p/[1 + s (T - T_r)], at least `limiting_minimum` [Pa], at a pressure
-    [Pa] and temperature [K], None: the reference temperature; infinite if there is no limit.
+    """Limiting shear stress tau_L = tau_L0 + Lambda p/[1 + s (T - T_r)], at least
+    `limiting_minimum`.
+
+    Parameters
+    ----------
+    pressure : ArrayLike
+        p, any shape [Pa]
+    rheology : Rheology
+        shear law of the oil
+    temperature : ArrayLike | None, optional
+        T, a shape that broadcasts with `pressure` [K]; None: the reference temperature
+
+    Returns
+    -------
+    Array
+        tau_L, the common shape [Pa]; infinite if there is no limit
     """
     p = np.asarray(pressure, dtype=np.float64)
     numbers = _limit_numbers(rheology)
@@ -215,10 +294,32 @@ def shear_stress(
     rheology: Rheology,
     temperature: ArrayLike | None = None,
 ) -> Array:
-    """Shear stress tau [Pa] at a shear rate [1/s] and the low-shear viscosity eta at pressure and
-    temperature [Pa s]; odd in the rate.
+    """Shear stress at a shear rate; odd in the rate.
 
-    Pressure [Pa] and temperature [K] enter the limiting stress only.
+    Pressure and temperature enter the limiting stress only.
+
+    Parameters
+    ----------
+    rate : ArrayLike
+        shear rate, any shape [1/s]
+    viscosity : ArrayLike
+        low-shear viscosity at pressure and temperature [Pa s]
+    pressure : ArrayLike
+        [Pa]
+    rheology : Rheology
+        shear law of the oil
+    temperature : ArrayLike | None, optional
+        [K]; None: the reference temperature
+
+    Returns
+    -------
+    Array
+        tau, the common shape [Pa]
+
+    Raises
+    ------
+    ValueError
+        if the Eyring stress depends on the mean pressure of a contact
     """
     numbers = kernel_rheology(rheology)
     limit = limiting_stress(pressure, rheology, temperature)
@@ -235,7 +336,22 @@ def _broadcast(*values: ArrayLike) -> list[Array]:
 
 
 def limited(stress: ArrayLike, limit: ArrayLike, law: ShearLaw) -> Array:
-    """Magnitude of a base law's stress under a limiting one, both positive [Pa]."""
+    """Magnitude of a base law's stress under a limiting one.
+
+    Parameters
+    ----------
+    stress : ArrayLike
+        of the base law, positive, any shape [Pa]
+    limit : ArrayLike
+        limiting stress, positive or infinite, a shape that broadcasts with `stress` [Pa]
+    law : ShearLaw
+        the base law
+
+    Returns
+    -------
+    Array
+        stress, the common shape [Pa]
+    """
     stresses, limits = _broadcast(stress, limit)
     result = np.empty(stresses.shape)
     flat = stresses.ravel(), limits.ravel()
@@ -250,7 +366,28 @@ def shear_stress_vector(
     rheology: Rheology,
     temperature: ArrayLike | None = None,
 ) -> tuple[Array, Array]:
-    """Stresses (tau_x, tau_y) [Pa] parallel to the rates (rate_x, rate_y) [1/s]."""
+    """Shear stress vector parallel to the shear-rate vector.
+
+    Parameters
+    ----------
+    rates : tuple[ArrayLike, ArrayLike]
+        components (rate_x, rate_y) of one shape [1/s]
+    viscosity : ArrayLike
+        low-shear viscosity at pressure and temperature [Pa s]
+    pressure : ArrayLike
+        [Pa]
+    rheology : Rheology
+        shear law of the oil
+    temperature : ArrayLike | None, optional
+        [K]; None: the reference temperature
+
+    Returns
+    -------
+    along_x
+        tau_x, the common shape [Pa]
+    along_y
+        tau_y, the common shape [Pa]
+    """
     x, y = (np.asarray(rate, dtype=np.float64) for rate in rates)
     rate = np.hypot(x, y)
     stress = shear_stress(rate, viscosity, pressure, rheology, temperature)
@@ -259,12 +396,23 @@ def shear_stress_vector(
 
 
 def thinning_by_gradient(rise: Array, rheology: Rheology) -> Array:
-    """Fluidity of a film in which the stress rises across it over that in which it does not [-];
-    Ree-Eyring only.
+    """Fluidity of a film with a pressure gradient over that without, sinh(B)/B; Ree-Eyring only.
 
-    sinh(B)/B, B = h p_x/(2 tau_0), for any sliding along the gradient: Conry, Wang and Cusano
-    (1987); `rise` is h p_x, the rise of the stress from wall to wall [Pa]. The direction of the
-    sliding is not taken into account. Other laws have no factor that holds for any sliding: 1.
+    B = h p_x/(2 tau_0), for any sliding along the gradient: Conry, Wang and Cusano (1987). The
+    direction of the sliding is not taken into account. Other laws have no factor that holds for
+    any sliding: 1.
+
+    Parameters
+    ----------
+    rise : Array
+        h p_x, rise of the stress from wall to wall, any shape [Pa]
+    rheology : Rheology
+        shear law of the oil
+
+    Returns
+    -------
+    Array
+        factor, shape of `rise` [-]
     """
     if rheology.law is not ShearLaw.REE_EYRING:
         return np.ones_like(rise)

@@ -36,8 +36,22 @@ class DeflectionKernel:
 
 
 def patch_corner(u: Array, v: Array) -> Array:
-    """u asinh(v/|u|) + v asinh(u/|v|) for corners off the axes [-]: differenced over the corners
-    of a rectangle, the integral of 1/r over it seen from the origin, Love (1929).
+    """u asinh(v/|u|) + v asinh(u/|v|) for corners off the axes.
+
+    Differenced over the corners of a rectangle, this is the integral of 1/r over it seen from the
+    origin, Love (1929).
+
+    Parameters
+    ----------
+    u : Array
+        corner along x, any shape [-]
+    v : Array
+        corner along y, a shape that broadcasts with `u` [-]
+
+    Returns
+    -------
+    Array
+        the common shape [-]
     """
     return u * np.arcsinh(v / np.abs(u)) + v * np.arcsinh(u / np.abs(v))
 
@@ -45,7 +59,22 @@ def patch_corner(u: Array, v: Array) -> Array:
 def deflection_kernel(
     grid: Grid, deformation: float, coating: ScaledCoating | None = None
 ) -> DeflectionKernel:
-    """Kernel and its spectrum for one grid; `deformation` is c_def [-]."""
+    """Kernel of the deflection and its spectrum for one grid.
+
+    Parameters
+    ----------
+    grid : Grid
+        the grid
+    deformation : float
+        c_def [-]
+    coating : ScaledCoating | None, optional
+        of one body; None: uncoated
+
+    Returns
+    -------
+    DeflectionKernel
+        kernel for `deflect`
+    """
     quarter = deformation * unit_deflections(grid, coating)
     # even in x and y: cosine transforms of the quarter are the real spectrum
     along = fft.dct(quarter, type=1, axis=1)
@@ -73,8 +102,19 @@ def deflection_kernel(
 
 
 def unit_deflections(grid: Grid, coating: ScaledCoating | None = None) -> Array:
-    """Deflection over c_def of nodes at distances from 0 up along y and x from a unit pressure at
-    one node, shape (distances of the whole grid along y, nx) [-].
+    """Deflection over c_def of nodes at distances from 0 up from a unit pressure at one node.
+
+    Parameters
+    ----------
+    grid : Grid
+        the grid
+    coating : ScaledCoating | None, optional
+        of one body; None: uncoated
+
+    Returns
+    -------
+    Array
+        shape (distances of the whole grid along y, nx) [-]
     """
     cells_x = grid.nx - 1
     cells_y = (2 if grid.symmetric else 1) * (grid.ny - 1)
@@ -88,7 +128,18 @@ def unit_deflections(grid: Grid, coating: ScaledCoating | None = None) -> Array:
 
 
 def transform_length(least: int) -> int:
-    """Smallest even number 2^k, 3 2^k, 9 2^k or 27 2^k that is not below `least`."""
+    """Smallest even number 2^k, 3 2^k, 9 2^k or 27 2^k that is not below `least`.
+
+    Parameters
+    ----------
+    least : int
+        smallest length of the transform
+
+    Returns
+    -------
+    int
+        length of the transform
+    """
     return min(odd << max(1, (-(-least // odd) - 1).bit_length()) for odd in (1, 3, 9, 27))
 
 
@@ -122,7 +173,22 @@ def _tables(length: int, rows: int) -> tuple[NDArray[np.int64], NDArray[np.int64
 
 
 def deflect(kernel: DeflectionKernel, pressure: Array, threads: int = 1) -> Array:
-    """Deflection sum_kl K(i-k, j-l) P_kl, shapes (ny, nx) [-], by FFT."""
+    """Deflection sum_kl K(i-k, j-l) P_kl by FFT.
+
+    Parameters
+    ----------
+    kernel : DeflectionKernel
+        of the grid
+    pressure : Array
+        P, shape (ny, nx) [-]
+    threads : int, default 1
+        number of threads
+
+    Returns
+    -------
+    Array
+        deflection, shape (ny, nx) [-]
+    """
     with fft.set_workers(threads):
         rows = fft.rfft(pressure, n=kernel.length_x, axis=1)
         convolve = partial(

@@ -33,7 +33,7 @@ from .flat_block import flat_block, indentation
 from .hexahedra import quadratic_line, surface_weights, volume_weights
 from .ring_mesh import RingMesh, ring_mesh
 from .ring_profile import Elasticity, RingCells, RingProfile, Seat, track_angle
-from .seat_places import SeatResponse, place_forces, seat_response
+from .seat_places import SeatResponse, seat_contact_forces, seat_response
 
 # half width of the patch in groove radii, that of a contact at 1.5 to 2 GPa; half and double of it
 # change the -0.50 um/kN of a 6208 inner ring on a rigid shaft to -0.54 and -0.40, beside 9.3 um
@@ -57,17 +57,26 @@ class RingResponse:
     # d(alpha, -alpha), shape (4, n) [m/N]
     displacement: Array
     half_space: Array  # part of it at theta = 0 that a half-space has, shape (4,) [m/N]
-    # of all nodes (x, y, z), shape (nodes, 3, 2); under a place, too: (nodes, 3, 3) [m/N]
+    # of all nodes (x, y, z), shape (nodes, 3, 2); (nodes, 3, 3) with a seat contact [m/N]
     field: Array
-    places: SeatResponse | None  # where the seat touches at places only
+    seat_contacts: SeatResponse | None  # of a ring whose seat touches at some azimuths only
     unknowns: int
     iterations: int
     residual: float  # relative [-]
     method: str
 
     def at(self, theta: Array) -> Array:
-        """Structural compliance between places an angle apart [rad], shape (4, n) [m/N]: G_xx,
-        G_rr, G_ro, G_oo.
+        """Structural compliance between two azimuths.
+
+        Parameters
+        ----------
+        theta : Array
+            angle between them, shape (n,) [rad]
+
+        Returns
+        -------
+        Array
+            G_xx, G_rr, G_ro, G_oo, shape (4, n) [m/N]
         """
         distance = np.abs((np.asarray(theta) + np.pi) % (2.0 * np.pi) - np.pi)
         numbers, parts = quadratic_line(self.theta, distance)
@@ -88,30 +97,56 @@ def ring_response(
     contact_angle: float,
     cells: RingCells | None = None,
     patch: float = PATCH,
-    place: float | None = None,
+    seat_contact: float | None = None,
 ) -> RingResponse:
-    """Displacement of a ring under unit loads on its track, at the bottom of the groove and at a
-    contact angle [rad]; half a ring between planes of symmetry. `place`: half the angle of the
-    places that a seat touches at [rad].
+    """Displacement of a ring under unit loads at the bottom of the groove and at a contact angle.
+
+    Half a ring between planes of symmetry.
+
+    Parameters
+    ----------
+    profile : RingProfile
+        section of the ring
+    elasticity : Elasticity
+        elastic constants of ring and shaft or housing
+    seat : Seat
+        support of the ring
+    contact_angle : float
+        of the second load [rad]
+    cells : RingCells | None, optional
+        sizes of the cells; None: the defaults
+    patch : float, default PATCH
+        half width of the loaded patch over the groove radius [-]
+    seat_contact : float | None, optional
+        half the angle of the contacts of a seat that touches at some azimuths [rad]; None: it
+        touches all around
+
+    Returns
+    -------
+    RingResponse
+        displacements for a unit force
     """
     mesh = ring_mesh(profile, cells)
     angles = np.array([0.0, contact_angle])
     half_width = patch * profile.groove_radius
     patches = [_patch(mesh, angle, half_width) for angle in angles]
     loads = [_forces(mesh, *part) for part in patches]
-    forces = np.stack([*loads, *([] if place is None else [place_forces(mesh, place)])], axis=-1)
+    forces = np.stack(
+        [*loads, *([] if seat_contact is None else [seat_contact_forces(mesh, seat_contact)])],
+        axis=-1,
+    )
     young = np.where(mesh.is_ring, elasticity.young, elasticity.body_young)
     poisson = np.where(mesh.is_ring, elasticity.poisson, elasticity.body_poisson)
     body = elastic_body(mesh.body, young, poisson)
-    held = np.zeros((mesh.body.points.shape[1], 3), dtype=np.bool_)
-    held[mesh.symmetric, 2] = True
+    fixed = np.zeros((mesh.body.points.shape[1], 3), dtype=np.bool_)
+    fixed[mesh.symmetric, 2] = True
     support = _support(mesh, seat)
     if support is None:
-        held[mesh.far_side] = True
-        solution = solve_elasticity(body, forces, held)
+        fixed[mesh.far_side] = True
+        solution = solve_elasticity(body, forces, fixed)
         field = solution.values
     else:
-        solution = solve_elasticity(body, _balanced(mesh, forces, support), held)
+        solution = solve_elasticity(body, _balanced(mesh, forces, support), fixed)
         field = _in_place(mesh, solution.values, support)
     bottom, here = patches
     image = (-here[0], here[1], -here[2])
@@ -128,7 +163,9 @@ def ring_response(
         displacement=moved,
         half_space=np.concatenate(flat),
         field=field,
-        places=None if place is None else seat_response(mesh, field, contact_angle, place),
+        seat_contacts=None
+        if seat_contact is None
+        else seat_response(mesh, field, contact_angle, seat_contact),
         unknowns=body.unknowns,
         iterations=solution.iterations,
         residual=solution.residual,
@@ -169,9 +206,9 @@ def _shape(nodes: Array, x: float) -> Array:
 
 def _directions(mesh: RingMesh, lines: Array, angle: float) -> Array:
     """(x, r) of n/(n n_0) at lines across the track, along the force, shape (2, k) [-]."""
-    own = track_angle(mesh.profile, lines)
-    normal = np.stack([np.sin(own), -mesh.profile.side * np.cos(own)])
-    return normal / np.cos(own - angle)
+    normal_angle = track_angle(mesh.profile, lines)
+    normal = np.stack([np.sin(normal_angle), -mesh.profile.side * np.cos(normal_angle)])
+    return normal / np.cos(normal_angle - angle)
 
 
 def _forces(mesh: RingMesh, lines: Array, weights: Array, angle: float) -> Array:
@@ -218,7 +255,7 @@ def _half_space(
 
 def _support(mesh: RingMesh, seat: Seat) -> Array | None:
     """Nodal forces that hold the rigid motions of half a ring, shape (3 n, 3); None where the far
-    side is held.
+    side is fixed.
     """
     profile = mesh.profile
     if seat is Seat.RIGID or (seat is Seat.ELASTIC and profile.side < 0.0):
@@ -254,7 +291,7 @@ def _balanced(mesh: RingMesh, forces: Array, support: Array) -> Array:
 
 
 def _in_place(mesh: RingMesh, field: Array, support: Array) -> Array:
-    """Displacement less its rigid part as the support sees it."""
+    """Displacement less its rigid component as measured by the support."""
     modes = _rigid_motions(mesh)
     flat = field.reshape(-1, field.shape[-1])
     rigid = modes @ np.linalg.solve(support.T @ modes, support.T @ flat)

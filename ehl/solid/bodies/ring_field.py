@@ -29,10 +29,22 @@ class RingField:
 
 
 def ring_field(response: RingResponse, turns: Array, loads: Array) -> RingField:
-    """Displacement under loads at azimuths from y towards z [rad], shape (N,).
+    """Displacement of a whole ring under the loads of its balls.
 
-    `loads`: along the normal at the bottom, at the contact angle of the response, and at its
-    mirror image, shape (3, N); where the seat touches at places, outward on it, too, (4, N) [N].
+    Parameters
+    ----------
+    response : RingResponse
+        displacements for a unit force
+    turns : Array
+        azimuths of the loads from y towards z, shape (N,) [rad]
+    loads : Array
+        along the normal at the bottom, at the contact angle of the response, and at its mirror
+        image, shape (3, N) [N]; with seat contacts outward on the seat, too, shape (4, N)
+
+    Returns
+    -------
+    RingField
+        displacement at nodes around the ring
     """
     theta, section, parts = _cylindrical(response)
     around = _lines(np.asarray(turns))

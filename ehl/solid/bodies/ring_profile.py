@@ -112,8 +112,24 @@ class RingCells:
 
 
 def section_points(profile: RingProfile, s: Array, depth: Array) -> Array:
-    """Axial and radial position of points of the section, shape (2, n) [m]: a cubic Bezier line
-    from the track along its normal to the seat, then straight; depth [-], 1 at the seat.
+    """Position of points of the section: lines of depth from the track along its normal to the
+    seat.
+
+    Each is a cubic Bezier line, straight beyond the seat.
+
+    Parameters
+    ----------
+    profile : RingProfile
+        section of the ring
+    s : Array
+        arc lengths across the track, shape (n,) [m]
+    depth : Array
+        0 on the track, 1 on the seat, shape (n,) [-]
+
+    Returns
+    -------
+    Array
+        axial and radial position, shape (2, n) [m]
     """
     surface = track_points(profile, s)
     angle = track_angle(profile, s)
@@ -130,7 +146,20 @@ def section_points(profile: RingProfile, s: Array, depth: Array) -> Array:
 
 
 def track_points(profile: RingProfile, s: Array) -> Array:
-    """Axial and radial position of track and lands at arc lengths [m], shape (2, n) [m]."""
+    """Position of track and lands.
+
+    Parameters
+    ----------
+    profile : RingProfile
+        section of the ring
+    s : Array
+        arc lengths from the bottom of the groove, shape (n,) [m]
+
+    Returns
+    -------
+    Array
+        axial and radial position, shape (2, n) [m]
+    """
     angle = np.clip(s, -profile.edge, profile.edge) / profile.groove_radius
     x = profile.groove_radius * np.sin(angle) + s - angle * profile.groove_radius
     height = profile.side * profile.groove_radius * np.cos(angle)
@@ -138,8 +167,21 @@ def track_points(profile: RingProfile, s: Array) -> Array:
 
 
 def track_angle(profile: RingProfile, s: Array) -> Array:
-    """Angle of the normal from the radial direction [rad]: the contact angle in the groove; on the
-    lands what turns the lines of depth back to the radial direction at the side faces.
+    """Angle of the normal from the radial direction: the contact angle in the groove.
+
+    On the lands it turns the lines of depth back to the radial direction at the side faces.
+
+    Parameters
+    ----------
+    profile : RingProfile
+        section of the ring
+    s : Array
+        arc lengths from the bottom of the groove, shape (n,) [m]
+
+    Returns
+    -------
+    Array
+        angle, shape (n,) [rad]
     """
     land = profile.arc - profile.edge
     beyond = np.maximum(np.abs(s) - profile.edge, 0.0) / land

@@ -37,8 +37,21 @@ class StressDifference:
     stress: Array  # xx, yy, zz, xy, yz, xz, shape (6, nx, ny, nz) [Pa]
 
     def at(self, x: Array, y: Array, depth: Array) -> Array:
-        """Values at the points of a grid, shape (6, nx, ny, nz) [Pa], lengths in [m]; linear
-        between nodes, mirrored at x = 0.
+        """Values at the points of a grid, linear between nodes, mirrored at x = 0.
+
+        Parameters
+        ----------
+        x : Array
+            along the track, shape (nx,) [m]
+        y : Array
+            across it from the contact, shape (ny,) [m]
+        depth : Array
+            shape (nz,) [m]
+
+        Returns
+        -------
+        Array
+            xx, yy, zz, xy, yz, xz, shape (6, nx, ny, nz) [Pa]
         """
         grid = np.stack(np.meshgrid(np.abs(x), y, depth, indexing="ij"), axis=-1)
         values = RegularGridInterpolator(self.lines, np.moveaxis(self.stress, 0, -1))(grid)
@@ -69,7 +82,22 @@ class RingStress:
 def ring_stress(
     difference: StressDifference, patch: ContactPatch, poisson_ratio: float
 ) -> RingStress:
-    """Stress in a box below Hertz' pressure [Pa], lengths in [m], nu of the ring [-]."""
+    """Stress in a box below Hertz' pressure, of the half-space and of the ring.
+
+    Parameters
+    ----------
+    difference : StressDifference
+        stress of the ring less that of the block
+    patch : ContactPatch
+        ellipse of the contact
+    poisson_ratio : float
+        nu of the ring [-]
+
+    Returns
+    -------
+    RingStress
+        both stresses
+    """
     a, b = patch.semi_axis_x, patch.semi_axis_y
     x, y = (
         half * side * np.linspace(-1.0, 1.0, n)
@@ -90,9 +118,23 @@ def grid_stress(
     displacement: Array,
     elastic: tuple[float, float],
 ) -> Array:
-    """Stress at nodes on lines of parameters, shape (3, 3, nx, ny, nz) [Pa].
+    """Stress at nodes on lines of parameters.
 
-    Points and displacements: shape (3, nx, ny, nz) [m]; Young's modulus [Pa] and nu [-].
+    Parameters
+    ----------
+    parameters : tuple[Array, Array, Array]
+        lines of the three parameters, nx, ny and nz of them
+    points : Array
+        coordinates of the nodes, shape (3, nx, ny, nz) [m]
+    displacement : Array
+        of the nodes, shape (3, nx, ny, nz) [m]
+    elastic : tuple[float, float]
+        Young's modulus [Pa] and nu [-]
+
+    Returns
+    -------
+    Array
+        shape (3, 3, nx, ny, nz) [Pa]
     """
     young, nu = elastic
     by_point, by_field = (
@@ -118,8 +160,23 @@ def grid_stress(
 def stress_difference(
     lines: tuple[Array, Array, Array], ring: Array, block: Array, frames: Array
 ) -> StressDifference:
-    """Difference of two stresses at nodes, shape (3, 3, nx, ny, nz) [Pa]; that of the ring is
-    turned into frames of unit vectors along, across and into the body, shape (3, 3, nx, ny).
+    """Difference of two stresses at nodes, that of the ring in the frames of the block.
+
+    Parameters
+    ----------
+    lines : tuple[Array, Array, Array]
+        distances along the track, across it from the contact, and depths [m]
+    ring : Array
+        stress of the ring, shape (3, 3, nx, ny, nz) [Pa]
+    block : Array
+        stress of the block, shape (3, 3, nx, ny, nz) [Pa]
+    frames : Array
+        unit vectors along, across and into the body, shape (3, 3, nx, ny) [-]
+
+    Returns
+    -------
+    StressDifference
+        the difference
     """
     turned = np.einsum("aixy,ijxyz,bjxy->abxyz", frames, ring, frames)
     change = turned - block

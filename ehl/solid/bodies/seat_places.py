@@ -29,8 +29,18 @@ class SeatResponse:
     half_width: float  # w [rad]
 
     def at(self, theta: Array) -> Array:
-        """Seat's displacement an angle apart [rad], shape (3, ...) [m/N]: per radial force on the
-        groove, per part of it that opens the groove, and per force on the seat.
+        """Displacement of the seat at an angle from the load.
+
+        Parameters
+        ----------
+        theta : Array
+            the angle, any shape [rad]
+
+        Returns
+        -------
+        Array
+            per radial force on the groove, per component of it that opens the groove, and per
+            force on the seat, shape (3, ...) [m/N]
         """
         offsets, weights = _parabola(self.half_width)
         distance = np.asarray(theta)[..., None] + offsets
@@ -42,9 +52,22 @@ class SeatResponse:
         return np.stack([bottom, across - np.cos(self.angle) * bottom, seat])
 
 
-def place_forces(mesh: RingMesh, half_width: float) -> Array:
-    """Nodal forces of half a unit place at theta = 0, outwards, whose other half stands beyond the
-    plane of symmetry, shape (nodes, 3) [-].
+def seat_contact_forces(mesh: RingMesh, half_width: float) -> Array:
+    """Nodal forces of half a unit seat contact at theta = 0, outwards.
+
+    The other half stands beyond the plane of symmetry.
+
+    Parameters
+    ----------
+    mesh : RingMesh
+        mesh of the ring
+    half_width : float
+        w, half the angle of the contact [rad]
+
+    Returns
+    -------
+    Array
+        shape (nodes, 3) [-]
     """
     lines = _lines(mesh)
     places, weights = _parabola(half_width)
@@ -59,7 +82,24 @@ def place_forces(mesh: RingMesh, half_width: float) -> Array:
 
 
 def seat_response(mesh: RingMesh, field: Array, angle: float, half_width: float) -> SeatResponse:
-    """From the displacement of all nodes under the three loads, shape (nodes, 3, 3) [m/N]."""
+    """Radial displacement of the seat under the three unit loads.
+
+    Parameters
+    ----------
+    mesh : RingMesh
+        mesh of the ring
+    field : Array
+        displacement of all nodes, shape (nodes, 3, 3) [m/N]
+    angle : float
+        contact angle of the second load [rad]
+    half_width : float
+        w, half the angle of the seat contacts [rad]
+
+    Returns
+    -------
+    SeatResponse
+        displacement as a seat contact measures it
+    """
     theta = mesh.body.parameters[0]
     lines = _lines(mesh)
     line = np.abs(theta[:, None] - lines).argmin(axis=1)
@@ -90,5 +130,5 @@ def _across(mesh: RingMesh) -> Array:
     sizes = nodes[2::2] - nodes[:-2:2]
     for corner, part in enumerate((1.0, 4.0, 1.0)):  # Simpson's rule, that of quadratic cells
         weights[corner : nodes.size - 2 + corner : 2] += part / 6.0 * sizes
-    own = weights[np.abs(s[:, None] - nodes).argmin(axis=1)] / (nodes[-1] - nodes[0])
-    return np.where(mesh.seat, own, 0.0)
+    line_weights = weights[np.abs(s[:, None] - nodes).argmin(axis=1)] / (nodes[-1] - nodes[0])
+    return np.where(mesh.seat, line_weights, 0.0)

@@ -49,12 +49,30 @@ class LinearSystemError(Exception):
 def solve_symmetric(
     matrix: Any, near_null: Array, right: Array, tolerance: float, *, multigrid: bool | None = None
 ) -> LinearSolution:
-    """Solve a symmetric positive (semi-)definite system for several right-hand sides, shape (n,
-    cases).
+    """Solve a symmetric positive (semi-)definite system for several right-hand sides.
 
-    `near_null`: modes that the matrix hardly feels, shape (n, modes), zero where rows are held;
-    `tolerance`: relative residual [-]. `multigrid`: left out, by the size of the system.
-    `LinearSystemError` where the residual stays larger.
+    Parameters
+    ----------
+    matrix : Any
+        sparse, shape (n, n)
+    near_null : Array
+        modes of little energy, shape (n, modes), zero in fixed rows
+    right : Array
+        right-hand sides, shape (n, cases)
+    tolerance : float
+        largest relative residual [-]
+    multigrid : bool | None, optional
+        use multigrid; None: by the size of the system
+
+    Returns
+    -------
+    LinearSolution
+        solutions, shape (n, cases), and the work
+
+    Raises
+    ------
+    LinearSystemError
+        if the residual stays larger than the tolerance
     """
     if multigrid is None:
         multigrid = matrix.shape[0] >= DIRECT_BELOW

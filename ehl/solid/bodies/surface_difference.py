@@ -55,7 +55,18 @@ class SurfaceDifference:
     residual: float = 0.0  # relative, of the linear systems [-]
 
     def with_body(self, other: "SurfaceDifference") -> "SurfaceDifference":
-        """The sum for two bodies in contact."""
+        """The sum for two bodies in contact.
+
+        Parameters
+        ----------
+        other : SurfaceDifference
+            difference of the other body
+
+        Returns
+        -------
+        SurfaceDifference
+            the sum
+        """
         return SurfaceDifference(
             constant=self.constant + other.constant,
             tilt=self.tilt + other.tilt,
@@ -71,8 +82,23 @@ class SurfaceDifference:
 def fitted(
     patch: ContactPatch, points: tuple[Array, Array], loads: Array, difference: Array
 ) -> SurfaceDifference:
-    """Constant, tilt and curvatures of a difference [m] at points x, y [m] of the ellipse that
-    carry loads [N].
+    """Constant, tilt and curvatures of a difference of displacements over the ellipse.
+
+    Parameters
+    ----------
+    patch : ContactPatch
+        ellipse of the contact
+    points : tuple[Array, Array]
+        x and y, shape (n,) each [m]
+    loads : Array
+        at the points, shape (n,) [N]
+    difference : Array
+        at the points, shape (n,) [m]
+
+    Returns
+    -------
+    SurfaceDifference
+        the fit, weighted with the loads
     """
     x, y = points[0] / patch.semi_axis_x, points[1] / patch.semi_axis_y
     root = np.sqrt(loads / loads.sum())
@@ -93,11 +119,25 @@ def fitted(
 
 
 def groove_gap(ball_radius: float, groove_radius: float, patch: ContactPatch) -> SurfaceDifference:
-    """Gap between ball and groove [m], arcs in section, less that of parabolas, y^2/(2 R_y), in
-    arc length y.
+    """Gap between ball and groove, arcs in section, less that of parabolas y^2/(2 R_y) in arc
+    length y.
 
     Along the normal of the middle at equal distances R sin(y/R) from it, R the radius between both
     arcs, 2/R = 1/ball + 1/groove: larger by 5 y^2/(12 R^2) of itself.
+
+    Parameters
+    ----------
+    ball_radius : float
+        [m]
+    groove_radius : float
+        [m]
+    patch : ContactPatch
+        ellipse of the contact
+
+    Returns
+    -------
+    SurfaceDifference
+        the difference as displacement
     """
     x, y, loads, _ = patch.cells()
     middle = 2.0 * ball_radius * groove_radius / (ball_radius + groove_radius)
