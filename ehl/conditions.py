@@ -37,8 +37,8 @@ class ContactConditions:
     lateral_slide_ratio: float = 0.0
     # of body 1 relative to body 2 about the normal into body 2, x cross y [rad/s]
     spin: float = 0.0
-    # (omega_1 + omega_2)/2 about the same normal, with which the entrainment turns from place to
-    # place [rad/s]; None: body 2 does not turn, and it is half the spin
+    # (omega_1 + omega_2)/2 about the same normal, the rotation of the entrainment over the contact
+    # [rad/s]; None: body 2 does not turn, and it is half the spin
     mean_spin: float | None = None
     # of one of the bodies; E' and all groups and scales are then those of the uncoated half
     # spaces, one of them of the coating's material
@@ -187,7 +187,7 @@ class MoesConditions:
     lubricant: Lubricant
     radius_ratio: float = 1.0  # Rx/Ry [-]
     entrainment_angle: float = 0.0  # direction of the entrainment, from x towards y [rad]
-    # thickness in units of a^2/Rx, places of a, the Hertz semi-axis along x [-]; None: flooded
+    # thickness in units of a^2/Rx, positions of a, the Hertz semi-axis along x [-]; None: flooded
     inlet_layer: InletLayer | None = None
 
     def __post_init__(self) -> None:

@@ -10,11 +10,11 @@ relative to body 2, omega (about y) and Omega (about n), body 1 slides over body
 .. math::
     s_x = S_x - \Omega y - \omega y^2/(2R), \qquad s_y = S_y + \Omega x .
 
-Off the ellipse the surfaces part and the radius is none of both; a flooded gap sheared by y^2
-there would drag in proportion to the area of the box. So y^2 does not grow beyond the ellipse's
-width (`curvature_width`).
+Off the ellipse the surfaces separate and the radius is that of neither; a flooded gap sheared by
+y^2 there would drag in proportion to the area of the box. So y^2 does not grow beyond the
+ellipse's width (`curvature_width`).
 
-What rolling does in the direction of n closes and opens the gap and is no sliding.
+The velocity of rolling along n closes and opens the gap and is no sliding.
 """
 
 from dataclasses import dataclass, fields
@@ -75,8 +75,8 @@ class ContactKinematics:
     mean_rolling: float = 0.0  # [rad/s]
     # mean surface speed along y, where the grid does not follow the entrainment [m/s]
     entrainment_lateral: float = 0.0
-    # 1/R_2x - 1/R_1x of the bodies' own curvatures along x: how the horizontal part of the
-    # pressure is shared; zero: equally [1/m]
+    # 1/R_2x - 1/R_1x of the bodies' curvatures along x: it divides the horizontal force of the
+    # pressure between them; zero: equally [1/m]
     curvature_difference: float = 0.0
 
     def __post_init__(self) -> None:

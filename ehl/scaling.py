@@ -2,8 +2,8 @@
 
 X = x/a, Y = y/a, P = p/p_h, H = h Rx/a^2; a is the Hertz semi-axis along the principal direction
 x, p_h the Hertz pressure. With M, L and the ratio Rx/Ry the whole problem follows but for the
-scale of pressure (Moes, 1992), so both kinds of conditions are scaled alike: SI -> (M, L, Rx/Ry,
-p_h) -> `ScaledContact`.
+scale of pressure (Moes, 1992), so both kinds of conditions are scaled in one way: SI -> (M, L,
+Rx/Ry, p_h) -> `ScaledContact`.
 """
 
 from dataclasses import dataclass, replace
@@ -34,7 +34,8 @@ ALIGNMENT_TOLERANCE = 1e-12  # |C| below this is an entrainment along a principa
 # speed at the end of the ellipse, over u_m, below which a rotation of the entrainment is neglected
 SMALLEST_ROTATION = 1e-3
 # Beyond these the law of starvation, which is of entrainment along a principal direction, counts
-# as left: |C|, the mixed curvature, and the speed of rotation at the end of the ellipse over u_m
+# as outside its range: |C|, the mixed curvature, and the speed of rotation at the end of the
+# ellipse over u_m
 OBLIQUE = 0.05
 TURNING = 0.1
 
@@ -49,7 +50,7 @@ class _Frame:
 
     @property
     def direction(self) -> float:
-        """Of the entrainment, from the principal direction x towards y [rad]."""
+        """Direction of the entrainment, from the principal direction x towards y [rad]."""
         return self.angle + atan2(self.velocity[1], self.velocity[0])
 
 
@@ -86,7 +87,7 @@ class ScaledContact:
     coating: ScaledCoating | None = None
     # of a law that is none of the closed forms above, which are then not used
     oil: Lubricant | None = None
-    # thickness in units of a^2/Rx over places along the grid's Y in units of a; None: flooded
+    # thickness in units of a^2/Rx over positions along the grid's Y in units of a; None: flooded
     inlet_layer: InletLayer | None = None
 
     def gap(self, X: Array, Y: Array) -> Array:
@@ -154,12 +155,12 @@ class ScaledContact:
 
     @property
     def symmetric(self) -> bool:
-        """Whether the solution is even in Y."""
+        """The solution is even in Y."""
         return abs(self.curvature_xy) < ALIGNMENT_TOLERANCE and not self.lateral
 
     @property
     def lateral(self) -> bool:
-        """Whether the entrainment has a part along Y anywhere."""
+        """The entrainment has a component along Y somewhere."""
         return self.velocity_y != 0.0 or self.rotation != 0.0
 
 
@@ -327,10 +328,10 @@ def _scaled(
 def _film_guess(groups: tuple[float, float, float], lubricant: Lubricant, angle: float) -> float:
     """Central film by formula, in Moes' units [-]; an isoviscous oil has L = 0.
 
-    An entrainment at an angle has the films of its two parts, each along a principal direction
-    with its own curvature S: M S^(5/4)/v^(3/4) and L (S v)^(1/4) at the share v of the speed.
-    Their cubes add up: 0.77 to 1.59 times the film of 93 random contacts at an angle (fitted; 0.75
-    to 1.38 where there is none).
+    An entrainment at an angle has the films of its two components, each along a principal
+    direction with its curvature S: M S^(5/4)/v^(3/4) and L (S v)^(1/4) at the fraction v of the
+    speed. Their cubes add up: 0.77 to 1.59 times the film of 93 random contacts at an angle
+    (fitted; 0.75 to 1.38 where there is none).
     """
     m, l, d = groups
     if lubricant.viscosity_law is ViscosityLaw.ISOVISCOUS:

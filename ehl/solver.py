@@ -47,7 +47,7 @@ Array = NDArray[np.float64]
 
 FLOODED_ONLY = "inlet_layer: films with shear or heat are solved flooded only"
 CAUTIOUS_LEVEL = "finer mesh with damping halved, less Gauss-Seidel"
-LOAD_STEPS = (1 / 16, 1 / 8, 1 / 4, 1 / 2)  # shares of the load by which a fallback reaches it
+LOAD_STEPS = (1 / 16, 1 / 8, 1 / 4, 1 / 2)  # fractions of the load by which a fallback reaches it
 # Hc/(S hx^2) of the first mesh times the tolerance, Hc of the film formula
 FIRST_FINENESS = 6.0
 FEWEST_POINTS = 65  # of the first mesh
@@ -138,8 +138,8 @@ def solve_attempts(
     points = options.most_points
     if tolerance is not None:
         points = _first_points(problem.scaled()[0], domain, tolerance, points)
-    given = replace(options, points=points)
-    solution, result = _solve(problem, given, attempts, progress)
+    mesh = replace(options, points=points)
+    solution, result = _solve(problem, mesh, attempts, progress)
     while tolerance is not None and points < options.most_points:
         if (
             tolerance_reached(solution, tolerance)
@@ -148,10 +148,10 @@ def solve_attempts(
             break
         if error_by_box(result) > max(tolerance, 0.5 * solution.widest_bar):
             break  # of which no mesh takes anything away
-        given = replace(given, points=2 * points - 1)
+        mesh = replace(mesh, points=2 * points - 1)
         sound = solution.converged and solution.resolved
-        anew = () if sound else attempts
-        finer, finer_result = _solve_finer(problem, given, result, anew, progress)
+        further = () if sound else attempts
+        finer, finer_result = _solve_finer(problem, mesh, result, further, progress)
         if sound and not finer.converged:
             solution = beside_finer(solution)
             break
@@ -355,7 +355,7 @@ def _solve(
     before, too.
     """
     conditions = problem.conditions
-    lighter = tuple(scale_contact(at_load(conditions, share)) for share in LOAD_STEPS)
+    lighter = tuple(scale_contact(at_load(conditions, fraction)) for fraction in LOAD_STEPS)
     progress.fallbacks.clear()
     result = solve_with_fallbacks(
         problem.scaled(), problem.domain, options, progress, problem.flow_model, lighter, attempts
@@ -370,9 +370,11 @@ def _solve_finer(
     attempts: tuple[Attempt, ...],
     progress: Progress,
 ) -> tuple[ContactSolution, AttemptResult]:
-    """A contact on twice the points: from its solution, or by attempts anew where there is none or
-    it does not lead to one, what came closest before first. Without attempts the coarser films
-    are what stands if their solution does not lead to one with more damping either.
+    """A contact on twice the points, from its solution on the coarser mesh.
+
+    Without one, or if it does not converge, all attempts follow, the closest one first. Without
+    attempts the coarser films stay if their solution does not lead to a finer one with more
+    damping either.
     """
     results: list[AttemptResult] = []
     dampings = [] if coarse.attempt.newton or not coarse.converged else [coarse.attempt.damping]

@@ -142,9 +142,9 @@ def unit(path: str) -> Unit:
         the unit
     """
     for part in reversed(path.split(".")):
-        words, unit_of_part = _split(part)
-        if unit_of_part is not None:
-            return unit_of_part
+        words, word_unit = _split(part)
+        if word_unit is not None:
+            return word_unit
         if words[-1] in DIMENSIONLESS:
             break
     return NO_UNIT
@@ -186,8 +186,8 @@ def si_unit_of(path: str) -> str:
     str
         text for files
     """
-    own = unit(path)
-    return own.base or own.text
+    key_unit = unit(path)
+    return key_unit.base or key_unit.text
 
 
 def unit_symbol(path: str) -> str:
@@ -245,10 +245,10 @@ def from_si(key: str, value: Any) -> Any:
     """
     if value is None:
         return None
-    own = unit(key)
-    if own.text == "deg":  # as `math.degrees`, which divides nothing
+    key_unit = unit(key)
+    if key_unit.text == "deg":  # as `math.degrees`, which divides nothing
         return value * (180.0 / pi)
-    return (value - own.zero) / own.si if own.zero or own.si != 1.0 else value
+    return (value - key_unit.zero) / key_unit.si if key_unit.zero or key_unit.si != 1.0 else value
 
 
 def is_si(key: str) -> bool:
@@ -264,8 +264,8 @@ def is_si(key: str) -> bool:
     bool
         True without a conversion
     """
-    own = unit(key)
-    return own.text != "deg" and not own.zero and own.si == 1.0
+    key_unit = unit(key)
+    return key_unit.text != "deg" and not key_unit.zero and key_unit.si == 1.0
 
 
 def to_si(key: str, value: Any) -> Any:
@@ -290,8 +290,8 @@ def to_si(key: str, value: Any) -> Any:
     """
     if value is None:
         return None
-    own = unit(key)
-    return value * own.si + own.zero if own.zero or own.si != 1.0 else value
+    key_unit = unit(key)
+    return value * key_unit.si + key_unit.zero if key_unit.zero or key_unit.si != 1.0 else value
 
 
 def value_with_error(value: float, error: float, most: int = 5) -> str:
@@ -346,10 +346,10 @@ def notebook_html(
     str
         HTML
     """
-    left = "style='text-align:left'"
+    align = "style='text-align:left'"
     rows = "".join(
-        f"<tr><th {left}>{escape(without_unit(key))}</th>"
-        f"<td {left}>{_cell(key, value, unit_symbol(key))}</td></tr>"
+        f"<tr><th {align}>{escape(without_unit(key))}</th>"
+        f"<td {align}>{_cell(key, value, unit_symbol(key))}</td></tr>"
         for key, value in facts.items()
     )
     table = _columns_html(columns or {})

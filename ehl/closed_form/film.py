@@ -9,7 +9,7 @@ from math import exp, log, sqrt
 
 from ..conditions import ContactConditions, moes_groups, speed_load_material
 
-# a film thicker than this share of R_x lies in a gap that is no paraboloid: outside the model
+# a film thicker than this fraction of R_x lies in a gap that is no paraboloid: outside the model
 MAX_FILM_OVER_RADIUS = 0.02
 
 

@@ -172,8 +172,8 @@ def contact_stiffness(radius_x: float, radius_y: float, reduced_modulus: float) 
     ValueError
         if a value is not positive
     """
-    given = {"radius_x": radius_x, "radius_y": radius_y, "reduced_modulus": reduced_modulus}
-    require_positive(given)
+    inputs = {"radius_x": radius_x, "radius_y": radius_y, "reduced_modulus": reduced_modulus}
+    require_positive(inputs)
     _, _, d = hertz_coefficients(radius_x / radius_y)
     return float(reduced_modulus * (radius_x / d**3) ** 0.5)
 
@@ -210,8 +210,8 @@ def hertz_contact(
     >>> f"{contact.pressure / 1e9:.3f} GPa, {contact.semi_axis_y * 1e6:.0f} um"
     '0.807 GPa, 365 um'
     """
-    given = {"load": load, "radius_x": radius_x, "radius_y": radius_y}
-    require_positive(given | {"reduced_modulus": reduced_modulus})
+    inputs = {"load": load, "radius_x": radius_x, "radius_y": radius_y}
+    require_positive(inputs | {"reduced_modulus": reduced_modulus})
     f, g, d = hertz_coefficients(radius_x / radius_y)
     size = cbrt(load / (reduced_modulus * radius_x**2))
     semi_axis_x = f * size * radius_x

@@ -31,7 +31,7 @@ ACROSS_POISSON = 0.25
 # depth of the largest shear in the smaller semi-axis, about [-]; where its search begins
 CIRCLE_DEPTH = 0.48
 LINE_DEPTH = 0.79
-SHEAR_STEPS = 30  # at most, of that search; 5 or 6 are taken
+SHEAR_STEPS = 30  # largest number of steps of that search; it needs 5 or 6
 SHEAR_ROUNDING = 1e-12  # step of the depth at which it ends [-]
 CUBIC_STEPS = 9  # to round-off, for any ellipse; 7 do
 SERIES = 1e-4  # e^2 of an ellipse below which its edge tension is expanded [-]
@@ -74,8 +74,8 @@ def _axis_stress(a: float, b: Any, depth: Any, nu: Any) -> tuple[Any, Any, Any]:
     along_z = 2.0 / 3.0 * elliprd(a2, b2, z2)
     surface = (1.0 - 2.0 * nu) / (root_a + root_b)
 
-    def along(own: Any, other: Any, root: Any) -> Any:
-        integral = (1.0 - nu) * 2.0 / 3.0 * elliprd(other, z2, own)
+    def along(axis: Any, other: Any, root: Any) -> Any:
+        integral = (1.0 - nu) * 2.0 / 3.0 * elliprd(other, z2, axis)
         return depth * (integral - nu * along_z) - surface / root
 
     stress_z = -1.0 / (root_a * root_b)
@@ -135,9 +135,10 @@ def _searched_shear(ratio: float, nu: float) -> tuple[float, float]:
 
 
 def _shear_across(ratio: Array, nu: Array) -> tuple[Array, Array]:
-    """As `_searched_shear`, in arrays, where the stress across the shorter axis, here sigma_x, is
-    the largest at that depth: d(sigma_x - sigma_z)/dz = 0 with dI_x/dz = -2/(A^3 B) and dI_z/dz =
-    -2/(A B z^2), by secants.
+    """Largest shear and its depth, in arrays, by d(shear)/dz = 0.
+
+    The stress across the shorter axis, here sigma_x, is the largest at that depth: d(sigma_x -
+    sigma_z)/dz = 0 with dI_x/dz = -2/(A^3 B) and dI_z/dz = -2/(A B z^2), by secants.
     """
     last = CIRCLE_DEPTH + (LINE_DEPTH - CIRCLE_DEPTH) * (1.0 - 1.0 / ratio)
     depth = 1.01 * last
@@ -196,8 +197,8 @@ def hertz_orthogonal_shear(
     depth
         z_0 [m]
     """
-    given = (semi_axis_rolling, semi_axis_transverse, pressure)
-    along, across, peak = (np.asarray(one, dtype=np.float64) for one in given)
+    inputs = (semi_axis_rolling, semi_axis_transverse, pressure)
+    along, across, peak = (np.asarray(value, dtype=np.float64) for value in inputs)
     ratio = (along / across) ** 2
     t = 2.0 + np.cbrt(ratio)
     for _ in range(CUBIC_STEPS):  # Newton's, from above: the cubic is convex beyond its root

@@ -1,6 +1,6 @@
-"""What the heat of the shear in its inlet leaves of a film, without a solve with heat.
+"""Thermal reduction factor: film with the heat of its inlet over the isothermal film.
 
-A film in pure rolling over the isothermal one is taken as
+In pure rolling, without a solve with heat, it is
 
     s = 1/(1 + a L_T^b (p_h/E')^c/[1 + (M_0/M)^d]),    L_T = eta_0 beta u_m^2/k.
 
@@ -9,7 +9,7 @@ catalogue bearings drawn at random and 92 light ones (`benchmarks/inlet_heat.py`
 p_h/E' 0.0005 to 0.012, M 2 to 30 000). `SPREAD` holds 95 % of their losses 1 - s with M above 20;
 minimum films lose up to a quarter less. Films of lighter contacts carry their load far ahead of
 the contact, also outside the solved box, where nothing is heated: the low end of the range leaves
-the bracket out. Bodies are steel and silicon nitride; sliding is left out. The formula of Gupta
+the bracket out. Bodies are steel and silicon nitride; sliding is neglected. The formula of Gupta
 et al. (`film_reduction_gupta`), a fit to line contacts, takes a third more.
 """
 
@@ -28,7 +28,7 @@ SPREAD = 0.2  # of the loss 1 - s [-]
 # L_T beyond which no film was solved; the spread is twice as wide there [-]
 LARGEST_LOADING = 12.0
 
-# Of an oil whose heat properties are not given, those of a mineral oil. Conductivity: Larsson and
+# Heat properties of a mineral oil, for oils without their own. Conductivity: Larsson and
 # Andersson (2000), paraffinic mineral oil, second-hand [W/(m K)].
 MINERAL_CONDUCTIVITY = 0.137
 # beta = 0.110 (eta/Pa s)^0.282 [1/K], fitted to ISO VG 10 to 220 of the library from 40 to 100

@@ -26,8 +26,9 @@ class ReductionFactor:
     beyond.
     """
 
-    value: float
-    uncertainty: float  # encloses the distance to the solution in nineteen of twenty, of flooded
+    value: float  # [-]
+    # encloses the distance to the solution in nineteen of twenty, of flooded [-]
+    uncertainty: float
 
     def widened(self) -> "ReductionFactor":
         """The factor of a contact outside the solved ones, with wider uncertainty."""
@@ -55,7 +56,7 @@ class StarvationShares:
 
     central: ReductionFactor  # film at the centre
     minimum: ReductionFactor  # smallest film
-    rolling_moment: ReductionFactor  # of the pressure in the solver's own box
+    rolling_moment: ReductionFactor  # of the pressure in the solver's box
     # along the normal, of an oscillation with 0.3 u_m/a rad/s over the flooded one at the same;
     # of slower ones, which the meniscus follows, it may be negative
     damping: ReductionFactor
@@ -91,16 +92,16 @@ class StarvationShares:
         return min(self.minimum.value * minimum, self.central.value * central)
 
 
-def _same(share: float) -> StarvationShares:
-    """One share of all, known exactly [-]."""
-    exact = ReductionFactor(share, 0.0)
+def _uniform(value: float) -> StarvationShares:
+    """One exact factor for all values [-]."""
+    exact = ReductionFactor(value, 0.0)
     return StarvationShares(
         central=exact, minimum=exact, rolling_moment=exact, damping=exact, inside=True
     )
 
 
-FLOODED = _same(1.0)
-DRY = _same(0.0)
+FLOODED = _uniform(1.0)
+DRY = _uniform(0.0)
 
 
 def starvation_shares(
@@ -112,7 +113,7 @@ def starvation_shares(
 ) -> StarvationShares:
     """Starvation factors: films, rolling moment and damping behind a layer over the flooded ones.
 
-    The part by which the law misses the flooded contact at `flooded_ratio` is added in proportion
+    The difference of the law from the flooded contact at `flooded_ratio` is added in proportion
     to r^2, so that no step remains.
 
     Parameters

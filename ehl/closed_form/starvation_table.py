@@ -15,8 +15,8 @@ the solved contacts, fitted to solutions by `tools/starvation/fit.py`:
     damping            f_4, at an angular frequency of 0.3 u_m/a
 
 Chevalier's form (1998) with an exponent that depends on all four keeps R below r and 1, and leaves
-the limits of little and of much oil exact. Where a fitted curve falls over r, which it does by the
-errors of light contacts alone, the law stays at what it was before.
+the limits of little and of much oil exact. A fitted curve that falls over r, which is an error in
+light contacts alone, is replaced by its largest value so far.
 """
 
 from functools import cache, lru_cache
@@ -62,7 +62,7 @@ class Table(NamedTuple):
     largest: Array
     error_films: Array  # (k,) ln H_c
     error_ratios: Array  # (m,) ln r
-    errors: Array  # (4, k, m) of R and R_min over themselves, of T/T_0 and the damping's share
+    errors: Array  # (4, k, m) of R and R_min over themselves, of T/T_0 and the damping's factor
 
 
 class Curves(NamedTuple):
@@ -72,7 +72,7 @@ class Curves(NamedTuple):
     exponent: Array  # ln g
     gain: Array  # c
     moment: Array  # s
-    damping: Array  # share
+    damping: Array  # factor of the damping
     errors: Array  # (4, m) over `Table.error_ratios`
     inside: bool
 

@@ -1,4 +1,4 @@
-r"""What a film leaves of a small waviness, in closed form.
+r"""Amplitude of a small waviness in a lubricated contact, in closed form.
 
 A waviness r = Re r_a exp(i omega_x (x - u_b t) + i omega_y y) on a body of speed u_b, in a flat
 film h of uniform high pressure. Hooke (2006); as printed in Morales-Espejel and Brizmer, Tribology

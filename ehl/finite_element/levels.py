@@ -22,14 +22,14 @@ REACH = (3, 0)
 # 0.35 change the films of the 6208's inner race on 65 lines by less than 0.1 %
 FINEST = 0.1  # over the length of the inlet
 INSIDE = 1 / 16  # largest inside the contact
-OUTLET = (0.0, 1.2)  # ends of the finest part, through which the exit constriction runs
-# across the half contact: over the length of the inlet, largest inside, ends of the finest part.
+OUTLET = (0.0, 1.2)  # ends of the finest region, through which the exit constriction runs
+# across the half contact: over the length of the inlet, largest inside, ends of the finest region.
 # The minimum film of M 2000, L 0 on 257 lines is within 4 % so, 8.7 % off with even cells of 1/40
 SIDE_FINEST = 0.05
 SIDE_INSIDE = 1 / 20
 SIDE = (0.75, 1.0)
 GROWTH = 0.12  # of the cells before and inside the contact, over the distance from the finest
-OUTER_GROWTH = 0.25  # of those behind and beside it
+OUTER_GROWTH = 0.25  # of those behind and at the side of it
 
 
 def lattices(
@@ -169,7 +169,7 @@ def level_on(contact: ScaledContact, mesh: Lattice, is_open: bool, start: Start)
         Y=Y,
         flow=flow_on(X, Y, contact),
         compliance=operator,
-        near=near_field(mesh, REACH, contact.deformation, contact.coating),
+        near_compliance=near_field(mesh, REACH, contact.deformation, contact.coating),
         elimination=nested_dissection((len(X), len(Y)), (REACH[0] + 1, REACH[1] + 1)),
         gap=gap,
         areas=areas,

@@ -35,7 +35,7 @@ PRESSURE_STEP = 0.3
 LARGEST_FILM_LOSS = 0.7  # of the film at a node in a step
 TOLERANCE = 1e-5  # of the last change of pressure [-]
 # likewise where a node at the edge of the cavity alternates, so that changes fall no more, at M 5,
-# L 10 from 2.7e-5 on; what the film changes by then is part of its error bar
+# L 10 from 2.7e-5 on; what the film changes by then belongs to its error bar
 ALTERNATING = 5e-4
 LINEAR_TOLERANCE = 1e-3  # of each Newton step
 # Time steps, in units of a/u_m, of the transient through which the steady film is reached where a
@@ -45,7 +45,9 @@ SMALLEST_TIME_STEP = 1e-4  # of one that is tried again
 SHORTER = 3.0  # of the time step before over the next, where that one was too long
 LONGER = 2.0  # of the next over the time step before, after half of `PRESSURE_STEP` at most
 STEADY_STEP = 0.03  # change of pressure [-] below which the steady equations are solved
-OTHER_DEFLECTIONS = 3  # of a step beside those of GMRES: film, prescribed pressures, change
+OTHER_DEFLECTIONS = (
+    3  # of a step, in addition to those of GMRES: film, prescribed pressures, change
+)
 # fraction of a change that the next one reverses, above which only half of that is applied: at
 # M 31, L 31, R_x/R_y 0.05 all of it was reversed, without end
 REVERSED = 0.9
@@ -61,7 +63,7 @@ class Level:
     Y: Array
     flow: Flow
     compliance: Compliance
-    near: sparse.csr_matrix  # of the compliance, for the preconditioner
+    near_compliance: sparse.csr_matrix  # of neighbouring nodes, for the preconditioner
     elimination: NDArray[np.intp]  # order of the nodes in it
     gap: Array
     weights: Array  # integral of P = weights @ P, both halves
@@ -90,7 +92,7 @@ class Level:
 
 @dataclass(slots=True)
 class Progress:
-    """What each Newton step did [-]."""
+    """History of the Newton steps [-]."""
 
     residual: list[float] = field(default_factory=list)
     load: list[float] = field(default_factory=list)
@@ -158,13 +160,13 @@ def newton(level: Level, progress: Progress) -> tuple[bool, str]:
 
 
 def _short_enough(level: Level, miss: Array, progress: Progress, time_step: float) -> _Change:
-    """Where a step would change a pressure by more than `PRESSURE_STEP`, it is tried again as one
-    of a transient (backward Euler), so short that it does not; the transient grows into the steady
-    state. Where a shorter time makes the change larger, as one of films that the bodies do not
-    allow, a part of the longer step is made.
+    """Newton step that changes no pressure by more than `PRESSURE_STEP`.
 
-    Such parts made straight away lead astray: at M 50, L 28 the spike of a coarser mesh, a cell
-    from its place, grew to 8 p_h in 100 steps; the transient takes 23.
+    A larger step is computed again as one of a transient (backward Euler), so short that it is
+    not; the transient grows into the steady state. If a shorter time makes the change larger, as
+    with films that the bodies do not allow, the longer step is applied in part. Such a damping
+    from the beginning fails: at M 50, L 28 the spike of a coarser mesh, a cell from its position,
+    grew to 8 p_h in 100 steps; the transient needs 23.
     """
     step = _step(level, miss, progress, time_step)
     while step.size > PRESSURE_STEP and step.time > SMALLEST_TIME_STEP:
@@ -264,9 +266,9 @@ def _step(level: Level, miss: Array, progress: Progress, time_step: float) -> _C
         deflection = level.compliance.in_single_precision(spread)
         return (by_pressure @ spread + by_film @ deflection)[free]
 
-    near = _near(level, k, by_pressure, by_film)[free][:, free]
+    nearby = _near_matrix(level, k, by_pressure, by_film)[free][:, free]
     border = Border(column=np.asarray(by_film.sum(axis=1)).ravel()[free], row=level.weights[free])
-    factors = factor_bordered(near, border, _elimination(level, free))
+    factors = factor_bordered(nearby, border, _elimination(level, free))
     right = (-(residual + shifted)[free], error - float(level.weights @ change))
     change[free], rise = solve_bordered(operator, border, factors, right, LINEAR_TOLERANCE)
     progress.iterations.append(calls)
@@ -274,13 +276,13 @@ def _step(level: Level, miss: Array, progress: Progress, time_step: float) -> _C
     return _Change(change, rise, float(np.abs(change).max()), time_step)
 
 
-def _near(
+def _near_matrix(
     level: Level, k: Coefficients, by_pressure: sparse.csr_matrix, by_film: sparse.csr_matrix
 ) -> sparse.csr_matrix:
     """Newton's matrix with the near fields of deflection and wedge, for the preconditioner [-]."""
     nearer = level.flow.near_wedge - level.flow.wedge
     near_film = by_film + nearer @ sparse.diags(k.q_H)
-    return by_pressure + nearer @ sparse.diags(k.q_P) + near_film @ level.near
+    return by_pressure + nearer @ sparse.diags(k.q_P) + near_film @ level.near_compliance
 
 
 def _elimination(level: Level, free: NDArray[np.bool_]) -> NDArray[np.intp]:

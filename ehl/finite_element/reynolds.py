@@ -31,7 +31,7 @@ NEAR_DIFFUSION = 0.75
 
 @dataclass(frozen=True, slots=True)
 class Flow:
-    """What of the equation depends on mesh and entrainment alone."""
+    """Matrices of the equation that depend on mesh and entrainment alone."""
 
     edges: tuple[Edges, Edges]
     wedge: sparse.csr_matrix  # of q, shape (nodes, nodes)

@@ -32,7 +32,7 @@ LEVELS = 3
 POINTS = 257  # where the options leave them open
 MAX_CELLS = 512  # along x
 MAX_CELLS_SKEWED = 256  # of both halves
-# loads through which a contact is reached where no solution is given to start from: M of the
+# loads through which a contact is reached without another solution to start from: M of the
 # first, and the ratio of each to the one before
 FIRST_LOAD = 50.0
 LOAD_RATIO = 3.0
@@ -131,8 +131,9 @@ def _refine(
     progress: Progress,
     levels: int = LEVELS,
 ) -> Attempt:
-    """Solve on each mesh; one that does not converge is left out, and the next starts as it did,
-    but on the finest.
+    """Solve on each mesh.
+
+    After a mesh that does not converge the next one starts from the same state.
     """
     films: list[tuple[float, float, float]] = []
     for mesh in lattices(contact, domain, cells, levels):

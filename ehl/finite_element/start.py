@@ -1,4 +1,4 @@
-"""What Newton's method starts from: pressure and film of another solution, or Hertz."""
+"""Initial state of Newton's method: pressure and film of another solution, or Hertz."""
 
 from collections.abc import Callable
 from math import cos, sin

@@ -96,8 +96,9 @@ def log_yasutomi(
 
 @law
 def log_modulus(pressure, temperature, operation, beta, a1, a2, b1, b2, vogel):
-    """ln(eta/eta_0) = p/[a_1 + a_2 T + (b_1 + b_2 T) p] - beta D, D = T - T_0, or by Vogel's law
-    D/[1 + D/(T_0 - T_v)] in its place, where T_v is not zero [-].
+    """ln(eta/eta_0) = p/[a_1 + a_2 T + (b_1 + b_2 T) p] - beta D, D = T - T_0 [-].
+
+    D/[1 + D/(T_0 - T_v)] replaces D, Vogel's law, unless T_v is zero.
     """
     above = temperature - operation
     if vogel > 0.0:

@@ -15,7 +15,9 @@ from .free_volume import TaitVolume, relative_volume
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FittedHeat:
-    """Constants of Larsson and Andersson (2000): k = k_0 [1 + c_1 p/(1 + c_2 p)], rho c = (rho
+    """Constants of conductivity and heat capacity after Larsson and Andersson (2000).
+
+    k = k_0 [1 + c_1 p/(1 + c_2 p)], rho c = (rho
     c)_0 [1 + a_1 p/(1 + a_2 p)] [1 + b (T - T_R)], b = b_0 (1 + b_1 p + b_2 p^2). Beyond the
     largest pressure and temperature of their data the values stay.
     """
@@ -39,7 +41,9 @@ class FittedHeat:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class VolumeHeat:
-    """Constants of Habchi and Bair: k = B + C K^-s, K = (V/V_R) [1 - A (T/T_R) (V/V_R)^q], and
+    """Constants of conductivity and heat capacity after Habchi and Bair.
+
+    k = B + C K^-s, K = (V/V_R) [1 - A (T/T_R) (V/V_R)^q], and
     rho c = C_0 + m (T/T_R) (V/V_R)^-4, with the volume of the oil's Tait law.
     """
 

@@ -40,7 +40,7 @@ SMALLEST_ROOM = 1e-3
 UNNAMED_TEMPERATURE = 298.15  # of an oil without one, with which nothing varies then [K]
 DOWSON_HIGGINSON_NUMERATOR = 0.6e-9  # [1/Pa], Dowson and Higginson (1966)
 DOWSON_HIGGINSON_DENOMINATOR = 1.7e-9  # [1/Pa], Dowson and Higginson (1966)
-# share by which a given coefficient may differ from that of the law's constants
+# fraction by which a prescribed coefficient may differ from that of the law's constants
 PRESSURE_VISCOSITY_TOLERANCE = 0.01
 
 
@@ -66,12 +66,12 @@ class DensityLaw(Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ThermalProperties:
-    """What a solve with heat needs beside the isothermal properties of an oil, SI."""
+    """Thermal properties of an oil for a solve with heat, SI."""
 
     conductivity: float  # k [W/(m K)]
     specific_heat: float  # c [J/(kg K)]
     # beta = -d(ln eta)/dT at ambient pressure and the temperature of operation [1/K]; not used by
-    # laws with a temperature dependence of their own
+    # laws that depend on temperature themselves
     viscosity_temperature: float
     expansion: float = 0.0  # -d(ln rho)/dT [1/K]
     # of both under pressure and over temperature; None: k and c constant
@@ -125,14 +125,15 @@ class Lubricant:
 
     @property
     def piezoviscous(self) -> bool:
-        """Whether the viscosity rises with the pressure; the coefficient of an isoviscous oil is
-        not used.
+        """The viscosity rises with the pressure.
+
+        The coefficient of an isoviscous oil is not used.
         """
         return self.viscosity_law is not ViscosityLaw.ISOVISCOUS and self.pressure_viscosity > 0.0
 
     @property
     def exponent(self) -> float:
-        """Roelands' z [-]: as given, or z = alpha p_r / (ln eta_0 + 9.67), Roelands (1966)."""
+        """Roelands' z [-]: prescribed, or alpha p_r / (ln eta_0 + 9.67), Roelands (1966)."""
         if self.roelands_z is not None:
             return self.roelands_z
         rise = log(self.viscosity) + ROELANDS_LOG_OFFSET
@@ -159,7 +160,7 @@ AMBIENT_COLUMNS = {
     _kernels.YASUTOMI: _kernels.V + 8,
     _kernels.SCALED: _kernels.V + 3,
 }
-NEEDED_BY_LAW = {  # fields beside viscosity and coefficient
+NEEDED_BY_LAW = {  # fields in addition to viscosity and coefficient
     ViscosityLaw.TAIT_DOOLITTLE: ("tait", "doolittle", "temperature"),
     ViscosityLaw.YASUTOMI: ("yasutomi", "temperature"),
     ViscosityLaw.MODULUS: ("modulus", "temperature"),
@@ -176,11 +177,11 @@ def _require_constants(lubricant: Lubricant) -> None:
         if getattr(lubricant, field) is None:
             laws = f"{lubricant.viscosity_law.value}, {lubricant.density_law.value}"
             raise ValueError(f"{field} is needed by the laws {laws}")
-    own = law_pressure_viscosity(lubricant)
-    given = lubricant.pressure_viscosity
-    if abs(given - own) > PRESSURE_VISCOSITY_TOLERANCE * own:
-        wanted = f"that of the law's constants, {own:.4e} 1/Pa"
-        raise ValueError(f"pressure_viscosity must be {wanted}, got {given!r}")
+    by_law = law_pressure_viscosity(lubricant)
+    coefficient = lubricant.pressure_viscosity
+    if abs(coefficient - by_law) > PRESSURE_VISCOSITY_TOLERANCE * by_law:
+        wanted = f"that of the law's constants, {by_law:.4e} 1/Pa"
+        raise ValueError(f"pressure_viscosity must be {wanted}, got {coefficient!r}")
 
 
 def law_pressure_viscosity(lubricant: Lubricant) -> float:
@@ -255,7 +256,7 @@ def _pressure(p: ArrayLike) -> Array:
 
 
 def _require_temperature_law(oil: Lubricant) -> None:
-    """The viscosity of the lubricant can be taken at other temperatures."""
+    """Raise ValueError unless the viscosity is determined at other temperatures."""
     operation = _operation(oil)
     expands = oil.doolittle is not None and oil.doolittle.occupied_expansion is not None
     law = oil.viscosity_law
@@ -332,7 +333,7 @@ def density(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = 
 
     rho_0 [1 + 0.6 p/(1 + 1.7 p)], p in GPa, Dowson and Higginson (1966), or rho_0; both times
     exp[-e (T - T_0)] with the oil's thermal expansion e. Tait: rho_0 V(0, T_0)/V(p, T), with that
-    factor if Tait's own expansion is zero.
+    factor if the expansion of Tait's equation is zero.
 
     Parameters
     ----------

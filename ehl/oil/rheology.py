@@ -8,7 +8,7 @@ Winer (1979), rate = -(tau_L/eta) ln(1 - tau/tau_L),
     tau = tau_L [1 - exp(-tau_base/tau_L)].
 
 Oils with another base follow it up to the limit: tau = min(tau_base, tau_L), Arana et al. (2019)
-for Eyring's. In place of the corner stands
+for Eyring's. The corner is rounded:
 
     tau = tau_base/[1 + (tau_base/tau_L)^m]^(1/m),    m = 32,
 
@@ -54,7 +54,7 @@ LAW_CODES = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rheology:
-    """Shear behaviour of an oil; only the constants of its own law are used."""
+    """Shear behaviour of an oil; only the constants of its law are used."""
 
     law: ShearLaw = ShearLaw.NEWTONIAN
     # tau_0 of rate = (tau_0/eta) sinh(tau/tau_0), Eyring (1936) [Pa]
@@ -96,12 +96,12 @@ class Rheology:
 
     @property
     def newtonian(self) -> bool:
-        """Whether the stress is eta times the rate whatever the rate."""
+        """The stress is eta times the rate at any rate."""
         return self.law is ShearLaw.NEWTONIAN and self.limiting_coefficient is None
 
     @property
     def of_contact(self) -> bool:
-        """Whether its stresses are known: none is left to the mean pressure of a contact."""
+        """All stresses are constants: none depends on the mean pressure of a contact."""
         return self.law is not ShearLaw.REE_EYRING or self.eyring_coefficient is None
 
     @property
@@ -170,7 +170,7 @@ def eyring_stresses(rheology: Rheology, oil: Lubricant, mean_pressure: Array) ->
     return 2.0 * rheology.eyring_coefficient / alpha
 
 
-def _require_known(rheology: Rheology) -> None:
+def _require_constant_stress(rheology: Rheology) -> None:
     if not rheology.of_contact:
         raise ValueError("eyring_coefficient: the rheology of a contact is `contact_rheology`")
 
@@ -207,7 +207,7 @@ def kernel_rheology(rheology: Rheology) -> KernelRheology:
     ValueError
         if the Eyring stress depends on the mean pressure of a contact
     """
-    _require_known(rheology)
+    _require_constant_stress(rheology)
     eyring = rheology.law is ShearLaw.REE_EYRING
     return KernelRheology(
         LAW_CODES[rheology.law],
@@ -247,7 +247,7 @@ def divide_stresses(rheology: Rheology, divisor: float) -> Rheology:
     """
     if divisor == 1.0:
         return rheology
-    _require_known(rheology)
+    _require_constant_stress(rheology)
     coefficient = rheology.limiting_coefficient
     return replace(
         rheology,
@@ -399,7 +399,7 @@ def thinning_by_gradient(rise: Array, rheology: Rheology) -> Array:
     """Fluidity of a film with a pressure gradient over that without, sinh(B)/B; Ree-Eyring only.
 
     B = h p_x/(2 tau_0), for any sliding along the gradient: Conry, Wang and Cusano (1987). The
-    direction of the sliding is not taken into account. Other laws have no factor that holds for
+    direction of the sliding is neglected. Other laws have no factor that holds for
     any sliding: 1.
 
     Parameters
@@ -416,6 +416,6 @@ def thinning_by_gradient(rise: Array, rheology: Rheology) -> Array:
     """
     if rheology.law is not ShearLaw.REE_EYRING:
         return np.ones_like(rise)
-    _require_known(rheology)
+    _require_constant_stress(rheology)
     b = np.clip(0.5 * np.abs(rise) / rheology.eyring_stress, SMALLEST_ARGUMENT, LARGEST_ARGUMENT)
     return np.asarray(np.sinh(b) / b, dtype=np.float64)

@@ -36,7 +36,7 @@ class Lattice:
 
     @property
     def spacing(self) -> tuple[float, float]:
-        """Of the lattice along x and y [-]."""
+        """Spacing of the lattice along x and y [-]."""
         along = float(self.x[-1] - self.x[0]) / int(self.i[-1])
         return along, float(self.y[-1] - self.y[0]) / int(self.j[-1])
 
@@ -153,7 +153,7 @@ def _quarter(
     node: tuple[int, int],
     cell: tuple[int, int],
 ) -> Array:
-    """The part of a hat function's integral in one of the four cells around its node."""
+    """Integral of a hat function in one of the four cells around its node."""
     a, b = node
     i, j = cell
     west, east = corners[i : i + 2]  # `corners` begins with the column a - 1
@@ -292,7 +292,7 @@ def near_field(
     y = _continued(lattice.y, ry, lattice.symmetric)
     i = np.arange(nx)[:, None]
     j = np.arange(ny)[None, :]
-    # distances of the lines around each node, its own in the middle
+    # distances of the lines around each node, the node itself in the middle
     along = [x[i + k] - x[i + rx + 1] for k in range(2 * rx + 3)]
     across = [y[j + k] - y[j + ry + 1] for k in range(2 * ry + 3)]
     blocks = []
@@ -309,7 +309,7 @@ def near_field(
         inside = (i + a >= 0) & (i + a < nx) & (column >= 0) & (column < ny)
         row = (i * ny + j)[inside]
         blocks.append((factor * values[inside], row, ((i + a) * ny + column)[inside]))
-    values, row, column = (np.concatenate(part) for part in zip(*blocks, strict=True))
+    values, row, column = (np.concatenate(arrays) for arrays in zip(*blocks, strict=True))
     if reach == (0, 0):
         return sparse.csr_matrix((values, (row, column)), shape=(nx * ny, nx * ny))
     rim = np.full(nx * ny, np.inf)

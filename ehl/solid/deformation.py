@@ -14,7 +14,7 @@ from ._transform_kernels import LANES, convolve_columns
 from .coating import ScaledCoating
 from .layered import patch_compliance
 
-# part of the kernel that the line relaxation uses
+# section of the kernel that the line relaxation uses
 NEAR_LINES = 4
 NEAR_COLUMNS = 12
 
@@ -150,8 +150,8 @@ def _in_blocks(values: Array) -> Array:
 
 
 def _tables(length: int, rows: int) -> tuple[NDArray[np.int64], NDArray[np.int64], Array, Array]:
-    """Radices of a length, places of the frequencies, cosine and sine of 2 pi n/length and of pi
-    n/(2 length), the latter for the rows of the grid.
+    """Radices of a length, positions of the frequencies, cosine and sine of 2 pi n/length and of
+    pi n/(2 length), the latter for the rows of the grid.
     """
     radices = []
     rest = length

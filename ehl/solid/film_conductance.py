@@ -13,7 +13,7 @@ of semi-axes b along rolling and a across it conducts
 .. math:: G = u \int_{-a}^{a} E(w(y)/u)\, dy, \qquad w = 2 b \sqrt{1 - y^2/a^2}
 
 It holds where the heat does not get far during the passage, u b/(2 kappa) >> 1. At slower motion u
-has the share of a body at rest added that makes G of a contact at rest without a film the
+has a contribution of bodies at rest added that makes G of a contact at rest without a film the
 conductance of an isothermal spot, 1/G = (1/k_1 + 1/k_2) K(m)/(2 pi a), m = 1 - b^2/a^2.
 
 Over a film whose H varies, each line is marched along rolling,

@@ -6,9 +6,9 @@ diffusivity over the contact's length, the temperature (Carslaw and Jaeger, 1959
     T(x) = T_b + 1/(sqrt(pi u) e) int_(-inf)^x q(x') dx'/sqrt(x - x'),
 
 e = sqrt(k rho c) its effusivity; upstream is where it comes from. The slower it moves the less
-that holds: the formula has u + (4/pi) 2 kappa/a in place of u, which gives the largest temperature
+that holds: the formula has u + (4/pi) 2 kappa/a for u, which gives the largest temperature
 of a uniformly heated circle of radius a at rest, q a/k, as well as at speed (as Tian and Kennedy,
-1994, interpolate). Heat that spreads at right angles to the motion is left out otherwise.
+1994, interpolate). Heat that spreads at right angles to the motion is neglected otherwise.
 """
 
 from dataclasses import dataclass

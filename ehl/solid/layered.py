@@ -13,7 +13,7 @@ from .layered_fem import correction
 
 # cells around the load in which the correction of a thin coating is averaged over the cell
 NEIGHBOURS = 6
-MAX_PARTS = 12  # of such a cell in each direction
+MAX_POINTS = 12  # of such a cell in each direction
 
 
 def point_compliance(coating: ScaledCoating, r: Array) -> Array:
@@ -73,10 +73,10 @@ def patch_compliance(coating: ScaledCoating, x: Array, y: Array, hx: float, hy: 
         shape (ny, nx) [-]
     """
     result = hx * hy * point_compliance(coating, np.hypot(x[None, :], y[:, None]))
-    parts = min(ceil(4.0 * max(hx, hy) / coating.thickness), MAX_PARTS)
-    if parts > 1:
+    points = min(ceil(4.0 * max(hx, hy) / coating.thickness), MAX_POINTS)
+    if points > 1:
         near_x, near_y = x[:NEIGHBOURS], y[:NEIGHBOURS]
-        offsets = (np.arange(parts) + 0.5) / parts - 0.5
+        offsets = (np.arange(points) + 0.5) / points - 0.5
         u = near_x[None, :, None, None] + hx * offsets[:, None]
         v = near_y[:, None, None, None] + hy * offsets[None, :]
         mean = point_compliance(coating, np.hypot(u, v)).mean(axis=(2, 3))

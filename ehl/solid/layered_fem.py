@@ -30,7 +30,7 @@ from skfem.helpers import ddot, grad, sym_grad
 from ..arrays import Array
 
 REACH = 150.0  # outer edge in thicknesses
-FINEST = 0.08  # cell beside the load in thicknesses
+FINEST = 0.08  # cell at the load in thicknesses
 GROWTH = 1.14  # and the growth of cells away from it
 LAYER_CELLS = 10  # across the coating
 

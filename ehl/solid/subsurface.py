@@ -1,4 +1,4 @@
-r"""Stress in a half-space below a given pressure: superposition of uniformly loaded rectangles by
+r"""Stress in a half-space below a pressure: superposition of uniformly loaded rectangles by
 FFT.
 
 Boussinesq's potentials of a unit pressure on a rectangle (Love, 1929), psi = int 1/r and chi = int

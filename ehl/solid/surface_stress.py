@@ -14,7 +14,7 @@ whose integrals over a rectangle are sums over its corners (u, v) of
     pi sigma_x = ln(v + r) + nu v/r,  pi sigma_y = nu [ln(v + r) - v/r]
     2 pi tau_xy = ln(u + r) - 2 nu u/r
 
-and a shear along y the same with x and y exchanged. The pressure's part is that of `subsurface`
+and a shear along y the same with x and y exchanged. The pressure contributes as in `subsurface`
 at depth zero. Tension is positive. Second order in the mesh size where the loads are smooth.
 """
 

@@ -114,7 +114,7 @@ def conduction_matrix(body: HexMesh, conductivity: float) -> sparse.bsr_matrix:
 
 
 def _resistance(matrix: sparse.bsr_matrix, weights: Array, fixed: Nodes) -> Array:
-    """Mean temperatures under unit heats, weights of both alike [K/W]."""
+    """Mean temperatures under unit heats, weights of both equal [K/W]."""
     free = np.flatnonzero(~fixed)
     inner = sparse.csr_matrix(matrix)[free][:, free]
     ones = np.ones((free.size, 1))
@@ -124,7 +124,9 @@ def _resistance(matrix: sparse.bsr_matrix, weights: Array, fixed: Nodes) -> Arra
 
 
 def _surfaces(mesh: RingMesh, half_width: float) -> list[Array]:
-    """Parts of an even flux on the band of the track, the rest of it, the sides, at the nodes."""
+    """Components of an even flux on the band of the track, the rest of it, the sides, at the
+    nodes.
+    """
     profile = mesh.profile
     arc = profile.arc
 
@@ -139,10 +141,12 @@ def _surfaces(mesh: RingMesh, half_width: float) -> list[Array]:
         return np.asarray(r * np.abs(after - before))
 
     bounds = ((-half_width, half_width), (-arc, -half_width), (half_width, arc))
-    band, left, right = (_integrals(mesh, mesh.track, 1, track, between) for between in bounds)
+    band, first_rest, second_rest = (
+        _integrals(mesh, mesh.track, 1, track, between) for between in bounds
+    )
     ends = (mesh.body.on(1, end) for end in (-arc, arc))
     first, last = (_integrals(mesh, end, 2, side, (0.0, 1.0)) for end in ends)
-    return [band, left + right, first + last]
+    return [band, first_rest + second_rest, first + last]
 
 
 def _integrals(
@@ -161,11 +165,11 @@ def _integrals(
     for first in range(0, lines.size - 2, 2):
         low, high = np.clip(lines[[first, first + 2]], *bounds)
         at = 0.5 * (low + high) + 0.5 * (high - low) * points
-        parts = 0.5 * (high - low) * weights * density(at)
+        flux = 0.5 * (high - low) * weights * density(at)
         for k in range(3):
             others = [lines[first + j] for j in range(3) if j != k]
             shape = np.prod([(at - x) / (lines[first + k] - x) for x in others], axis=0)
-            sums[first + k] += parts @ shape
+            sums[first + k] += flux @ shape
     around = np.where(np.abs(theta - 0.5 * mesh.angle) < 0.1 * mesh.angle, 4.0, 1.0)  # Simpson
-    place = np.searchsorted(lines, coordinate - 1e-9 * float(np.ptp(lines)))
-    return np.asarray(np.where(nodes, sums[np.minimum(place, lines.size - 1)] * around, 0.0))
+    line = np.searchsorted(lines, coordinate - 1e-9 * float(np.ptp(lines)))
+    return np.asarray(np.where(nodes, sums[np.minimum(line, lines.size - 1)] * around, 0.0))

@@ -103,7 +103,7 @@ def indentation(
     forces[_line_nodes(block, across), 2, 0] = 0.5 * weights
     elastic = elastic_body(block, young, poisson)
     depth = solve_elasticity(elastic, forces, fixed, prescribed).values[:, 2, 0]
-    return np.array([part @ depth[_line_nodes(block, nodes)] for nodes, part in positions])
+    return np.array([mean @ depth[_line_nodes(block, nodes)] for nodes, mean in positions])
 
 
 def far_faces(block: HexMesh) -> Array:
@@ -125,7 +125,7 @@ def far_faces(block: HexMesh) -> Array:
 
 
 def _line_nodes(block: HexMesh, across: Array) -> Array:
-    """Numbers of the nodes of the surface on the plane of symmetry at given positions [m]."""
+    """Numbers of the nodes of the surface on the plane of symmetry at positions [m]."""
     line = np.flatnonzero(block.on(0, 0.0) & block.on(2, 0.0))
     positions = block.parameters[1, line]
     return np.asarray(line[[int(np.abs(positions - position).argmin()) for position in across]])

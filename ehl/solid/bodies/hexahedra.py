@@ -95,12 +95,12 @@ def hexahedra(lines: Sequence[Array], mapping: Callable[[Array], Array]) -> HexM
     return body
 
 
-def _shapes(places: Array) -> tuple[Array, Array]:
-    """Shape functions and their gradients at places of the cube [0, 1]^3, shape (3, q): (27, q),
+def _shapes(points: Array) -> tuple[Array, Array]:
+    """Shape functions and their gradients at points of the cube [0, 1]^3, shape (3, q): (27, q),
     (27, 3, q) [-].
     """
     element = ElementHex2()
-    values, gradients = zip(*(element.lbasis(places, node) for node in range(27)), strict=True)
+    values, gradients = zip(*(element.lbasis(points, node) for node in range(27)), strict=True)
     return np.stack(values), np.stack(gradients)
 
 
@@ -129,8 +129,8 @@ def volume_weights(body: HexMesh, cells: Nodes) -> Array:
     Array
         shape (n,) [m^3]
     """
-    part = Basis(body.mesh, ElementHex2(), intorder=2, elements=np.flatnonzero(cells))
-    return np.asarray(asm(_one, part))
+    chosen = Basis(body.mesh, ElementHex2(), intorder=2, elements=np.flatnonzero(cells))
+    return np.asarray(asm(_one, chosen))
 
 
 def surface_weights(body: HexMesh, nodes: Nodes) -> Array:
@@ -157,13 +157,13 @@ def surface_weights(body: HexMesh, nodes: Nodes) -> Array:
         # 1. where the facet lies in the cube, and Gauss points on it
         axis = int(np.ptp(ElementHex2.doflocs[corners], axis=0).argmin())
         end = ElementHex2.doflocs[corners[0], axis]
-        across, parts = get_quadrature(RefQuad, INTEGRATION_ORDER)
+        across, gauss = get_quadrature(RefQuad, INTEGRATION_ORDER)
         values, gradients = _shapes(np.insert(across, axis, end, axis=0))
         # 2. its area, by the cross product of the two directions along it
         points = body.points.T[numbers[cells]].transpose(0, 2, 1)
         first, second = (points @ gradients[:, k] for k in range(3) if k != axis)
         area = np.linalg.norm(np.cross(first, second, axis=1), axis=1)
-        np.add.at(weights, numbers[cells], (area * parts) @ values.T)
+        np.add.at(weights, numbers[cells], (area * gauss) @ values.T)
     return weights
 
 
@@ -220,13 +220,13 @@ def gradient_products(body: HexMesh) -> Array:
     Array
         shape (cells, 27, 3, 27, 3) [m]
     """
-    places, parts = get_quadrature(ElementHex2.refdom, INTEGRATION_ORDER)
-    reference = _shapes(places)[1]
+    points, gauss = get_quadrature(ElementHex2.refdom, INTEGRATION_ORDER)
+    reference = _shapes(points)[1]
     stretch = _stretch(body, reference)
     # d_i phi = d_k phi in the cube times dX_k/dx_i
     gradients = np.linalg.inv(stretch).transpose(0, 1, 3, 2) @ reference.transpose(2, 1, 0)
     columns = gradients.transpose(0, 3, 2, 1).reshape(len(stretch), 81, -1)
-    volume = np.abs(np.linalg.det(stretch)) * parts
+    volume = np.abs(np.linalg.det(stretch)) * gauss
     products = (columns * volume[:, None, :]) @ columns.transpose(0, 2, 1)
     return np.asarray(products.reshape(len(stretch), 27, 3, 27, 3))
 

@@ -10,16 +10,16 @@ from ...arrays import Array
 
 
 class Seat(Enum):
-    """What a ring sits on."""
+    """Support of a ring."""
 
     RIGID = "rigid"  # bonded to a rigid shaft or housing
     # bonded to an elastic body as wide as the ring: a shaft, whose volume carries the load evenly,
-    # or a housing that is held on its outside
+    # or a housing that is fixed on its outside
     ELASTIC = "elastic"
     # loose: the load enters over the seat as a radial pressure, proportional to the cosine from
     # its direction, and as an even axial traction
     FREE = "free"
-    # on rigid places at some azimuths, which press radially and let go where they would pull;
+    # on rigid contacts at some azimuths, which press radially and open where they would pull;
     # axial forces and moments as in a loose ring
     SPLIT = "split"
 
@@ -36,7 +36,7 @@ class Elasticity:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RingProfile:
-    """Section of a ring with a circular groove, alike on both sides [m].
+    """Section of a ring with a circular groove, symmetric [m].
 
     Raises
     ------
@@ -80,7 +80,7 @@ class RingProfile:
 
     @property
     def centre_radius(self) -> float:
-        """Of the groove's centre of curvature from the axis [m]."""
+        """Radius of the groove's centre of curvature from the axis [m]."""
         return self.track_radius + self.side * self.groove_radius
 
     @property

@@ -1,14 +1,14 @@
 r"""Stress in a grooved ring below a contact: that of a half-space and the difference of the ring.
 
-Hertz' pressure on a half-space has a closed superposition (`ehl.solid.subsurface`). What the ring
-adds is smooth and comes from finite elements that need not see the contact: stress of the ring
-less stress of the flat block with the same lines and nodal forces, each in the directions along
-the track, across it and into the body,
+Hertz' pressure on a half-space has a closed superposition (`ehl.solid.subsurface`). The difference
+of the ring is smooth and comes from finite elements that need not see the contact: stress of the
+ring less stress of the flat block with the same lines and nodal forces, each in the directions
+along the track, across it and into the body,
 
 .. math:: \sigma = \sigma_\text{half-space}(x, y, z) + (\sigma_\text{ring} - \sigma_\text{block})
 
 at equal arc lengths x, y and depths z. Gradients of the displacements are differences over the
-lines of nodes, of second order; their errors under the load are alike in both bodies.
+lines of nodes, of second order; their errors under the load are equal in both bodies.
 """
 
 from dataclasses import dataclass
@@ -148,7 +148,7 @@ def grid_stress(
         for field in (points, displacement)
     )
     # components and parameters last, for the inverses
-    jacobian, slope = (np.moveaxis(part, (0, 1), (-2, -1)) for part in (by_point, by_field))
+    jacobian, slope = (np.moveaxis(one, (0, 1), (-2, -1)) for one in (by_point, by_field))
     gradient = slope @ np.linalg.inv(jacobian)
     strain = 0.5 * (gradient + np.swapaxes(gradient, -1, -2))
     shear = young / (2.0 * (1.0 + nu))

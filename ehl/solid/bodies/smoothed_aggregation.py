@@ -34,7 +34,7 @@ FLOATING = 1e-9  # force of a rigid motion over the largest entry that is round-
 
 
 class LinearSolution(NamedTuple):
-    """Solutions of a system and how they were found."""
+    """Solutions of a system, their residual and the method."""
 
     values: Array  # shape (n, cases), or as the caller arranges it
     residual: float  # largest relative residual of the cases [-]
@@ -88,8 +88,8 @@ def solve_symmetric(
 
 def _residual(matrix: Any, values: Array, right: Array) -> float:
     scale = np.linalg.norm(right, axis=0)
-    left = np.linalg.norm(right - matrix @ values, axis=0)
-    return float((left / np.where(scale > 0.0, scale, 1.0)).max())
+    residual = np.linalg.norm(right - matrix @ values, axis=0)
+    return float((residual / np.where(scale > 0.0, scale, 1.0)).max())
 
 
 def _by_multigrid(matrix: Any, near_null: Array, right: Array, tolerance: float) -> LinearSolution:

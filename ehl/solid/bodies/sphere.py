@@ -38,7 +38,7 @@ def ball_difference(
 ) -> SurfaceDifference:
     """Surface of a ball under Hertz pressures on two opposite ellipses, less that of a half-space.
 
-    Pressures and positions are in arc lengths; forces stand along the ball's own normals, and
+    Pressures and positions are in arc lengths; forces stand along the ball's normals, and
     displacements are those along them over the cosine to the contact's normal, so that a rigid
     motion is a constant.
 

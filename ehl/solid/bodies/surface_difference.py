@@ -12,7 +12,9 @@ from ...arrays import Array
 
 CELLS = (16, 40)  # of the ellipse along and across; 32 by 80 change the curvatures by below 2 %
 
-HIGHEST = 6  # power of y beside x^2; 4 and 8 change the curvature along the track by 1e-4 of it
+HIGHEST = (
+    6  # power of y, in addition to x^2; 4 and 8 change the curvature along the track by 1e-4 of it
+)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -102,18 +104,18 @@ def fitted(
     """
     x, y = points[0] / patch.semi_axis_x, points[1] / patch.semi_axis_y
     root = np.sqrt(loads / loads.sum())
-    # x^2 beside powers of y, else those of y beyond the second would pass for it
+    # x^2 together with powers of y, else those of y beyond the second would be fitted by it
     powers = np.stack([*(y**n for n in range(HIGHEST + 1)), 0.5 * x * x], axis=1)
     along = np.linalg.lstsq(root[:, None] * powers, root * difference, rcond=None)[0][-1]
     modes = np.stack([np.ones_like(x), y, 0.5 * y * y], axis=1)
     across = difference - along * 0.5 * x * x
-    parts = np.linalg.lstsq(root[:, None] * modes, root * across, rcond=None)[0]
-    rest = across - modes @ parts
+    fit = np.linalg.lstsq(root[:, None] * modes, root * across, rcond=None)[0]
+    rest = across - modes @ fit
     return SurfaceDifference(
-        constant=float(parts[0]),
-        tilt=float(parts[1] / patch.semi_axis_y),
+        constant=float(fit[0]),
+        tilt=float(fit[1] / patch.semi_axis_y),
         curvature_x=float(along / patch.semi_axis_x**2),
-        curvature_y=float(parts[2] / patch.semi_axis_y**2),
+        curvature_y=float(fit[2] / patch.semi_axis_y**2),
         rest=float(np.sqrt(((root * rest) ** 2).sum())),
     )
 
