@@ -20,7 +20,7 @@ GAUSS_POINTS = 32  # of the parabola
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SeatResponse:
-    """Radial displacement of the seat under unit forces at theta = 0, as seat contacts measure it."""
+    """Radial displacement of the seat under unit forces at theta = 0, by its contacts' weights."""
 
     theta: Array  # nodes around half the ring, shape (n,) [rad]
     # under a load at the bottom of the groove, at the contact angle, and a radial force on the
