@@ -14,7 +14,7 @@ from ._transform_kernels import LANES, convolve_columns
 from .coating import ScaledCoating
 from .layered import patch_compliance
 
-# section of the kernel that the line relaxation uses
+# part of the kernel that the line relaxation uses
 NEAR_LINES = 4
 NEAR_COLUMNS = 12
 
@@ -59,22 +59,7 @@ def patch_corner(u: Array, v: Array) -> Array:
 def deflection_kernel(
     grid: Grid, deformation: float, coating: ScaledCoating | None = None
 ) -> DeflectionKernel:
-    """Kernel of the deflection and its spectrum for one grid.
-
-    Parameters
-    ----------
-    grid : Grid
-        the grid
-    deformation : float
-        c_def [-]
-    coating : ScaledCoating | None, optional
-        of one body; None: uncoated
-
-    Returns
-    -------
-    DeflectionKernel
-        kernel for `deflect`
-    """
+    """Kernel and its spectrum for one grid; `deformation` is c_def [-]."""
     quarter = deformation * unit_deflections(grid, coating)
     # even in x and y: cosine transforms of the quarter are the real spectrum
     along = fft.dct(quarter, type=1, axis=1)
@@ -150,8 +135,8 @@ def _in_blocks(values: Array) -> Array:
 
 
 def _tables(length: int, rows: int) -> tuple[NDArray[np.int64], NDArray[np.int64], Array, Array]:
-    """Radices of a length, positions of the frequencies, cosine and sine of 2 pi n/length and of
-    pi n/(2 length), the latter for the rows of the grid.
+    """Radices of a length, places of the frequencies, cosine and sine of 2 pi n/length and of pi
+    n/(2 length), the latter for the rows of the grid.
     """
     radices = []
     rest = length
@@ -173,22 +158,7 @@ def _tables(length: int, rows: int) -> tuple[NDArray[np.int64], NDArray[np.int64
 
 
 def deflect(kernel: DeflectionKernel, pressure: Array, threads: int = 1) -> Array:
-    """Deflection sum_kl K(i-k, j-l) P_kl by FFT.
-
-    Parameters
-    ----------
-    kernel : DeflectionKernel
-        of the grid
-    pressure : Array
-        P, shape (ny, nx) [-]
-    threads : int, default 1
-        number of threads
-
-    Returns
-    -------
-    Array
-        deflection, shape (ny, nx) [-]
-    """
+    """Deflection sum_kl K(i-k, j-l) P_kl, shapes (ny, nx) [-], by FFT."""
     with fft.set_workers(threads):
         rows = fft.rfft(pressure, n=kernel.length_x, axis=1)
         convolve = partial(
