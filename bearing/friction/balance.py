@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.arrays import alike
+from ehl.arrays import unique_rows
 
 from ..contacts.contact import BearingContact
 from ..contacts.motion import BallMotion, MotionMap, ball_speeds, motion_map
@@ -303,7 +303,7 @@ def _same_balls(problem: MotionProblem, load: Array) -> MotionProblem:
         kinds / (np.abs(kinds).max(axis=0) + TINY),
     )
     rows = np.concatenate([np.reshape(values, (load.size, -1)) for values in arrays], axis=1)
-    first, like = alike(rows)
+    first, like = unique_rows(rows)
     return replace(problem, first=first, like=like)
 
 

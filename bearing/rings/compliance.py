@@ -159,7 +159,7 @@ def response_of(ring: ElasticRing) -> bodies.RingResponse:
         ring.seat,
         ring.contact_angle,
         ring.cells,
-        place=ring.half_support if ring.supports else None,
+        seat_contact=ring.half_support if ring.supports else None,
     )
 
 
@@ -186,7 +186,7 @@ def ring_compliance(rings: ElasticRings, azimuths: Array, balls: int) -> RingCom
 
 
 def _places(ring: ElasticRing, azimuths: Array, balls: int, outward: float) -> SeatPlaces | None:
-    response = response_of(ring).places
+    response = response_of(ring).seat_contacts
     if response is None:
         return None
     return seat_places(response, np.array(ring.supports), (azimuths, balls), outward)

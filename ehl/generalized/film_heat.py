@@ -10,8 +10,7 @@ from ..arrays import Array
 from ..conditions import ContactConditions
 from ..grid import Grid
 from ..multigrid.transfer import interpolate_linear
-from ..oil.lubricant import viscosity
-from ..oil.numbers import oil_numbers
+from ..oil.lubricant import oil_numbers, viscosity
 from ..oil.rheology import Rheology, kernel_rheology
 from ..scaling import ScaledContact
 from ..solid.heat import SolidThermal, history_weights, response_factor

@@ -35,8 +35,7 @@ from ..kinematics import contact_kinematics
 from ..multigrid.cycle import log_viscosity
 from ..multigrid.flow_model import FlowFactors, entrainment_factors
 from ..multigrid.transfer import interpolate_linear
-from ..oil.lubricant import log_viscosity_ratio, viscosity
-from ..oil.numbers import oil_numbers
+from ..oil.lubricant import log_viscosity_ratio, oil_numbers, viscosity
 from ..oil.rheology import Rheology, divide_stresses, kernel_rheology, limiting_stress
 from ..scaling import ScaledContact
 from . import _kernels

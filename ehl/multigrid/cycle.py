@@ -21,8 +21,7 @@ from numpy.typing import NDArray
 
 from ..grid import Grid
 from ..oil import _kernels as properties
-from ..oil.lubricant import log_viscosity_ratio, roelands_rise
-from ..oil.numbers import oil_numbers
+from ..oil.lubricant import log_viscosity_ratio, oil_numbers
 from ..scaling import ScaledContact
 from ..solid.deformation import deflect
 from .far_field import edge_pressure, exterior_load
@@ -138,7 +137,7 @@ def log_viscosity(contact: ScaledContact, P: Array) -> Array:
     if c.oil is not None:
         return log_viscosity_ratio(np.maximum(P, 0.0) * c.hertz_pressure, c.oil)
     ratio = c.viscosity_pressure * np.maximum(P, 0.0)
-    return c.viscosity_slope * (roelands_rise(ratio, c.viscosity_exponent) - 1.0)
+    return c.viscosity_slope * (properties.roelands_rise(ratio, c.viscosity_exponent) - 1.0)
 
 
 def relax(state: Multigrid, index: int) -> None:

@@ -36,8 +36,22 @@ class DeflectionKernel:
 
 
 def patch_corner(u: Array, v: Array) -> Array:
-    """u asinh(v/|u|) + v asinh(u/|v|) for corners off the axes [-]: differenced over the corners
-    of a rectangle, the integral of 1/r over it seen from the origin, Love (1929).
+    """u asinh(v/|u|) + v asinh(u/|v|) for corners off the axes.
+
+    Differenced over the corners of a rectangle, this is the integral of 1/r over it seen from the
+    origin, Love (1929).
+
+    Parameters
+    ----------
+    u : Array
+        corner along x, any shape [-]
+    v : Array
+        corner along y, a shape that broadcasts with `u` [-]
+
+    Returns
+    -------
+    Array
+        the common shape [-]
     """
     return u * np.arcsinh(v / np.abs(u)) + v * np.arcsinh(u / np.abs(v))
 
@@ -73,8 +87,19 @@ def deflection_kernel(
 
 
 def unit_deflections(grid: Grid, coating: ScaledCoating | None = None) -> Array:
-    """Deflection over c_def of nodes at distances from 0 up along y and x from a unit pressure at
-    one node, shape (distances of the whole grid along y, nx) [-].
+    """Deflection over c_def of nodes at distances from 0 up from a unit pressure at one node.
+
+    Parameters
+    ----------
+    grid : Grid
+        the grid
+    coating : ScaledCoating | None, optional
+        of one body; None: uncoated
+
+    Returns
+    -------
+    Array
+        shape (distances of the whole grid along y, nx) [-]
     """
     cells_x = grid.nx - 1
     cells_y = (2 if grid.symmetric else 1) * (grid.ny - 1)
@@ -88,7 +113,18 @@ def unit_deflections(grid: Grid, coating: ScaledCoating | None = None) -> Array:
 
 
 def transform_length(least: int) -> int:
-    """Smallest even number 2^k, 3 2^k, 9 2^k or 27 2^k that is not below `least`."""
+    """Smallest even number 2^k, 3 2^k, 9 2^k or 27 2^k that is not below `least`.
+
+    Parameters
+    ----------
+    least : int
+        smallest length of the transform
+
+    Returns
+    -------
+    int
+        length of the transform
+    """
     return min(odd << max(1, (-(-least // odd) - 1).bit_length()) for odd in (1, 3, 9, 27))
 
 

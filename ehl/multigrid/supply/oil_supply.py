@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...grid import unfolded
+from ...oil._kernels import dowson_higginson
 from ...oil.lubricant import density
 from ...scaling import ScaledContact, contact_shares, scale_contact
 from ...solution import ContactSolution, OilSupply
@@ -31,7 +32,8 @@ def _density(P: float, contact: ScaledContact) -> float:
     if contact.oil is not None:
         at = density(np.array([0.0, P * contact.hertz_pressure]), contact.oil)
         return float(at[1] / at[0])
-    return 1.0 + contact.density_numerator * P / (1.0 + contact.density_denominator * P)
+    ratio = dowson_higginson(P, contact.density_numerator, contact.density_denominator)
+    return float(ratio)
 
 
 def turned_round(levels: Multigrid) -> str:

@@ -5,7 +5,7 @@ from math import exp, hypot, inf, log
 
 import numpy as np
 
-from ...closed_form.starvation import Share
+from ...closed_form.starvation import ReductionFactor
 from ...conditions import ContactConditions, MoesConditions
 from ...scaling import ScaledContact, contact_shares
 from ...solution import Array, ContactSolution, FilmValue, OilSupply
@@ -64,12 +64,12 @@ def behind_layer(
     )
 
 
-def _rise(share: Share, less: Share) -> float:
+def _rise(share: ReductionFactor, less: ReductionFactor) -> float:
     """d ln R/d ln r from the share at a ratio smaller by `RATIO_STEP` [-]."""
     return log(share.value / less.value) / RATIO_STEP
 
 
-def _left(share: Share, film: FilmValue, relative: float) -> FilmValue:
+def _left(share: ReductionFactor, film: FilmValue, relative: float) -> FilmValue:
     """A film that keeps a share; its error bar holds that of the share, and what the flooded films
     leave open, over the film [-].
     """

@@ -20,6 +20,7 @@ from scipy.optimize import brentq
 
 from ...arrays import Array
 from ...conditions import ContactConditions, MoesConditions
+from ...oil._kernels import roelands_rise
 from ...oil.lubricant import (
     ROELANDS_PRESSURE,
     DensityLaw,
@@ -27,7 +28,6 @@ from ...oil.lubricant import (
     ViscosityLaw,
     density,
     log_viscosity_ratio,
-    roelands_rise,
 )
 from .table import heavy_share
 

@@ -21,8 +21,7 @@ from ehl.generalized import _sweep_kernels, flow, solver
 from ehl.generalized.film_heat import LEAST_UNSEEN, FilmHeat
 from ehl.generalized.section import film_section, wall_slopes
 from ehl.generalized.solver import solve_generalized
-from ehl.oil.lubricant import DensityLaw, ThermalProperties
-from ehl.oil.numbers import oil_numbers
+from ehl.oil.lubricant import DensityLaw, ThermalProperties, oil_numbers
 from ehl.oil.rheology import Rheology, kernel_rheology
 from ehl.solid.heat import SolidThermal, history_weights, response_factor
 

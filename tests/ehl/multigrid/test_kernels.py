@@ -15,7 +15,7 @@ from ehl.multigrid.flow_model import FlowFactors
 from ehl.multigrid.kernels import _kernels, _relaxation_kernels
 from ehl.multigrid.levels import Damping, make_multigrid
 from ehl.oil import _kernels as properties
-from ehl.oil.numbers import oil_numbers
+from ehl.oil.lubricant import oil_numbers
 from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
 from ehl.solid.deformation import deflection_kernel
 
