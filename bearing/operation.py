@@ -57,7 +57,15 @@ class Operation:
     Raises
     ------
     ValueError
-        If a degree of freedom has both or neither, or a value is not finite.
+        if a degree of freedom has both or neither, or a value is not finite
+
+    Examples
+    --------
+    >>> from math import pi
+    >>> from bearing import Operation
+    >>> operation = Operation(inner_speed=3000.0 * pi / 30.0, force=(0.0, 1000.0, 0.0))
+    >>> f"{operation.shaft_speed:.1f} rad/s"
+    '314.2 rad/s'
     """
 
     inner_speed: float  # of the ring about +x [rad/s]

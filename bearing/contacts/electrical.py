@@ -49,7 +49,22 @@ Films = Sequence[FilmInstruments | None]
 
 
 def bearing_electrical(bearing: Bearing, contacts: Contacts, films: Films) -> Electrical:
-    """Of a bearing of which `electrical_lack` misses nothing; films of its contacts."""
+    """Capacitance of a bearing between its rings, and the voltage that breaks its films down.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        a bearing of which `electrical_lack` misses nothing
+    contacts : Contacts
+        contacts of its equilibrium
+    films : Films
+        electrical values of the film of each contact, None without a solved film
+
+    Returns
+    -------
+    Electrical
+        capacitance [F] and breakdown voltage [V] with their ranges
+    """
     paths = _paths(bearing, contacts, films)
     insulating = bearing.ball_material.kind is INSULATOR
     totals = [
@@ -73,7 +88,22 @@ def bearing_electrical(bearing: Bearing, contacts: Contacts, films: Films) -> El
 
 
 def electrical_lack(bearing: Bearing, contacts: Contacts, films: Films) -> str:
-    """Why no capacitance of a bearing is known; empty if it is."""
+    """Reason why a bearing has no capacitance; empty if it has one.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    contacts : Contacts
+        contacts of its equilibrium
+    films : Films
+        electrical values of the film of each contact, None without a solved film
+
+    Returns
+    -------
+    str
+        reason, for a message
+    """
     rings = (bearing.inner_ring_material, bearing.outer_ring_material)
     if any(ring.kind is INSULATOR for ring in rings):
         return "a ring of silicon nitride insulates"

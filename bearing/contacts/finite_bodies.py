@@ -43,8 +43,19 @@ class RaceDifference:
         return self.ring.with_body(self.ball).with_body(self.groove)
 
     def radii(self, radii: tuple[float, float], load: float) -> tuple[float, float]:
-        """Reduced radii (R_x, R_y) [m] with the curvatures of the difference, proportional to the
-        load [N] at a race.
+        """Reduced radii with the curvatures of the difference, proportional to the load.
+
+        Parameters
+        ----------
+        radii : tuple[float, float]
+            R_x and R_y of half-spaces [m]
+        load : float
+            load of the contact [N]
+
+        Returns
+        -------
+        tuple[float, float]
+            R_x and R_y of finite bodies [m]
         """
         share = load / self.contact.load
         curvatures = (self.total.curvature_x, self.total.curvature_y)
@@ -98,7 +109,18 @@ class RaceDifference:
         return film_nijenbanning_central(after) / film_nijenbanning_central(before) - 1.0
 
     def conditions(self, conditions: ContactConditions) -> ContactConditions:
-        """Conditions of a film at the race, with the radii of finite bodies."""
+        """Conditions of a film at the race, with the radii of finite bodies.
+
+        Parameters
+        ----------
+        conditions : ContactConditions
+            conditions with the radii of half-spaces
+
+        Returns
+        -------
+        ContactConditions
+            the same conditions with `radius_x` and `radius_y` of finite bodies
+        """
         radii = self.radii((conditions.radius_x, conditions.radius_y), conditions.load)
         return replace(conditions, radius_x=radii[0], radius_y=radii[1])
 
@@ -117,12 +139,36 @@ class FiniteBodies:
     reason: str = ""
 
     def at(self, race: Race) -> RaceDifference | None:
-        """That of a race."""
+        """Difference at a race.
+
+        Parameters
+        ----------
+        race : Race
+            raceway
+
+        Returns
+        -------
+        RaceDifference | None
+            its difference; None if films stay those of half-spaces
+        """
         return self.inner if race is Race.INNER else self.outer
 
 
 def finite_bodies(bearing: Bearing, contacts: Sequence[BearingContact]) -> FiniteBodies:
-    """Differences at the most heavily loaded contact of each race; for both races or none."""
+    """Differences at the most heavily loaded contact of each race; for both races or none.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    contacts : Sequence[BearingContact]
+        contacts of its equilibrium
+
+    Returns
+    -------
+    FiniteBodies
+        both differences, or the reason why there are none
+    """
     found = {}
     for race in Race:
         heaviest = max((c for c in contacts if c.race is race), key=lambda contact: contact.load)
@@ -136,7 +182,20 @@ def finite_bodies(bearing: Bearing, contacts: Sequence[BearingContact]) -> Finit
 def with_finite_bodies(
     contacts: Sequence[BearingContact], differences: FiniteBodies
 ) -> tuple[BearingContact, ...]:
-    """Contacts whose films have the reduced radii of finite bodies; the dry contacts stay."""
+    """Contacts whose films have the reduced radii of finite bodies; the dry contacts stay.
+
+    Parameters
+    ----------
+    contacts : Sequence[BearingContact]
+        contacts on half-spaces
+    differences : FiniteBodies
+        differences of both races
+
+    Returns
+    -------
+    tuple[BearingContact, ...]
+        contacts with changed film conditions, in the same order
+    """
 
     def one(contact: BearingContact) -> BearingContact:
         difference = differences.at(contact.race)
@@ -148,8 +207,24 @@ def with_finite_bodies(
 
 
 def ring_profile(bearing: Bearing, race: Race) -> RingProfile:
-    """Section of a ring; ValueError where bore, outside diameter, width or shoulder are not known,
-    or do not fit.
+    """Section of a ring.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry with bore, outside diameter, width and shoulders
+    race : Race
+        raceway of the ring
+
+    Returns
+    -------
+    RingProfile
+        profile of the ring [m]
+
+    Raises
+    ------
+    ValueError
+        if bore, outside diameter, width or shoulder is missing or does not fit
     """
     shoulder = shoulder_diameter(bearing, race)
     if shoulder is None:

@@ -62,11 +62,22 @@ class Truncation:
 
 
 def shoulder_angle(bearing: Bearing, race: Race) -> float | None:
-    """Angle in the groove from its bottom to the edge of the shoulder [rad]; None without a
-    shoulder diameter.
+    """Angle in the groove from its bottom to the edge of the shoulder.
 
     cos = (R_i - d_s/2)/r_i at the inner ring, (d_s/2 - R_o)/r_o at the outer one, R the radius of
     the centres of curvature.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    race : Race
+        raceway of the ring
+
+    Returns
+    -------
+    float | None
+        angle [rad]; None without a shoulder diameter
     """
     shoulder = shoulder_diameter(bearing, race)
     if shoulder is None:
@@ -81,9 +92,23 @@ def shoulder_angle(bearing: Bearing, race: Race) -> float | None:
 def truncation(
     bearing: Bearing, race: Race, contact_angle: float, hertz: HertzContact
 ) -> Truncation | None:
-    """How far the ellipse is from the shoulders, and what of it they cut.
+    """Distance of the ellipse from the shoulders, and the part that they cut off.
 
-    None without a shoulder diameter; the contact angle in [rad].
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    race : Race
+        raceway of the ring
+    contact_angle : float
+        contact angle [rad]
+    hertz : HertzContact
+        uncut dry contact
+
+    Returns
+    -------
+    Truncation | None
+        distances [-], [m], cut fractions [-] and pressures [Pa]; None without a shoulder diameter
     """
     shoulder = shoulder_diameter(bearing, race)
     angle = shoulder_angle(bearing, race)
@@ -109,10 +134,19 @@ def truncation(
 
 
 def cut_approach(near: float, far: float) -> float | None:
-    """Approach of a cut ellipse over Hertz' one under the same load [-], by slices.
+    """Approach of a cut ellipse over Hertz' one under the same load, by slices.
 
-    `near`, `far`: from the middle to the edges on either side over the semi-axis [-], far >= near;
-    from 1 on they do not cut. None where the middle lies beyond the nearer one.
+    Parameters
+    ----------
+    near : float
+        from the middle to the nearer edge over the semi-axis; from 1 on it does not cut [-]
+    far : float
+        likewise to the other edge, at least `near` [-]
+
+    Returns
+    -------
+    float | None
+        ratio of the approaches [-]; None if the middle lies beyond the nearer edge
     """
     if near <= 0.0:
         return None

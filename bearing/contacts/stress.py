@@ -47,8 +47,19 @@ class ContactStress:
 
 
 def contact_stress(solution: QuasistaticSolution, contact: BearingContact) -> ContactStress | None:
-    """Stress [Pa], sliding [m/s] and truncation of a contact of an equilibrium; None where it is
-    unloaded.
+    """Stress, sliding and truncation of a contact of an equilibrium.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contact : BearingContact
+        one of its contacts
+
+    Returns
+    -------
+    ContactStress | None
+        stress [Pa] and sliding [m/s]; None if the contact is unloaded
     """
     return contact_stresses(solution, [contact])[0]
 
@@ -56,7 +67,20 @@ def contact_stress(solution: QuasistaticSolution, contact: BearingContact) -> Co
 def contact_stresses(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> list[ContactStress | None]:
-    """As `contact_stress`, of many contacts [Pa], [m/s]."""
+    """Stress, sliding and truncation of many contacts, as `contact_stress`.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        its contacts
+
+    Returns
+    -------
+    list[ContactStress | None]
+        stress [Pa] and sliding [m/s] of each; None for unloaded contacts
+    """
     loaded = [(n, c, c.hertz) for n, c in enumerate(contacts) if c.hertz is not None]
     found: list[ContactStress | None] = [None] * len(contacts)
     if loaded:
@@ -99,11 +123,26 @@ def largest_sliding(
 ) -> tuple[Array, Array]:
     """Largest sliding speed, and largest product of pressure and sliding speed, in ellipses.
 
-    v_x = -w_s y + w_r y^2/(2 R), v_y = w_s x [m/s], x along the rolling direction; no sliding in
-    the middle, |v| is largest on the rim. `ellipses`: semi-axes along x and y [m] and Hertz'
-    pressure [Pa], shape (3, n); `spin`, `rolling`: relative angular speeds w_s about the normal
-    and w_r about the transverse direction [rad/s]; `radius`: R of the deformed surface across the
-    rolling direction, 2 r D/(2 r + D) [m]; shape (n,). The product in [W/m^2].
+    v_x = -w_s y + w_r y^2/(2 R), v_y = w_s x, x along the rolling direction; no sliding in the
+    middle, |v| is largest on the rim.
+
+    Parameters
+    ----------
+    ellipses : Array
+        semi-axes along x and y [m] and Hertz' pressure [Pa], shape (3, n)
+    spin : Array
+        relative angular speed w_s about the normal, shape (n,) [rad/s]
+    rolling : Array
+        relative angular speed w_r about the transverse direction, shape (n,) [rad/s]
+    radius : Array
+        R of the deformed surface across the rolling direction, 2 r D/(2 r + D), shape (n,) [m]
+
+    Returns
+    -------
+    speed
+        largest sliding speed, shape (n,) [m/s]
+    product
+        largest pressure times sliding speed, shape (n,) [W/m^2]
     """
     shapes = np.stack([ellipses[0], ellipses[1], spin, 0.5 * rolling / radius], axis=1)
     found = np.empty((len(shapes), 2))

@@ -43,12 +43,38 @@ class SurfaceTension:
 
 
 def ring_material(bearing: Bearing, race: Race) -> Material:
-    """Material of a ring."""
+    """Material of a ring.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        materials of the rings
+    race : Race
+        raceway of the ring
+
+    Returns
+    -------
+    Material
+        its material
+    """
     return bearing.inner_ring_material if race is Race.INNER else bearing.outer_ring_material
 
 
 def edge_tension(bearing: Bearing, contact: BearingContact) -> float | None:
-    """Largest tension at the rim of the dry contact, of ring or ball [Pa]; None if unloaded."""
+    """Largest tension at the rim of the dry contact, of ring or ball.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        materials of ball and rings
+    contact : BearingContact
+        a contact of the equilibrium
+
+    Returns
+    -------
+    float | None
+        tension [Pa]; None if the contact is unloaded
+    """
     hertz = contact.hertz
     if hertz is None:
         return None
@@ -67,7 +93,27 @@ def surface_tensions(
 ) -> tuple[SurfaceTension | None, ...]:
     """Largest tension of every contact that has a film and a brittle body, else None.
 
-    `hoop`: tension of the grooves [Pa]; `temperature`: of the oil [K]. Equal contacts share one.
+    Equal contacts share one result.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    solutions : Sequence[ContactSolution | None]
+        film of each contact, None without one
+    tractions : Sequence[ContactTraction | None]
+        traction of each contact, None without one
+    rheology : Rheology
+        shear law of the oil
+    hoop : dict[Race, float]
+        hoop tension of the grooves by race [Pa]
+    temperature : float
+        temperature of the oil [K]
+
+    Returns
+    -------
+    tuple[SurfaceTension | None, ...]
+        tension of each contact [Pa]
     """
     known: dict[tuple[int, Race], SurfaceTension] = {}
     found: list[SurfaceTension | None] = []
@@ -84,7 +130,20 @@ def surface_tensions(
 
 
 def is_brittle(bearing: Bearing, race: Race) -> bool:
-    """Whether ring or ball has a bending strength."""
+    """Check whether ring or ball has a bending strength.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        materials of ball and rings
+    race : Race
+        raceway of the ring
+
+    Returns
+    -------
+    bool
+        true if one of both bodies is brittle
+    """
     bodies = (ring_material(bearing, race), bearing.ball_material)
     return any(body.bending_strength is not None for body in bodies)
 
@@ -97,8 +156,27 @@ def solved_tension(
     hoop: float,
     temperature: float,
 ) -> SurfaceTension:
-    """Largest tension under the pressure and the shear of a film; hoop tension of the groove along
-    the rolling direction [Pa], temperature of the oil [K].
+    """Largest tension under the pressure and the shear of a film.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    film : ContactSolution
+        solved film of the contact
+    traction : ContactTraction
+        traction of the same contact
+    rheology : Rheology
+        shear law of the oil
+    hoop : float
+        hoop tension of the groove along the rolling direction [Pa]
+    temperature : float
+        temperature of the oil [K]
+
+    Returns
+    -------
+    SurfaceTension
+        tension of ring and ball with its error by the mesh [Pa]
     """
     materials = (ring_material(bearing, traction.contact.race), bearing.ball_material)
     ratios = [body.poisson_ratio for body in materials]

@@ -104,16 +104,37 @@ class DutyCycle:
 
 
 def revolution_shares(cases: Sequence[LoadCase]) -> list[float]:
-    """u_i = q_i n_i/sum(q n) [-]; zero for all where nothing turns."""
+    """Fractions u_i = q_i n_i/sum(q n) of the revolutions; zero for all if nothing turns.
+
+    Parameters
+    ----------
+    cases : Sequence[LoadCase]
+        load cases of the cycle
+
+    Returns
+    -------
+    list[float]
+        u_i of each case [-]
+    """
     turned = [case.time_share * case.operation.shaft_speed for case in cases]
     total = sum(turned)
     return [part / total if total else 0.0 for part in turned]
 
 
 def miner_life(shares: Sequence[float], lives: Sequence[float | None]) -> float | None:
-    """L of 1/L = sum u_i/L_i [revolutions]; None where a case that turns has no life.
+    """L of 1/L = sum u_i/L_i, Palmgren and Miner.
 
-    `shares`: u_i of the revolutions [-]; `lives`: L_i of each case by itself [revolutions].
+    Parameters
+    ----------
+    shares : Sequence[float]
+        u_i of the revolutions [-]
+    lives : Sequence[float | None]
+        L_i of each case by itself, None without one [revolutions]
+
+    Returns
+    -------
+    float | None
+        life of the cycle [revolutions]; None if a case that turns has no life
     """
     damage = 0.0
     for share, life in zip(shares, lives, strict=True):
@@ -126,7 +147,20 @@ def miner_life(shares: Sequence[float], lives: Sequence[float | None]) -> float 
 
 
 def duty_cycle(bearing: Bearing, cases: Sequence[LoadCase]) -> DutyCycle:
-    """Life, torque and energy of a cycle from its cases, whose shares of the time sum to 1."""
+    """Life, torque and energy of a cycle from its cases.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        bearing of all cases
+    cases : Sequence[LoadCase]
+        load cases, whose fractions of the time sum to 1
+
+    Returns
+    -------
+    DutyCycle
+        results of the cycle, each None if it does not apply
+    """
     # 1. shares of the revolutions
     shares = revolution_shares(cases)
     speed = sum(case.time_share * case.operation.shaft_speed for case in cases)

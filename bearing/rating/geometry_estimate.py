@@ -90,10 +90,20 @@ def estimate_geometry(data: CatalogueData) -> RatedPair:
     fit, C and C_0 by `load_rating.dynamic_rating` and `static_rating`. With one of the ratings
     alone, over the ball sizes with the number of balls that is typical of each.
 
+    Parameters
+    ----------
+    data : CatalogueData
+        boundary dimensions and ratings of the catalogue [m], [N]
+
+    Returns
+    -------
+    RatedPair
+        best pair with its errors
+
     Raises
     ------
     ValueError
-        If no rating is given, or no standard ball fits the section [m].
+        if no rating is given, or no standard ball fits the section
     """
     if data.dynamic_rating is None and data.static_rating is None:
         raise ValueError("dynamic_rating and static_rating must not both be left out")
@@ -168,12 +178,27 @@ def _bearing(data: CatalogueData, ball: float, balls: int) -> Bearing:
 
 
 def estimate_bearing(data: CatalogueData) -> dict[str, Any]:
-    """Keys of a case's [bearing] table for a bearing that is known from outside: its internal
-    geometry estimated, with `source` (text), `estimated` (keys) and `range` (an interval of each).
+    """Keys of a case's [bearing] table for a bearing whose boundary dimensions alone are known.
 
-    By the ratings where the catalogue data [m, N] have any (`estimate_geometry`), else typical of
-    the boundary dimensions; a deep groove bearing gets the clearance of the class CN, grooves are
-    assumed. ValueError without a width, or where nothing fits.
+    The internal geometry follows from the ratings where the data have any (`estimate_geometry`),
+    else it is typical of the boundary dimensions; a deep groove bearing gets the clearance of the
+    class CN, grooves are assumed.
+
+    Parameters
+    ----------
+    data : CatalogueData
+        boundary dimensions and ratings of the catalogue [m], [N]
+
+    Returns
+    -------
+    dict[str, Any]
+        keys of the table, with `source` (text), `estimated` (keys) and `range` (an interval of
+        each)
+
+    Raises
+    ------
+    ValueError
+        without a width, or if nothing fits
     """
     if data.width is None:
         raise ValueError("width must be given")

@@ -84,15 +84,42 @@ class LifeRating:
 
 
 def time_of(life: float | None, speed: float) -> float | None:
-    """Time [s] of a life [revolutions] at a speed of one ring against the other [rad/s]."""
+    """Time of a life at a speed.
+
+    Parameters
+    ----------
+    life : float | None
+        number of revolutions, None without one [revolutions]
+    speed : float
+        speed of one ring against the other [rad/s]
+
+    Returns
+    -------
+    float | None
+        time [s]; None without a life or a speed
+    """
     return 2.0 * pi * life / speed if life is not None and speed else None
 
 
 def bearing_life(
     solution: QuasistaticSolution, lubricant: Lubricant, rating: RatingInput
 ) -> LifeRating:
-    """Basic and modified reference rating life, ISO 16281, from the ball loads [N] of an
-    equilibrium, with a lubricant at the temperature of operation [Pa s].
+    """Basic and modified reference rating life, ISO 16281, from the ball loads of an equilibrium.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    lubricant : Lubricant
+        oil at the temperature of operation
+    rating : RatingInput
+        ratings of the catalogue and contamination
+
+    Returns
+    -------
+    LifeRating
+        lives [revolutions], ratings [N] and static safety, each None with a message if it does not
+        apply
     """
     bearing = solution.bearing
     reason = _not_covered(bearing) or ("" if solution.converged else "there is no equilibrium")
@@ -187,7 +214,18 @@ def _static(known: LifeRating, solution: QuasistaticSolution) -> tuple[LifeRatin
 
 
 def overload(life: LifeRating) -> Iterator[str]:
-    """That ball and race are permanently deformed, where a static safety is below 1, ISO 76."""
+    """Message of a permanent deformation of ball and race, for a static safety below 1, ISO 76.
+
+    Parameters
+    ----------
+    life : LifeRating
+        rated bearing
+
+    Yields
+    ------
+    Iterator[str]
+        one message, or none
+    """
     found = {"S_0": life.static_safety_factor, "static safety by pressure": life.static_safety}
     low = [f"{name} = {value:.3g}" for name, value in found.items() if value and value < 1.0]
     if low:
@@ -242,13 +280,25 @@ def _remarks(
 
 
 def reference_life(solution: QuasistaticSolution, capacity: float, contact_angle: float) -> float:
-    """Basic reference rating life, ISO 16281 [10^6 revolutions of one ring against the other].
+    """Basic reference rating life, ISO 16281.
 
     L_10r = [sum over rows of (Q_ci/Q_ei)^(-10/3) + (Q_ce/Q_ee)^(-10/3)]^(-9/10), Q_e = (sum
     Q_j^p/Z)^(1/p), p = 3 for a ring that turns relative to the load and 10/3 for one that stands.
     The load stands in space.
 
-    `solution`: ball loads [N]; `capacity`: C_r of one row [N]; `contact_angle`: nominal [rad].
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium with the ball loads
+    capacity : float
+        C_r of one row [N]
+    contact_angle : float
+        nominal contact angle [rad]
+
+    Returns
+    -------
+    float
+        life [10^6 revolutions of one ring against the other]
     """
     inner, outer = ball_ratings(solution.bearing, capacity, contact_angle)
     operation = solution.operation
@@ -264,19 +314,43 @@ def reference_life(solution: QuasistaticSolution, capacity: float, contact_angle
 
 
 def equivalent_ball_load(loads: Array, *, turning: bool) -> float:
-    """Q_e [N] of the ball loads [N] on a ring, (sum Q^p/Z)^(1/p), ISO 16281."""
+    """Q_e of the ball loads on a ring, (sum Q^p/Z)^(1/p), ISO 16281.
+
+    Parameters
+    ----------
+    loads : Array
+        ball loads, shape (Z,) [N]
+    turning : bool
+        whether the ring turns relative to the load
+
+    Returns
+    -------
+    float
+        equivalent ball load [N]
+    """
     exponent = ROTATING if turning else STATIONARY
     return float(np.mean(loads**exponent) ** (1.0 / exponent))
 
 
 def viscosity_ratio(kinematic_viscosity: float, speed: float, pitch_diameter: float) -> float:
-    """kappa = nu/nu_1 [-], ISO 281.
+    """kappa = nu/nu_1, ISO 281.
 
     nu_1 = 45000 n^-0.83 d_m^-0.5 below 1000 r/min, 4500 n^-0.5 d_m^-0.5 from there, in mm^2/s with
     d_m in mm.
 
-    `kinematic_viscosity`: at the temperature of operation [m^2/s]; `speed`: of one ring against
-    the other, positive [rad/s]; `pitch_diameter` [m].
+    Parameters
+    ----------
+    kinematic_viscosity : float
+        at the temperature of operation [m^2/s]
+    speed : float
+        speed of one ring against the other, positive [rad/s]
+    pitch_diameter : float
+        d_m [m]
+
+    Returns
+    -------
+    float
+        viscosity ratio [-]
     """
     n = speed / RPM
     of_speed = 45000.0 * n**-0.83 if n < 1000.0 else 4500.0 * n**-0.5
@@ -285,13 +359,28 @@ def viscosity_ratio(kinematic_viscosity: float, speed: float, pitch_diameter: fl
 
 
 def life_factor(kappa: float, limit: float) -> float:
-    """a_ISO of radial ball bearings [-], ISO 281.
+    """a_ISO of radial ball bearings, ISO 281.
 
     a_ISO = 0.1 [1 - (2.5671 - c/kappa^e)^0.83 (e_C C_u/P)^(1/3)]^-9.3, at most 50, with kappa at
     most 4; (c, e) = (2.2649, 0.054381) below 0.4, (1.9987, 0.19087) up to 1, (1.9987, 0.071739) up
     to 4.
 
-    `kappa`: viscosity ratio, from 0.1 [-]; `limit`: e_C C_u/P [-].
+    Parameters
+    ----------
+    kappa : float
+        viscosity ratio, from 0.1 [-]
+    limit : float
+        e_C C_u/P [-]
+
+    Returns
+    -------
+    float
+        life factor [-]
+
+    Raises
+    ------
+    ValueError
+        if kappa lies below 0.1
     """
     if kappa < SMALLEST_KAPPA:
         raise ValueError(f"kappa must be at least {SMALLEST_KAPPA}, got {kappa!r}")

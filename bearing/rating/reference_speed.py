@@ -39,8 +39,21 @@ FASTEST = 1.0e7  # where the search ends [r/min]
 
 
 def reference_speed(bearing: Bearing, static_rating: float, series: str | None) -> float | None:
-    """Speed at which the seats of one row take the friction of the reference conditions [rad/s],
-    by C_0r [N]; None where a dimension or the factors of the series are not known.
+    """Speed at which the seats of one row take the friction of the reference conditions.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry with bore, outside diameter and width
+    static_rating : float
+        C_0r [N]
+    series : str | None
+        series of SKF's friction model, which selects f_0r and f_1r
+
+    Returns
+    -------
+    float | None
+        speed [rad/s]; None if a dimension or the factors of the series are missing
     """
     known = [FACTORS[name] for name in FACTORS if (series or "").startswith(name)]
     sizes = (bearing.bore, bearing.outside_diameter, bearing.width)
