@@ -146,7 +146,7 @@ def load_material(name: str) -> Material:
     --------
     >>> from bearing import load_material
     >>> load_material("silicon nitride").density
-    3200.0
+    3250.0
     """
     table = library_data(DATA)
     key = matching_name(name, table)

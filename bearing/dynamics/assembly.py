@@ -58,7 +58,24 @@ NO_CAGE = CageBody(
 def assemble(
     bearing: Bearing, operation: Operation, model: DynamicsModel, point: StartingPoint
 ) -> EquationData:
-    """The problem in numbers; stiffnesses are taken at the contact angles of the start."""
+    """The problem in numbers; stiffnesses are taken at the contact angles of the start.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds and loads
+    model : DynamicsModel
+        cage, contact laws, schedule and options
+    point : StartingPoint
+        equations, contact angles and equilibrium of the start
+
+    Returns
+    -------
+    EquationData
+        arrays of the compiled equations, SI
+    """
     cage = model.cage
     n = bearing.balls
     free = free_array(point.kind, operation, model)
@@ -107,7 +124,20 @@ def _race_frictions(bearing: Bearing, model: DynamicsModel, schedule: Array) -> 
 
 
 def schedule_array(operation: Operation, model: DynamicsModel) -> Array:
-    """`EquationData.schedule`: a row for each time of the model [SI]."""
+    """`EquationData.schedule`: a row for each time of the model.
+
+    Parameters
+    ----------
+    operation : Operation
+        speeds and loads without a schedule
+    model : DynamicsModel
+        model with its schedule
+
+    Returns
+    -------
+    Array
+        rows, shape (n, GIVEN_COLUMNS) [SI]
+    """
     places = model.places(operation)
     rates = np.zeros_like(places)
     if model.schedule is not None and model.schedule.rates is not None:
@@ -117,16 +147,40 @@ def schedule_array(operation: Operation, model: DynamicsModel) -> Array:
 
 
 def entrainment_speeds(schedule: Array, pitch_radius: float) -> Array:
-    """Speeds at which rolling balls draw oil in at the times of a schedule, signed, from the pitch
-    radius [m]: half of what the rings have there against each other [m/s].
+    """Entrainment speeds of rolling balls at the times of a schedule, signed.
+
+    Half of the speed of the rings against each other on the pitch circle.
+
+    Parameters
+    ----------
+    schedule : Array
+        `EquationData.schedule` [SI]
+    pitch_radius : float
+        radius of the pitch circle [m]
+
+    Returns
+    -------
+    Array
+        speeds, shape (n,) [m/s]
     """
     speeds: Array = 0.5 * pitch_radius * (schedule[:, INNER_SPEED] - schedule[:, OUTER_SPEED])
     return speeds
 
 
 def rest_band(schedule: Array, pitch_radius: float) -> float:
-    """Least sliding speed over which friction reverses [m/s], of a bearing whose rings at some
-    time turn as one or not at all; zero for others. Pitch radius in [m].
+    """Least sliding speed over which friction reverses, if the rings stop against each other.
+
+    Parameters
+    ----------
+    schedule : Array
+        `EquationData.schedule` [SI]
+    pitch_radius : float
+        radius of the pitch circle [m]
+
+    Returns
+    -------
+    float
+        speed; zero if the rings never stop against each other [m/s]
     """
     speeds = entrainment_speeds(schedule, pitch_radius)
     fastest = float(np.abs(speeds).max())
@@ -149,7 +203,22 @@ def _clock_arrays(balls: int) -> dict[str, Array]:
 
 
 def free_array(kind: LoadType, operation: Operation, model: DynamicsModel) -> Array:
-    """`EquationData.free` of a load type: 1 or 0 for the coordinates of ring, cage and a ball."""
+    """`EquationData.free` of a load type: 1 or 0 for the coordinates of ring, cage and a ball.
+
+    Parameters
+    ----------
+    kind : LoadType
+        equations of motion
+    operation : Operation
+        prescribed loads and displacements
+    model : DynamicsModel
+        model with or without a cage
+
+    Returns
+    -------
+    Array
+        free coordinates, shape (17,) [-]
+    """
     ring, cage, ball = free_coordinates(kind, operation)
     if model.cage is None:
         cage = (0,) * CAGE
@@ -159,7 +228,24 @@ def free_array(kind: LoadType, operation: Operation, model: DynamicsModel) -> Ar
 def with_equations(
     data: EquationData, kind: LoadType, operation: Operation, model: DynamicsModel
 ) -> EquationData:
-    """The problem with the coordinates that another load type lets move."""
+    """The problem with the coordinates that another load type lets move.
+
+    Parameters
+    ----------
+    data : EquationData
+        problem in numbers
+    kind : LoadType
+        equations of motion
+    operation : Operation
+        prescribed loads and displacements
+    model : DynamicsModel
+        model of the simulation
+
+    Returns
+    -------
+    EquationData
+        changed problem, which shares its arrays with `data`
+    """
     free = free_array(kind, operation, model)
     places = solved_places(free, data.constants.balls)
     mechanical = _mechanical(places, data.constants.balls)
@@ -173,8 +259,27 @@ def _mechanical(places: NDArray[np.int64], balls: int) -> int:
 
 
 def friction_kind(model: DynamicsModel, races: list[FrictionData], laws: Array) -> int:
-    """Of the friction, as the kernel knows it; ValueError where a lubricated contact has no table,
-    or its load does not rise with the approach (`check_film`).
+    """Code of the friction for the kernels.
+
+    Parameters
+    ----------
+    model : DynamicsModel
+        model with its friction
+    races : list[FrictionData]
+        friction of inner and outer race
+    laws : Array
+        normal laws, shape (4, 3)
+
+    Returns
+    -------
+    int
+        FRICTIONLESS, COEFFICIENT, TABLE or FILM
+
+    Raises
+    ------
+    ValueError
+        if a lubricated contact has no table, or its load does not rise with the approach
+        (`check_film`)
     """
     if model.normal.law is not NormalLaw.LUBRICATED:
         return model.friction.kind
@@ -188,7 +293,20 @@ def friction_kind(model: DynamicsModel, races: list[FrictionData], laws: Array) 
 
 
 def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
-    """Numbers of ball, ring, cage, lands, drag and weight [SI]."""
+    """Numbers of ball, ring, cage, lands, drag and weight.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    model : DynamicsModel
+        ring, cage and options
+
+    Returns
+    -------
+    Constants
+        numbers [SI]
+    """
     cage = model.cage or NO_CAGE
     ring = model.ring
     radius = 0.5 * bearing.ball_diameter
@@ -251,7 +369,22 @@ def _cage_numbers(cage: CageBody, balls: int) -> dict[str, Any]:
 
 
 def normal_laws(bearing: Bearing, model: DynamicsModel, angles: tuple[float, float]) -> Array:
-    """Stiffness [N/m^n], exponent, damping [-] of races, pocket, land, shape (4, 3)."""
+    """Stiffness, exponent and damping of races, pocket and land.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    model : DynamicsModel
+        contact laws and cage
+    angles : tuple[float, float]
+        mean contact angles, inner and outer [rad]
+
+    Returns
+    -------
+    Array
+        laws, shape (4, 3) [N/m^n], [-], [-]
+    """
     normal = model.normal
     cage = model.cage or NO_CAGE
     chi = damping_factor(normal.law, normal.restitution)
@@ -274,15 +407,26 @@ def normal_laws(bearing: Bearing, model: DynamicsModel, angles: tuple[float, flo
 
 
 def scales(data: EquationData, load: float, model: DynamicsModel) -> Array:
-    """Size of a coordinate's and a speed's error that counts as one, shape (mechanical,) [m, rad,
-    m/s, rad/s].
+    """Size of a coordinate's and a speed's error that counts as one.
 
-    Lengths: a part of the approach of a ball on a race under a load; speeds: the same part of that
-    of the vibration with this amplitude, but no more than a part of the ramp of the friction or,
-    where friction follows the entrainment, of the fastest one;
-    angles of bodies: over the pitch radius, of balls: over their radius.
+    Lengths: a fraction of the approach of a ball on a race under a load; speeds: the same fraction
+    of that of the vibration with this amplitude, but no more than a fraction of the ramp of the
+    friction or, if friction follows the entrainment, of the fastest one; angles of bodies: over
+    the pitch radius, of balls: over their radius.
 
-    `load` [N]; `model`: with tolerance, the part of approach and speed, and ramp of the friction.
+    Parameters
+    ----------
+    data : EquationData
+        problem in numbers
+    load : float
+        reference load [N]
+    model : DynamicsModel
+        tolerance and friction
+
+    Returns
+    -------
+    Array
+        sizes, shape (mechanical,) [m], [rad], [m/s], [rad/s]
     """
     tolerance = model.options.tolerance
     stiffness = float(data.normal[: OUTER + 1, STIFFNESS].min())

@@ -36,9 +36,26 @@ def ring_body(
 ) -> RingBody:
     """The inner ring as a hollow cylinder from its bore to the bottom of its groove.
 
-    `bearing`: with bore and width, else ValueError; `mass`: of ring and what turns with it [kg];
-    None: of the cylinder; `damping`: of the support [N s/m]; `unbalance` [kg m], and its phase
-    from +y [rad].
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry with bore and width
+    mass : float | None, optional
+        mass of ring and shaft [kg]; None: that of the cylinder
+    damping : float, default 0.0
+        damping of the support [N s/m]
+    unbalance : tuple[float, float], default (0.0, 0.0)
+        unbalance [kg m], and its phase from +y [rad]
+
+    Returns
+    -------
+    RingBody
+        mass and inertias of the ring
+
+    Raises
+    ------
+    ValueError
+        if bore or width is missing
     """
     if bearing.bore is None or bearing.width is None:
         raise ValueError("bore and width are needed for the inertia of the inner ring")
@@ -63,14 +80,42 @@ def ring_body(
 def hollow_cylinder(
     mass: float, inside: float, outside: float, width: float
 ) -> tuple[float, float]:
-    """Polar and transverse moment of inertia [kg m^2] of a mass [kg] between two radii [m]."""
+    """Moments of inertia of a hollow cylinder.
+
+    Parameters
+    ----------
+    mass : float
+        mass [kg]
+    inside, outside : float
+        radii [m]
+    width : float
+        length along the axis [m]
+
+    Returns
+    -------
+    polar
+        about the axis [kg m^2]
+    transverse
+        across it [kg m^2]
+    """
     square = inside**2 + outside**2
     return 0.5 * mass * square, mass * (3.0 * square + width**2) / 12.0
 
 
 def require_web(bearing: Bearing, clearance: float) -> None:
-    """ValueError unless pockets of a diametral clearance [m] leave a web between them on the pitch
-    circle.
+    """Check that pockets leave a web between them on the pitch circle.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    clearance : float
+        diametral clearance of a pocket [m]
+
+    Raises
+    ------
+    ValueError
+        if pockets overlap
     """
     apart = bearing.pitch_diameter * sin(pi / bearing.balls)
     if bearing.ball_diameter + clearance >= apart:
@@ -85,8 +130,21 @@ def require_web(bearing: Bearing, clearance: float) -> None:
 
 
 def pocket_stiffness(ball: float, clearance: float, modulus: float) -> float:
-    """K of a ball against its pocket, a cylinder [N/m^1.5], from diameter, diametral clearance [m]
-    and E' [Pa].
+    """K of a ball against its pocket, a cylinder.
+
+    Parameters
+    ----------
+    ball : float
+        ball diameter [m]
+    clearance : float
+        diametral clearance of the pocket [m]
+    modulus : float
+        reduced modulus E' [Pa]
+
+    Returns
+    -------
+    float
+        K [N/m^1.5]
     """
     pocket = 0.5 * (ball + clearance)
     across = 0.5 * ball * pocket / (pocket - 0.5 * ball)  # reduced radius around the pocket
@@ -98,11 +156,28 @@ def cage_body(
 ) -> CageBody:
     """The cage: a hollow cylinder around the pitch circle, less its pockets.
 
-    `given`: any of `mass`, `polar_inertia`, `transverse_inertia` [kg, kg m^2], `thickness`,
-    `width`, `pocket_clearance` (diametral) [m], `pocket_friction` [-], `film_least` [m],
-    `guidance`, `land_diameter`, `land_width` (both lands together), `land_clearance` (radial) [m],
-    `land_friction` [-], `unbalance` [kg m], `drag` [N m s^2], `pocket_clearances`, one a ball [m].
-    What is left out is estimated, and named so. ValueError where pockets overlap.
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    material : Material
+        material of the cage
+    **given : float | tuple[float, ...] | Guidance | None
+        any of `mass`, `polar_inertia`, `transverse_inertia` [kg, kg m^2], `thickness`, `width`,
+        `pocket_clearance` (diametral) [m], `pocket_friction` [-], `film_least` [m], `guidance`,
+        `land_diameter`, `land_width` (both lands together), `land_clearance` (radial) [m],
+        `land_friction` [-], `unbalance` [kg m], `drag` [N m s^2], `pocket_clearances`, one a ball
+        [m]; others are estimated and listed in `assumed`
+
+    Returns
+    -------
+    CageBody
+        cage in numbers
+
+    Raises
+    ------
+    ValueError
+        if pockets overlap
     """
     guidance = given.get("guidance")
     plays = next((value for value in given.values() if isinstance(value, tuple)), ())
@@ -156,8 +231,22 @@ PLACES_ALONG = (0, 3, 4)
 
 
 def load_type(operation: Operation, model: DynamicsModel) -> LoadType:
-    """Fewest equations that the loads allow at the start: those of the symmetry that lasts longer,
-    radial or axial; without one, combined if there are loads along x and y alone, else general.
+    """Fewest equations that the loads allow at the start.
+
+    Those of the symmetry that lasts longer, radial or axial; without one, combined if there are
+    loads along x and y alone, else general.
+
+    Parameters
+    ----------
+    operation : Operation
+        speeds and loads
+    model : DynamicsModel
+        schedule, weight and unbalance
+
+    Returns
+    -------
+    LoadType
+        equations of motion
     """
     lasts = {
         kind: symmetric_until(kind, operation, model) for kind in (LoadType.RADIAL, LoadType.AXIAL)
@@ -180,8 +269,21 @@ def load_type(operation: Operation, model: DynamicsModel) -> LoadType:
 
 
 def symmetric_until(kind: LoadType, operation: Operation, model: DynamicsModel) -> float:
-    """Time up to which loads, weight, unbalance and displacements leave bodies the symmetry of a
-    load type [s]; zero where they never do, infinite where they do throughout.
+    """Time up to which loads, weight, unbalance and displacements leave bodies a symmetry.
+
+    Parameters
+    ----------
+    kind : LoadType
+        load type with the symmetry
+    operation : Operation
+        speeds and loads
+    model : DynamicsModel
+        schedule, weight and unbalance
+
+    Returns
+    -------
+    float
+        time; zero if they never do, infinite if they always do [s]
     """
     gravity = np.array(model.options.gravity)
     places = np.array(model.places(operation))
@@ -216,8 +318,21 @@ FREE_COORDINATES: dict[LoadType, tuple[tuple[int, ...], ...]] = {
 
 
 def free_coordinates(kind: LoadType, operation: Operation) -> tuple[tuple[int, ...], ...]:
-    """1 or 0 for each coordinate of ring, cage and a ball [-]; the ring is fixed where the case
-    prescribes a displacement.
+    """Free coordinates of ring, cage and a ball.
+
+    The ring is fixed along a coordinate with a prescribed displacement.
+
+    Parameters
+    ----------
+    kind : LoadType
+        equations of motion
+    operation : Operation
+        prescribed loads and displacements
+
+    Returns
+    -------
+    tuple[tuple[int, ...], ...]
+        1 or 0 for each coordinate of ring, cage and ball [-]
     """
     ring, cage, ball = FREE_COORDINATES[kind]
     loads = operation.loads
@@ -226,11 +341,25 @@ def free_coordinates(kind: LoadType, operation: Operation) -> tuple[tuple[int, .
 
 
 def equation_counts(kind: LoadType, balls: int, operation: Operation) -> dict[str, int]:
-    """Equations of motion that are solved, of second order: of ring, cage, balls, and in all [-].
+    """Number of equations of motion that are solved, of second order.
 
     Ma et al. (2023), Table 1, integrate all balls under an axial load, too; under a load across
-    the axis and under both they hold the ring and the cage on the load line, where friction pushes
-    them aside.
+    the axis and under both they constrain the ring and the cage to the load line, where friction
+    pushes them aside.
+
+    Parameters
+    ----------
+    kind : LoadType
+        equations of motion
+    balls : int
+        number of balls [-]
+    operation : Operation
+        prescribed loads and displacements
+
+    Returns
+    -------
+    dict[str, int]
+        numbers of ring, cage, balls, and in all [-]
     """
     ring, cage, ball = (sum(part) for part in free_coordinates(kind, operation))
     solved = 1 if kind is LoadType.AXIAL else balls

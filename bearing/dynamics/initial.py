@@ -48,6 +48,20 @@ def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel)
     """Equations, contact angles and equilibrium of the schedule's first row.
 
     Without an equilibrium the free contact angle stands in, and a message says so.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds and loads
+    model : DynamicsModel
+        schedule and options
+
+    Returns
+    -------
+    StartingPoint
+        start of the simulation
     """
     kind = model.options.equations or load_type(operation, model)
     first = first_operation(operation, model, kind)
@@ -83,13 +97,43 @@ def _pushed_along(operation: Operation, model: DynamicsModel) -> bool:
 
 
 def mean_angle(angles: Array, loads: Array, nominal: float) -> float:
-    """Mean contact angle by load; nominal where nothing is loaded [rad]."""
+    """Mean contact angle by load.
+
+    Parameters
+    ----------
+    angles : Array
+        contact angles [rad]
+    loads : Array
+        loads of the contacts [N]
+    nominal : float
+        angle without a load [rad]
+
+    Returns
+    -------
+    float
+        mean angle [rad]
+    """
     total = np.sum(loads)
     return float(np.sum(angles * loads) / total) if total > 0.0 else nominal
 
 
 def first_operation(operation: Operation, model: DynamicsModel, kind: LoadType) -> Operation:
-    """The operation at time zero; coordinates that the equations fix are prescribed [SI]."""
+    """The operation at time zero; coordinates that the equations fix are prescribed.
+
+    Parameters
+    ----------
+    operation : Operation
+        speeds and loads
+    model : DynamicsModel
+        schedule and rotating load
+    kind : LoadType
+        equations of motion
+
+    Returns
+    -------
+    Operation
+        operation [SI]
+    """
     rows = model.rows(operation)
     inner, outer = (
         a or SMALLEST_SPEED_SHARE * b
@@ -119,7 +163,24 @@ def first_operation(operation: Operation, model: DynamicsModel, kind: LoadType) 
 def initial_state(
     bearing: Bearing, data: EquationData, point: StartingPoint, start: Start
 ) -> Array:
-    """State vector at time zero, see `layout` [m, rad, m/s, rad/s]."""
+    """State vector at time zero, see `layout`.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    data : EquationData
+        problem in numbers
+    point : StartingPoint
+        equations, contact angles and equilibrium of the start
+    start : Start
+        equilibrium, rolling or rest
+
+    Returns
+    -------
+    Array
+        state vector, shape (size,) [m], [rad], [m/s], [rad/s]
+    """
     layout = Layout(bearing.balls)
     y = np.zeros(layout.size)
     cosines, sines = data.pocket_place.T

@@ -60,7 +60,13 @@ class SimulationState:
     stiff: bool = False  # whether LSODA took over at some time
 
     def restore(self, snapshot: "SimulationState") -> None:
-        """Take over the values of another state, in the arrays that the equations use."""
+        """Take over the values of another state, in the arrays that the equations use.
+
+        Parameters
+        ----------
+        snapshot : SimulationState
+            state with the values
+        """
         for part in fields(self):
             own = getattr(self, part.name)
             value = getattr(snapshot, part.name)
@@ -71,7 +77,20 @@ class SimulationState:
 
 
 def empty_record(times: Array, balls: int) -> Record:
-    """Room for a row at each time [s]."""
+    """Record with a row of zeros at each time.
+
+    Parameters
+    ----------
+    times : Array
+        times of the rows [s]
+    balls : int
+        number of balls [-]
+
+    Returns
+    -------
+    Record
+        record to fill
+    """
     m = times.size
     return Record(
         time=times.copy(),
@@ -86,13 +105,37 @@ def empty_record(times: Array, balls: int) -> Record:
 
 
 def first_rows(record: Record, rows: int) -> Record:
-    """The part of a record that was reached."""
+    """The first rows of a record.
+
+    Parameters
+    ----------
+    record : Record
+        record
+    rows : int
+        number of rows that were reached [-]
+
+    Returns
+    -------
+    Record
+        record with views of these rows
+    """
     parts: list[Any] = [part[:rows] for part in record]
     return Record(*parts)
 
 
 def join(first: Record, second: Record) -> Record:
-    """Two records one after the other."""
+    """Two records one after the other.
+
+    Parameters
+    ----------
+    first, second : Record
+        records of the same bearing
+
+    Returns
+    -------
+    Record
+        one record
+    """
     pairs: Any = zip(first, second, strict=True)
     parts = [np.concatenate((a, b)) for a, b in pairs]
     return Record(*parts)

@@ -27,9 +27,19 @@ LANDS = 2  # places of the lands, the last of the memory of impacts
 
 
 def solved_places(free: Array, balls: int) -> NDArray[np.int64]:
-    """Places in the state vector of what is solved: free coordinates, their speeds, the rest.
+    """Indices in the state vector of the unknowns: free coordinates, their speeds, the rest.
 
-    `free`: 1 or 0 for the coordinates of ring, cage and a ball, as `EquationData.free` [-].
+    Parameters
+    ----------
+    free : Array
+        1 or 0 for the coordinates of ring, cage and a ball, as `EquationData.free` [-]
+    balls : int
+        number of balls [-]
+
+    Returns
+    -------
+    NDArray[np.int64]
+        indices, rising [-]
     """
     layout = Layout(balls)
     bodies, position, turn = np.split(free > 0.0, (BODIES, FREE_TURN))
@@ -40,10 +50,20 @@ def solved_places(free: Array, balls: int) -> NDArray[np.int64]:
 
 
 def derivative(t: float, y: Array, data: EquationData, dy: Array) -> None:
-    """Rates `dy` of all coordinates at time t [s], also of those that are not solved; moves a ring
-    that is held to its place in y [SI].
+    """Rates of all coordinates, also of those that are not solved.
 
     By the kernel that gives those that are solved: one of its own would take as long to compile.
+
+    Parameters
+    ----------
+    t : float
+        time [s]
+    y : Array
+        state vector; a constrained ring is moved to its position in it [SI]
+    data : EquationData
+        problem in numbers
+    dy : Array
+        rates, written [SI]
     """
     data.whole[:] = y
     solved_derivative(t, y[data.solved], data, np.empty(data.solved.size))
@@ -64,12 +84,36 @@ class SolvedMotion:
         return self.data.constants.balls
 
     def scale(self, scale: Array) -> Array:
-        """Errors that count as one of what is solved, from those of all, shape (mechanical,)."""
+        """Errors of the unknowns that count as one.
+
+        Parameters
+        ----------
+        scale : Array
+            errors of all coordinates and speeds [SI]
+
+        Returns
+        -------
+        Array
+            errors, shape (mechanical,) [SI]
+        """
         one = scale[_first_places(self.balls, self.solved)[: Layout(self.solved).mechanical]]
         return one[self.data.solved[: self.data.mechanical]]
 
     def begin(self, state: SimulationState) -> tuple[Array, ContactHistory]:
-        """What is solved of a state, and what its contacts remember."""
+        """Unknowns of a state, and the history of their contacts.
+
+        Parameters
+        ----------
+        state : SimulationState
+            state of all balls
+
+        Returns
+        -------
+        y
+            unknowns [SI]
+        history
+            onset, state and times of the contacts
+        """
         whole = state.y[_first_places(self.balls, self.solved)]
         self.data.whole[:] = whole
         history = ContactHistory(state.onset, state.contact_state, state.shares, state.attitude)
@@ -85,7 +129,17 @@ class SolvedMotion:
         return whole[self.data.solved], history
 
     def finish(self, state: SimulationState, y: Array, history: ContactHistory) -> None:
-        """Bring a state up to date; inverse of `begin`."""
+        """Bring a state up to date; inverse of `begin`.
+
+        Parameters
+        ----------
+        state : SimulationState
+            state of all balls, changed
+        y : Array
+            unknowns [SI]
+        history : ContactHistory
+            history of their contacts
+        """
         self.data.whole[self.data.solved] = y
         state.y[:] = all_states(self.data.whole[None], self.balls, self.solved)[0]
         if self.solved < self.balls:
@@ -97,7 +151,18 @@ class SolvedMotion:
             state.attitude[:] = turned_attitudes(history.attitude[None], self.balls)[0]
 
     def whole_record(self, record: Record) -> Record:
-        """Record of all balls."""
+        """Record of all balls.
+
+        Parameters
+        ----------
+        record : Record
+            record of the balls that are solved
+
+        Returns
+        -------
+        Record
+            record by symmetry
+        """
         if self.solved == self.balls:
             return record
         return record._replace(
@@ -110,7 +175,20 @@ class SolvedMotion:
 
 
 def solved_motion(kind: LoadType, data: EquationData) -> SolvedMotion:
-    """Equations of what a load type leaves to be solved, from those of all balls."""
+    """Equations of the unknowns that a load type leaves, from those of all balls.
+
+    Parameters
+    ----------
+    kind : LoadType
+        equations of motion
+    data : EquationData
+        problem in numbers, of all balls
+
+    Returns
+    -------
+    SolvedMotion
+        equations of the balls that are solved
+    """
     balls = data.constants.balls
     if kind in MIRRORED:
         mirrored = data._replace(
@@ -197,19 +275,60 @@ def _turns(balls: int) -> Array:
 
 
 def turned(vectors: Array, balls: int) -> Array:
-    """Vectors of one ball, shape (m, 3), for all balls: turned about the axis, (m, Z, 3)."""
+    """Vectors of one ball for all balls: turned about the axis.
+
+    Parameters
+    ----------
+    vectors : Array
+        vectors of the first ball, shape (m, 3) [any unit]
+    balls : int
+        number of balls [-]
+
+    Returns
+    -------
+    Array
+        vectors, shape (m, Z, 3) [any unit]
+    """
     return (vectors @ _turns(balls)).reshape(len(vectors), balls, 3)
 
 
 def turned_attitudes(attitude: Array, balls: int) -> Array:
-    """Quaternions of one ball, shape (m, 1, 4), for all balls, (m, Z, 4) [-]."""
+    """Quaternions of one ball for all balls.
+
+    Parameters
+    ----------
+    attitude : Array
+        quaternions of the first ball, shape (m, 1, 4) [-]
+    balls : int
+        number of balls [-]
+
+    Returns
+    -------
+    Array
+        quaternions, shape (m, Z, 4) [-]
+    """
     vectors = turned(attitude[:, 0, 1:], balls)
     scalars = np.repeat(attitude[:, :, :1], balls, axis=1)
     return np.concatenate([scalars, vectors], axis=-1)
 
 
 def all_states(states: Array, balls: int, solved: int) -> Array:
-    """State vectors of all balls from those of the solved ones, shape (m, size) [SI]."""
+    """State vectors of all balls from those of the solved ones.
+
+    Parameters
+    ----------
+    states : Array
+        state vectors, shape (m, size) [SI]
+    balls : int
+        number of balls [-]
+    solved : int
+        number of solved balls [-]
+
+    Returns
+    -------
+    Array
+        state vectors, shape (m, size of all) [SI]
+    """
     if solved == balls:
         return states
     one = Layout(1)
@@ -223,7 +342,20 @@ def all_states(states: Array, balls: int, solved: int) -> Array:
 
 
 def symmetric_part(motion: SolvedMotion, rates: Array) -> Array:
-    """Rates of all balls as they would be if those that are solved stood for the others [SI]."""
+    """Rates of all balls if those that are solved stood for the others.
+
+    Parameters
+    ----------
+    motion : SolvedMotion
+        equations in use
+    rates : Array
+        rates of all coordinates, shape (size,) [SI]
+
+    Returns
+    -------
+    Array
+        symmetric rates, shape (size,) [SI]
+    """
     first = rates[_first_places(motion.balls, motion.solved)]
     kept = np.zeros_like(first)
     kept[motion.data.solved] = first[motion.data.solved]

@@ -168,7 +168,13 @@ class Simulation:
                 return
 
     def set_equations(self, kind: LoadType) -> None:
-        """Go on with the equations of another load type from the state as it is."""
+        """Go on with the equations of another load type from the present state.
+
+        Parameters
+        ----------
+        kind : LoadType
+            equations of motion
+        """
         if kind is not self.state.kind:
             self.data = with_equations(self.data, kind, self.operation, self.model)
             self.state.kind = kind
@@ -249,7 +255,54 @@ class Simulation:
 
 
 def simulation(bearing: Bearing, operation: Operation, model: DynamicsModel) -> Simulation:
-    """A simulation at its start, under speeds [rad/s] and loads [N], [N m] of the inner ring."""
+    """A simulation at its start, under speeds and loads of the inner ring.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds [rad/s] and loads [N], [N m]
+    model : DynamicsModel
+        cage, contact laws, schedule and options
+
+    Returns
+    -------
+    Simulation
+        simulation, to be moved on by `pieces`
+
+    Examples
+    --------
+    >>> from bearing import Bearing, Operation, load_material
+    >>> from bearing.dynamics.bodies import ring_body
+    >>> from bearing.dynamics.friction import RaceFriction
+    >>> from bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
+    >>> from bearing.dynamics.simulation import simulation
+    >>> steel = load_material("bearing steel")
+    >>> bearing = Bearing(
+    ...     name="6208",
+    ...     ball_diameter=12e-3,
+    ...     pitch_diameter=60e-3,
+    ...     balls=9,
+    ...     inner_groove_radius=6.17e-3,
+    ...     outer_groove_radius=6.29e-3,
+    ...     diametral_clearance=13e-6,
+    ...     ball_material=steel,
+    ...     inner_ring_material=steel,
+    ...     outer_ring_material=steel,
+    ...     bore=40e-3,
+    ...     width=18e-3,
+    ... )
+    >>> model = DynamicsModel(
+    ...     options=DynamicsOptions(end_time=1e-4, sample_interval=1e-5),
+    ...     ring=ring_body(bearing),
+    ...     friction=RaceFriction(),
+    ... )
+    >>> operation = Operation(inner_speed=300.0, force=(1000.0, 0.0, 0.0))
+    >>> run = simulation(bearing, operation, model)
+    >>> sum(record.time.size for record in run.pieces()), run.converged
+    (10, True)
+    """
     point = starting_point(bearing, operation, model)
     data = assemble(bearing, operation, model, point)
     y = initial_state(bearing, data, point, model.options.start)
@@ -262,7 +315,24 @@ def from_state(
     model: DynamicsModel,
     start: tuple[StartingPoint, EquationData, Array],
 ) -> Simulation:
-    """A simulation from a state vector [SI]."""
+    """A simulation from a state vector.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds and loads
+    model : DynamicsModel
+        cage, contact laws, schedule and options
+    start : tuple[StartingPoint, EquationData, Array]
+        equations of the start, problem in numbers and state vector [SI]
+
+    Returns
+    -------
+    Simulation
+        simulation at time zero
+    """
     point, data, y = start
     n = bearing.balls
     state = SimulationState(

@@ -13,8 +13,22 @@ SAME_SPEED = 1.0e-4  # of a cage speed, within which two ends are one state [-]
 
 
 def other_start(first: Simulation, share: float) -> Simulation:
-    """The simulation from another start: balls and pockets turned by a share of a pitch, balls and
-    cage slower by as much of `SLOWER` [-].
+    """The simulation from another start.
+
+    Balls and pockets are turned by a fraction of a pitch, balls and cage slower by as much of
+    `SLOWER`.
+
+    Parameters
+    ----------
+    first : Simulation
+        simulation from the first start
+    share : float
+        fraction of a pitch [-]
+
+    Returns
+    -------
+    Simulation
+        simulation at its start
     """
     bearing = first.bearing
     turn = share * 2.0 * pi / bearing.balls
@@ -29,7 +43,18 @@ def other_start(first: Simulation, share: float) -> Simulation:
 
 
 def settled(made: Simulation) -> SimulationStatistics | None:
-    """Statistics of a simulation, moved to its end; None where it does not get there."""
+    """Statistics of a simulation, moved to its end.
+
+    Parameters
+    ----------
+    made : Simulation
+        simulation, changed
+
+    Returns
+    -------
+    SimulationStatistics | None
+        statistics; None if it does not get there
+    """
     running = RunningStatistics(made.bearing.balls)
     for record in made.pieces():
         running.add(record, made.start_energy)
@@ -37,8 +62,20 @@ def settled(made: Simulation) -> SimulationStatistics | None:
 
 
 def states(ends: Sequence[SimulationStatistics]) -> list[list[SimulationStatistics]]:
-    """Ends of several starts by their states, slowest cage first: one begins where a cage speed is
-    farther from the one below than their intervals, and `SAME_SPEED`, allow.
+    """Ends of several starts by their states, slowest cage first.
+
+    A state begins where a cage speed is farther from the one below than their intervals, and
+    `SAME_SPEED`, allow.
+
+    Parameters
+    ----------
+    ends : Sequence[SimulationStatistics]
+        statistics of the simulations
+
+    Returns
+    -------
+    list[list[SimulationStatistics]]
+        one list of ends for each state
     """
     found: list[list[SimulationStatistics]] = []
     for end in sorted(ends, key=lambda one: one.cage_speed):

@@ -64,7 +64,15 @@ class RunningStatistics:
         self.pocket_largest = np.zeros(self.balls)
 
     def add(self, record: Record, start_energy: float) -> None:
-        """Take a record in; start energy in [J]."""
+        """Add a record to the sums.
+
+        Parameters
+        ----------
+        record : Record
+            rows of the history
+        start_energy : float
+            energy at the start [J]
+        """
         layout = Layout(self.balls)
         self.time.append(record.time)
         self.cage_rotation.append(record.state[:, layout.cage][:, CAGE_ROTATION].copy())
@@ -154,7 +162,20 @@ class SimulationStatistics:
 
 
 def orbit_speeds(states: Array, layout: Layout) -> Array:
-    """Angular speeds of the balls' centres about the axis [rad/s], shape (m, Z)."""
+    """Angular speeds of the balls' centres about the axis.
+
+    Parameters
+    ----------
+    states : Array
+        state vectors, shape (m, size) [SI]
+    layout : Layout
+        slices of the state vector
+
+    Returns
+    -------
+    Array
+        speeds, shape (m, Z) [rad/s]
+    """
     place = states[:, layout.ball].reshape(len(states), -1, 3)
     speed = states[:, layout.ball_speed].reshape(len(states), -1, 3)
     turn = place[..., 1] * speed[..., 2] - place[..., 2] * speed[..., 1]
@@ -163,16 +184,38 @@ def orbit_speeds(states: Array, layout: Layout) -> Array:
 
 
 def spin_speeds(turns: Array, orbits: Array) -> Array:
-    """Angular speeds of balls about their own axes in the frame that goes round with them [rad/s],
-    shape (m, Z), from their angular velocities, shape (m, Z, 3), and orbital speeds [rad/s].
+    """Angular speeds of balls about their own axes in the frame that goes round with them.
+
+    Parameters
+    ----------
+    turns : Array
+        angular velocities of the balls, shape (m, Z, 3) [rad/s]
+    orbits : Array
+        orbit speeds, shape (m, Z) [rad/s]
+
+    Returns
+    -------
+    Array
+        speeds, shape (m, Z) [rad/s]
     """
     result: Array = np.hypot(np.hypot(turns[..., 0] - orbits, turns[..., 1]), turns[..., 2])
     return result
 
 
 def angle_by_load(loads: Array, angles: Array) -> Array:
-    """Mean contact angle [rad], weighed by the loads, shape (m,), from loads [N] and angles of all
-    contacts, shape (m, 2, Z); zero where nothing is loaded.
+    """Mean contact angle, weighed by the loads.
+
+    Parameters
+    ----------
+    loads : Array
+        loads of all contacts, shape (m, 2, Z) [N]
+    angles : Array
+        contact angles, shape (m, 2, Z) [rad]
+
+    Returns
+    -------
+    Array
+        mean angle, zero without a load, shape (m,) [rad]
     """
     turned = (loads * np.abs(angles)).sum(axis=(1, 2))
     result: Array = turned / np.maximum(loads.sum(axis=(1, 2)), 1e-300)
@@ -182,7 +225,20 @@ def angle_by_load(loads: Array, angles: Array) -> Array:
 def simulation_statistics(
     simulation: Simulation, running: RunningStatistics
 ) -> SimulationStatistics | None:
-    """Sum a simulation up; None where not one sample was reached."""
+    """Statistics of a whole simulation.
+
+    Parameters
+    ----------
+    simulation : Simulation
+        simulation at its end
+    running : RunningStatistics
+        sums over its records
+
+    Returns
+    -------
+    SimulationStatistics | None
+        statistics; None if not one sample was reached
+    """
     if not running.rows:
         return None
     time = np.concatenate(running.time)
@@ -247,8 +303,21 @@ def _cage_orbit(simulation: Simulation, place: Array) -> dict[str, float | None]
 
 
 def speed_without_slip(simulation: Simulation, times: Array, angle: float) -> float:
-    """Speed of the cage without sliding at a contact angle [rad] and the rings' mean speeds at
-    times [s], in [rad/s].
+    """Speed of the cage without sliding, at the rings' mean speeds.
+
+    Parameters
+    ----------
+    simulation : Simulation
+        simulation with its schedule
+    times : Array
+        times over which the speeds are averaged [s]
+    angle : float
+        contact angle [rad]
+
+    Returns
+    -------
+    float
+        speed [rad/s]
     """
     data = simulation.data
     inner, outer = (
@@ -259,12 +328,21 @@ def speed_without_slip(simulation: Simulation, times: Array, angle: float) -> fl
 
 
 def batch_interval(values: Array) -> float | None:
-    """Half width of the 95 % confidence interval of the mean of evenly sampled values, by the
-    means of batches [unit of the values]; None below `SMALLEST_SAMPLE` values.
+    """Half width of the 95 % confidence interval of the mean of evenly sampled values.
 
-    The history is cut into `BATCHES` equal pieces, whose means are taken for independent: they are
-    where a piece is longer than the slowest motion, so what goes round with the cage needs ten
-    turns of it. A trend widens the interval.
+    By the means of batches: the history is cut into `BATCHES` equal pieces, whose means are taken
+    for independent: they are if a piece is longer than the slowest motion, so ten turns of the
+    cage are needed for a motion that goes round with it. A trend widens the interval.
+
+    Parameters
+    ----------
+    values : Array
+        samples, shape (m,) [any unit]
+
+    Returns
+    -------
+    float | None
+        half width, in the unit of the values; None below `SMALLEST_SAMPLE` values [any unit]
     """
     if values.size < SMALLEST_SAMPLE:
         return None
@@ -274,10 +352,19 @@ def batch_interval(values: Array) -> float | None:
 
 
 def whirl_speed(time: Array, place: Array) -> float | None:
-    """Mean angular speed of a centre's path about its own mean, positive as the axis turns
-    [rad/s]; None where the centre stays within a picometre, or of fewer than three samples.
+    """Mean angular speed of a centre's path about its own mean, positive as the axis turns.
 
-    `time`, shape (m,) [s]; `place`, shape (m, 2): y and z of the centre [m].
+    Parameters
+    ----------
+    time : Array
+        times, shape (m,) [s]
+    place : Array
+        y and z of the centre, shape (m, 2) [m]
+
+    Returns
+    -------
+    float | None
+        speed [rad/s]; None if the centre stays within a picometre, or for fewer than three samples
     """
     off = place - place.mean(axis=0)
     if time.size < FEWEST_PLACES or np.abs(off).max() < SMALLEST_ORBIT:

@@ -132,8 +132,21 @@ class _Wall:
 def ring_strengths(
     bearing: Bearing, operation: Operation, budget: ClearanceBudget | None
 ) -> tuple[RingStrength, ...]:
-    """Hoop stress of the rings whose seats are known, from the pressures of the seats in
-    operation; without a budget by rotation alone.
+    """Hoop stress of the rings with known seats, from the pressures of the seats in operation.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds of the rings
+    budget : ClearanceBudget | None
+        clearances with the pressures of the seats; None: rotation alone
+
+    Returns
+    -------
+    tuple[RingStrength, ...]
+        strength of each ring whose seat has a diameter
     """
     return tuple(
         _strength(race, wall)
@@ -149,11 +162,28 @@ def strength_map(
     rise: TemperatureRise | None,
     reference: float,
 ) -> StrengthMap | None:
-    """Hoop tension and failure probability of the inner ring over temperature and speed; None
-    without a bore, or where the thermal expansion of a part is not known.
+    """Hoop tension and failure probability of the inner ring over temperature and speed.
 
-    All parts warm up in proportion to `rise`, together without it. `reference`: temperature of
-    measurement [K].
+    All parts warm up in proportion to `rise`, together without it.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds of the rings
+    fit : Fit | None
+        seats of the rings
+    rise : TemperatureRise | None
+        temperature rises in operation
+    reference : float
+        temperature of measurement [K]
+
+    Returns
+    -------
+    StrengthMap | None
+        map over temperature and speed; None without a bore, or if the thermal expansion of a part
+        is missing
     """
     if bearing.bore is None or not _all_expand(bearing, fit):
         return None
@@ -198,10 +228,23 @@ def _all_expand(bearing: Bearing, fit: Fit | None) -> bool:
 def failure_probability(
     largest: float, effective_volume: float, strength: float, modulus: float
 ) -> float:
-    """Weibull's probability of failure [-].
+    """Weibull's probability of failure.
 
-    `largest`: stress [Pa]; `effective_volume`: integral of (sigma/largest)^m dV [m^3]; `strength`:
-    mean of bending bars [Pa]; `modulus`: m [-].
+    Parameters
+    ----------
+    largest : float
+        largest stress [Pa]
+    effective_volume : float
+        integral of (sigma/largest)^m dV [m^3]
+    strength : float
+        mean strength of bending bars [Pa]
+    modulus : float
+        Weibull's m [-]
+
+    Returns
+    -------
+    float
+        probability [-]
     """
     if largest <= 0.0:
         return 0.0
@@ -210,7 +253,18 @@ def failure_probability(
 
 
 def bar_volume(modulus: float) -> float:
-    """Effective volume of the bending bar [m^3] by Weibull's modulus [-]."""
+    """Effective volume of the bending bar.
+
+    Parameters
+    ----------
+    modulus : float
+        Weibull's m [-]
+
+    Returns
+    -------
+    float
+        volume [m^3]
+    """
     return BAR_VOLUME * (modulus + 2.0) / (4.0 * (modulus + 1.0) ** 2)
 
 
@@ -271,8 +325,19 @@ def _failure(wall: _Wall, strength: float, modulus: float) -> float:
 
 
 def effective_volume(wall: _Wall, modulus: float) -> float:
-    """Integral of (sigma/sigma_bore)^m over the wall [m^3], tension alone; m [-]; zero where the
-    bore is pressed.
+    """Integral of (sigma/sigma_bore)^m over the wall, tension alone; zero if the bore is pressed.
+
+    Parameters
+    ----------
+    wall : _Wall
+        ring as a cylinder with its loads
+    modulus : float
+        Weibull's m [-]
+
+    Returns
+    -------
+    float
+        volume [m^3]
     """
     largest = float(wall.hoop(wall.inner))
     if largest <= 0.0 or wall.width is None:

@@ -23,8 +23,27 @@ def heat_capacities(
     oil_share: float | None = None,
     rows: int = 1,
 ) -> Array:
-    """C of the nodes, rho c V [J/K]; rings and housing as cylinders, the shaft over its whole
-    length. `oil_share`: of the cavity [-].
+    """Heat capacities C of the nodes, rho c V; rings and housing as cylinders.
+
+    The shaft counts over its whole length.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    around : Surroundings
+        shaft, housing and surroundings
+    oil : Lubricant
+        oil in the cavity
+    oil_share : float | None, optional
+        fraction of the cavity that holds oil; None: `OIL_SHARE` [-]
+    rows : int, default 1
+        number of rows of balls [-]
+
+    Returns
+    -------
+    Array
+        C, shape (nodes,) [J/K]
     """
     size = dimensions(bearing, around, rows)
     length = size.width + 2.0 * size.shaft_length

@@ -47,7 +47,18 @@ class Cooling:
                 raise ValueError(f"{field} must be positive and finite, got {value!r} K")
 
     def heat(self, temperature: float) -> float:
-        """Heat removed at a temperature [K], in [W]."""
+        """Heat removed at a temperature.
+
+        Parameters
+        ----------
+        temperature : float
+            temperature of the bearing [K]
+
+        Returns
+        -------
+        float
+            heat [W]
+        """
         to_surroundings = self.conductance * (temperature - self.ambient)
         return to_surroundings + self.oil_flow * (temperature - self.oil_supply)
 
@@ -74,9 +85,21 @@ class HeatBalance:
 def heat_balance(torque: Callable[[float], float], speed: float, cooling: Cooling) -> HeatBalance:
     """Temperature of a bearing that is heated by its own friction.
 
-    `torque`: friction torque [N m] at a temperature [K]; `speed`: of the shaft [rad/s].
+    Not `converged` if friction exceeds the cooling up to `HIGHEST_TEMPERATURE`.
 
-    Not `converged` where friction exceeds the cooling up to `HIGHEST_TEMPERATURE`.
+    Parameters
+    ----------
+    torque : Callable[[float], float]
+        friction torque [N m] at a temperature [K]
+    speed : float
+        speed of the shaft [rad/s]
+    cooling : Cooling
+        conductances to surroundings and oil
+
+    Returns
+    -------
+    HeatBalance
+        temperature, torque and power
     """
     torques: dict[float, float] = {}
 

@@ -89,7 +89,22 @@ class Dimensions:
 
 
 def dimensions(bearing: Bearing, around: Surroundings, rows: int = 1) -> Dimensions:
-    """Those given, estimates for others [m]."""
+    """Dimensions of a bearing on its shaft and in its housing, estimated if not prescribed.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of a row
+    around : Surroundings
+        shaft and housing
+    rows : int, default 1
+        number of rows of balls [-]
+
+    Returns
+    -------
+    Dimensions
+        dimensions [m]
+    """
     bore, outside = diameters(bearing)
     width = bearing.width or WIDTH * 0.5 * (outside - bore)
     return Dimensions(
@@ -107,8 +122,23 @@ def dimensions(bearing: Bearing, around: Surroundings, rows: int = 1) -> Dimensi
 def solid_paths(
     bearing: Bearing, around: Surroundings, speed: float, rows: int = 1
 ) -> tuple[HeatPath, ...]:
-    """Paths that friction and oil leave as they are: rings, seats, shaft, housing, air; speed of
-    the shaft [rad/s].
+    """Paths that friction and oil leave as they are: rings, seats, shaft, housing, air.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    around : Surroundings
+        shaft, housing and surroundings
+    speed : float
+        speed of the shaft [rad/s]
+    rows : int, default 1
+        number of rows of balls [-]
+
+    Returns
+    -------
+    tuple[HeatPath, ...]
+        paths with their conductances [W/K]
     """
     size = dimensions(bearing, around, rows)
     return (*_ring_paths(bearing, around, size, rows), *_outside_paths(around, size, speed))
@@ -221,8 +251,27 @@ def state_paths(
     cage_speed: float,
     rows: int = 1,
 ) -> tuple[HeatPath, ...]:
-    """Paths that depend on the state: contacts by their films, walls of the cavity by its oil and
-    the speed of the cage [rad/s].
+    """Paths that depend on the state: contacts by their films, walls of the cavity by its oil.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    around : Surroundings
+        shaft, housing and surroundings
+    oil : Lubricant
+        oil in the cavity
+    friction : FrictionHeat
+        heat and conductances of the contacts
+    cage_speed : float
+        speed of the cage [rad/s]
+    rows : int, default 1
+        number of rows of balls [-]
+
+    Returns
+    -------
+    tuple[HeatPath, ...]
+        paths with their conductances [W/K]
     """
     size = dimensions(bearing, around, rows)
     contacts = [
@@ -273,8 +322,23 @@ def _cavity(
 
 
 def ring_conductance(bearing: Bearing, race: Race, width: float) -> float:
-    """From the track of one row's ring, the rest of it insulated, to its seat [W/K], by finite
-    elements; width of the row [m].
+    """Conductance from the track of one row's ring to its seat, by finite elements.
+
+    The rest of the ring is insulated.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    race : Race
+        raceway of the ring
+    width : float
+        width of the row [m]
+
+    Returns
+    -------
+    float
+        conductance [W/K]
     """
     material = bearing.inner_ring_material if race is Race.INNER else bearing.outer_ring_material
     k = solid_thermal(material).conductivity
@@ -292,7 +356,22 @@ def ring_conductance(bearing: Bearing, race: Race, width: float) -> float:
 
 
 def with_dimensions(bearing: Bearing, bore: float, outside: float, width: float) -> Bearing:
-    """With the dimensions that are not given [m]."""
+    """The bearing with boundary dimensions.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of a row
+    bore, outside : float
+        diameters [m]
+    width : float
+        width [m]
+
+    Returns
+    -------
+    Bearing
+        changed bearing
+    """
     return replace(bearing, bore=bore, outside_diameter=outside, width=width)
 
 

@@ -144,9 +144,27 @@ class Designation:
 
 
 def read_designation(text: str) -> Designation | None:
-    """What a designation says; None if it is none of the series here, or has suffixes that are
-    not known. Case, spaces, hyphens and slashes do not matter, but for the slash before a bore in
+    """Read a designation of one of the series here.
+
+    Case, spaces, hyphens and slashes do not matter, but for the slash before a bore in
     millimetres, as in 618/10.
+
+    Parameters
+    ----------
+    text : str
+        designation with or without a maker's name
+
+    Returns
+    -------
+    Designation | None
+        its parts; None if it is of no series here or has suffixes that are not known
+
+    Examples
+    --------
+    >>> from bearing.library.designation import read_designation
+    >>> read = read_designation("SKF 6205-2RS C3")
+    >>> read.basic, read.sealed, read.clearance_class
+    ('6205', True, 'C3')
     """
     read, rest = _read(text)
     return None if rest else read
@@ -239,7 +257,18 @@ def _set(match: re.Match[str]) -> dict[str, object]:
 
 
 def why_unknown(text: str) -> str:
-    """What a designation that is not known seems to be; empty if nothing can be said."""
+    """Explain why a designation is not known.
+
+    Parameters
+    ----------
+    text : str
+        name that is no designation of the catalogue
+
+    Returns
+    -------
+    str
+        reason, for a message; empty if none can be given
+    """
     oil = re.search(r"\b(?:ISO ?)?VG ?\d+", text.upper())
     if oil is not None:
         return f"{oil.group()} is an oil, which goes to [lubricant] name"
@@ -252,7 +281,18 @@ def why_unknown(text: str) -> str:
 
 
 def series_and_bore(text: str) -> Designation | None:
-    """Series and bore with which a designation begins, whatever follows; None without them."""
+    """Series and bore with which a designation begins, whatever follows.
+
+    Parameters
+    ----------
+    text : str
+        designation with or without a maker's name
+
+    Returns
+    -------
+    Designation | None
+        series and bore number; None without them
+    """
     series = "|".join(sorted({*SERIES, *SYNONYMS}, key=len, reverse=True))
     match = re.match(rf"(?:HCB?|XCB?|B)?({series})(\d\d)(?!\d)", _without_maker(text))
     if match is None:

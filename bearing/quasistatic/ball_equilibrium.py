@@ -49,11 +49,24 @@ class BallsEquilibrium(NamedTuple):
 
 
 def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallsEquilibrium:
-    """Equilibrium of all balls at a given position of the inner ring; its `residual` says how well
-    each ball is in balance.
+    """Equilibrium of all balls at a given position of the inner ring.
 
-    `V` (2, Z): axial and radial distance from the outer to the inner groove's centre of
-    curvature at each ball [m]; `u_start` (2, Z): guess of the ball positions [m].
+    Its `residual` says how well each ball is in balance.
+
+    Parameters
+    ----------
+    V : Array
+        axial and radial distance from the outer to the inner groove's centre of curvature at each
+        ball, shape (2, Z) [m]
+    u_start : Array | None
+        initial guess of the ball positions, shape (2, Z) [m]
+    problem : BallProblem
+        numbers that all balls have in common
+
+    Returns
+    -------
+    BallsEquilibrium
+        positions, forces and their derivatives
     """
     u = np.ascontiguousarray(_start(V, u_start, problem))
     count = u.shape[1]

@@ -85,7 +85,22 @@ class BallState(NamedTuple):
 def ball_problem(
     bearing: Bearing, inner_speed: float, outer_speed: float, model: QuasistaticModel
 ) -> BallProblem:
-    """Collect what the balls share at given ring speeds [rad/s]."""
+    """Collect the numbers that the balls have in common.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    inner_speed, outer_speed : float
+        speeds of the rings [rad/s]
+    model : QuasistaticModel
+        hypothesis on the kinematics and curvature
+
+    Returns
+    -------
+    BallProblem
+        numbers of a ball, SI
+    """
     d = bearing.ball_diameter
     dm = bearing.pitch_diameter
     mass = ball_mass(d, bearing.ball_material.density)
@@ -110,10 +125,21 @@ def ball_problem(
 
 
 def ball_state(u: Numbers, w: Numbers, problem: BallProblem) -> BallState:
-    """Loads, angles, motion and body forces of balls at given positions.
+    """Loads, angles, motion and body forces of balls.
 
-    `u`, `w` (2, ...): axial and radial distance from the outer groove's centre to the ball and
-    from there to the inner groove's [m].
+    Parameters
+    ----------
+    u : Numbers
+        axial and radial distance from the outer groove's centre to the ball, shape (2, ...) [m]
+    w : Numbers
+        likewise from the ball to the inner groove's centre, shape (2, ...) [m]
+    problem : BallProblem
+        numbers that all balls have in common
+
+    Returns
+    -------
+    BallState
+        state of the balls
     """
     outer_distance = np.sqrt(u[0] * u[0] + u[1] * u[1])
     inner_distance = np.sqrt(w[0] * w[0] + w[1] * w[1])

@@ -52,8 +52,23 @@ def solve_between_elastic_rings(
 ) -> BetweenRings:
     """Balls and yielding rings in equilibrium at one position of the inner ring.
 
-    `rigid` (2, N): distances of the grooves' centres of rigid rings [m]; `start`: ball positions,
-    or None, and distances to begin with, shape (2, N) [m]; `movement` (2, 5, N): d(rigid)/dq [-].
+    Parameters
+    ----------
+    rigid : Array
+        distances of the grooves' centres of rigid rings, shape (2, N) [m]
+    start : tuple[Array | None, Array]
+        ball positions, or None, and distances to begin with, shape (2, N) [m]
+    movement : Array
+        d(rigid)/dq, shape (2, 5, N) [-]
+    problem : BallProblem
+        numbers that all balls have in common
+    compliance : RingCompliance
+        compliance of the rings
+
+    Returns
+    -------
+    BetweenRings
+        balls, distances and their derivatives
     """
     target = ROUND_OFF * (problem.inner_length + problem.outer_length)
     trial = _trial(start[1], start[0], rigid, problem, compliance)

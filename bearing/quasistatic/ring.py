@@ -65,8 +65,17 @@ class Ring(NamedTuple):
     compliance: RingCompliance | None  # of elastic rings
 
     def position(self, q: Array) -> Array:
-        """Distances (x, r) from outer to inner groove centres, shape (2, Z) [m], at ring position
-        `q` [m].
+        """Distances (x, r) from outer to inner groove centres at a ring position.
+
+        Parameters
+        ----------
+        q : Array
+            position of the ring, tilts times R_i, shape (5,) [m]
+
+        Returns
+        -------
+        Array
+            distances V, shape (2, Z) [m]
         """
         V: Array = np.einsum("vqz,q->vz", self.movement, q)
         V[0] += self.offset
@@ -74,8 +83,19 @@ class Ring(NamedTuple):
         return V
 
     def loads(self, equilibrium: BallsEquilibrium, balls: int) -> Array:
-        """Load of the balls on the ring by rows of `balls` balls, shape (rows, 5) [N],
-        moments over R_i.
+        """Load of the balls on the ring by rows, moments over R_i.
+
+        Parameters
+        ----------
+        equilibrium : BallsEquilibrium
+            balls at the ring's position
+        balls : int
+            number of balls a row [-]
+
+        Returns
+        -------
+        Array
+            loads, shape (rows, 5) [N]
         """
         each = np.einsum("qfz,fz->qz", self.gather, equilibrium.values[2:5])
         return each.reshape(5, -1, balls).sum(axis=2).T
@@ -115,8 +135,23 @@ def ring_of(
     rows: Sequence[Row] = SINGLE,
     rings: ElasticRings | None = None,
 ) -> Ring:
-    """Assemble what `solve_ring` needs from a bearing, its operation, rows and elastic rings (SI:
-    [m], [N], [rad]).
+    """Assemble the numbers that `solve_ring` needs, SI.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        loads and displacements of the inner ring
+    rows : Sequence[Row], default SINGLE
+        rows of balls on the inner ring
+    rings : ElasticRings | None, optional
+        rings that are elastic bodies
+
+    Returns
+    -------
+    Ring
+        loads, geometry and compliance
     """
     radius = bearing.inner_centre_radius
     scale = np.array([1.0, 1.0, 1.0, radius, radius])
@@ -140,12 +175,27 @@ def ring_of(
 
 
 def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tuple[RingPoint, int]:
-    """Newton's method on the free degrees of freedom of the ring, every ball in equilibrium at
-    every step; the best point, and the number of steps [-].
+    """Newton's method on the free degrees of freedom of the ring.
 
-    A step is accepted when the residual falls, or when the unbalanced force still points along it;
-    it is shortened when the force has turned against it (the minimum of the energy has been
-    passed). `start`: None makes a guess from the loads.
+    Every ball is in equilibrium at every step. A step is accepted when the residual falls, or when
+    the unbalanced force still points along it; it is shortened when the force has turned against
+    it (the minimum of the energy has been passed).
+
+    Parameters
+    ----------
+    ring : Ring
+        loads and geometry of the ring
+    problem : BallProblem
+        numbers that all balls have in common
+    start : RingStart | None
+        position to begin with; None: a guess from the loads
+
+    Returns
+    -------
+    point
+        best point of the iterations
+    iterations
+        number of steps [-]
     """
     q = _guess(ring, problem) if start is None else start.q
     point = _point(q, start, ring, problem)

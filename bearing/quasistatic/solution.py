@@ -75,8 +75,17 @@ class QuasistaticSolution:
         return np.repeat(np.arange(len(self.rows)), self.bearing.balls)
 
     def row(self, index: int) -> "QuasistaticSolution":
-        """One row alone, index from 0: its balls, what it holds of the load, its own cage speed
-        [rad/s].
+        """One row alone, with its balls, its fraction of the load and its own cage speed.
+
+        Parameters
+        ----------
+        index : int
+            number of the row, from 0 [-]
+
+        Returns
+        -------
+        QuasistaticSolution
+            solution of this row
         """
         part = slice(index * self.bearing.balls, (index + 1) * self.bearing.balls)
         arrays = {name: getattr(self, name)[part] for name in BALL_ARRAYS}

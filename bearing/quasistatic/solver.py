@@ -42,15 +42,51 @@ def solve_quasistatic(
 ) -> QuasistaticSolution:
     """Equilibrium of balls and inner ring, Jones (1960), Harris and Kotzalas; SI.
 
-    `model`: with one of the hypotheses on the balls' kinematics; `initial_guess`: a converged
-    solution of the same bearing at speeds and loads nearby, from where the search begins; `rows`:
-    of balls on the one inner ring. With `converged` False and a `message` where there is no
-    equilibrium or none was found.
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds, loads and displacements
+    model : QuasistaticModel | None, optional
+        assumptions, with one of the hypotheses on the balls' kinematics
+    initial_guess : QuasistaticSolution | None, optional
+        a converged solution of the same bearing at similar speeds and loads
+    rows : Sequence[Row], default SINGLE
+        rows of balls on the one inner ring
+
+    Returns
+    -------
+    QuasistaticSolution
+        equilibrium; with `converged` False and a `message` if there is none or the search failed
 
     Raises
     ------
     ValueError
-        For traction equilibrium, which `friction.equilibrium.solve_traction_equilibrium` solves.
+        for traction equilibrium, which `friction.equilibrium.solve_traction_equilibrium` solves
+
+    Examples
+    --------
+    >>> from bearing import Bearing, Operation, load_material, solve_quasistatic
+    >>> steel = load_material("bearing steel")
+    >>> bearing = Bearing(
+    ...     name="6208",
+    ...     ball_diameter=12e-3,
+    ...     pitch_diameter=60e-3,
+    ...     balls=9,
+    ...     inner_groove_radius=6.17e-3,
+    ...     outer_groove_radius=6.29e-3,
+    ...     diametral_clearance=13e-6,
+    ...     ball_material=steel,
+    ...     inner_ring_material=steel,
+    ...     outer_ring_material=steel,
+    ... )
+    >>> operation = Operation(inner_speed=300.0, force=(0.0, 1000.0, 0.0))
+    >>> solution = solve_quasistatic(bearing, operation)
+    >>> solution.converged
+    True
+    >>> f"{solution.inner_load.max():.0f} N"
+    '555 N'
     """
     model = model or QuasistaticModel()
     if model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
@@ -84,10 +120,28 @@ def solve_with_prescribed_balls(
     start: QuasistaticSolution,
     prescribed: PrescribedBalls,
 ) -> QuasistaticSolution:
-    """Equilibrium with the speeds [rad/s] of the balls and the friction [N] on them prescribed.
+    """Equilibrium with the speeds of the balls and the friction on them prescribed.
 
-    The search begins at `start`, at whose inner contacts [rad] the friction along the orbit acts;
+    The search begins at `start`, at whose inner contacts the friction along the orbit acts;
     otherwise as `solve_quasistatic`.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds, loads and displacements
+    model : QuasistaticModel
+        assumptions of the model
+    start : QuasistaticSolution
+        solution to begin with
+    prescribed : PrescribedBalls
+        speeds [rad/s] and friction [N] of the balls
+
+    Returns
+    -------
+    QuasistaticSolution
+        equilibrium, or `converged` False with a `message`
     """
     inputs = (bearing, operation, model, start.rows)
     ring = ring_of(bearing, operation, start.rows, model.rings)

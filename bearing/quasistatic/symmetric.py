@@ -33,8 +33,21 @@ class AlikeBalls(NamedTuple):
 
 
 def alike(bearing: Bearing, load: Array) -> AlikeBalls:
-    """Balls that differ under a load of the inner ring, shape (5,) [N], [N m]: all alike without
-    one across the axis; else mirror images about the load line.
+    """Balls that differ under a load of the inner ring.
+
+    All are equal without a load across the axis; else mirror images about the load line.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    load : Array
+        load of the inner ring, shape (5,) [N], [N m]
+
+    Returns
+    -------
+    AlikeBalls
+        balls to solve, and the one that each ball equals
     """
     count = bearing.balls
     if not np.any(load[1:]):
@@ -49,8 +62,19 @@ def alike(bearing: Bearing, load: Array) -> AlikeBalls:
 
 
 def solve_symmetric(bearing: Bearing, operation: Operation) -> QuasistaticSolution | None:
-    """Equilibrium under speeds [rad/s] and loads [N], [N m] by the balls that differ; None where
-    that is none for all balls.
+    """Equilibrium under speeds and loads by the balls that differ.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds and loads
+
+    Returns
+    -------
+    QuasistaticSolution | None
+        equilibrium; None if that of the different balls is none for all balls
     """
     model = QuasistaticModel()
     ring = ring_of(bearing, operation)
@@ -67,7 +91,22 @@ def solve_symmetric(bearing: Bearing, operation: Operation) -> QuasistaticSoluti
 
 
 def unknowns(bearing: Bearing, operation: Operation) -> tuple[int, int]:
-    """Unknowns of `solve_symmetric` in its static and its quasi-static stage [-]."""
+    """Unknowns of `solve_symmetric`.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    operation : Operation
+        speeds and loads
+
+    Returns
+    -------
+    static
+        in the static stage [-]
+    quasi_static
+        in the quasi-static stage [-]
+    """
     ring = ring_of(bearing, operation)
     balls = alike(bearing, ring.load)
     free = int(_few(ring, balls).free.sum())

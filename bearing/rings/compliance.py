@@ -46,7 +46,20 @@ class GrooveCompliance(NamedTuple):
     places: SeatPlaces | None = None  # of a seat that presses there only
 
     def opening_force(self, force: Array, V: Array) -> OpeningForce:
-        """Of forces, shape (2, N) [N]; unloaded balls have the direction of V, shape (2, N)."""
+        """Opening parts of forces, with their derivatives.
+
+        Parameters
+        ----------
+        force : Array
+            forces (x, r) of the balls, shape (2, N) [N]
+        V : Array
+            distances of the grooves' centres, the direction of unloaded balls, shape (2, N) [m]
+
+        Returns
+        -------
+        OpeningForce
+            parts that open the groove
+        """
         size = np.hypot(*force)
         loaded = size > 0.0
         s, c = np.where(loaded, force, self.outward * V) / np.where(loaded, size, np.hypot(*V))
@@ -57,7 +70,20 @@ class GrooveCompliance(NamedTuple):
         return OpeningForce(size * s * s / scale, slope, bend * across[:, None] * across)
 
     def deflection(self, force: Array, V: Array) -> Array:
-        """Movement of the groove's centre at the balls (x, r), shape (2, N) [m]."""
+        """Movement of the groove's centre at the balls.
+
+        Parameters
+        ----------
+        force : Array
+            forces (x, r) of the balls, shape (2, N) [N]
+        V : Array
+            distances of the grooves' centres, shape (2, N) [m]
+
+        Returns
+        -------
+        Array
+            movement (x, r), shape (2, N) [m]
+        """
         part = self.opening_force(force, V)
         axial, radial, opened, opening = self._matrices(force, part)
         moved = part.slope * (opened.T @ force[1] + opening @ part.size)
@@ -66,7 +92,20 @@ class GrooveCompliance(NamedTuple):
         return np.asarray(moved)
 
     def derivative(self, force: Array, V: Array) -> Array:
-        """d(deflection)/dF, shape (2, N, 2, N) [m/N]."""
+        """Derivative of the deflection by the forces.
+
+        Parameters
+        ----------
+        force : Array
+            forces (x, r) of the balls, shape (2, N) [N]
+        V : Array
+            distances of the grooves' centres, shape (2, N) [m]
+
+        Returns
+        -------
+        Array
+            d(deflection)/dF, shape (2, N, 2, N) [m/N]
+        """
         part = self.opening_force(force, V)
         axial, radial, opened, opening = self._matrices(force, part)
         whole = np.einsum("vj,jk,wk->vjwk", part.slope, opening, part.slope)
@@ -80,8 +119,22 @@ class GrooveCompliance(NamedTuple):
         return np.asarray(whole)
 
     def reactions(self, force: Array, V: Array) -> tuple[Array, Array]:
-        """Forces of the places of the seat [N], and the movement of the ring as a whole towards
-        them (y, z), shape (rows, 2) [m]; nothing without places.
+        """Forces of the supports of the seat, and the movement of the ring as a whole towards
+        them.
+
+        Parameters
+        ----------
+        force : Array
+            forces (x, r) of the balls, shape (2, N) [N]
+        V : Array
+            distances of the grooves' centres, shape (2, N) [m]
+
+        Returns
+        -------
+        pressed
+            forces of the supports, empty without any [N]
+        moved
+            movement (y, z), shape (rows, 2) [m]
         """
         if self.places is None:
             return np.zeros(0), np.zeros((0, 2))
@@ -119,13 +172,43 @@ class RingCompliance(NamedTuple):
     outer: GrooveCompliance
 
     def shift(self, inner_force: Array, centrifugal: Array, V: Array) -> Array:
-        """What the rings yield, from outer to inner groove centre, shape (2, N) [m]."""
+        """Yield of the rings, from outer to inner groove centre.
+
+        Parameters
+        ----------
+        inner_force : Array
+            forces (x, r) of the balls on the inner ring, shape (2, N) [N]
+        centrifugal : Array
+            centrifugal forces, shape (N,) [N]
+        V : Array
+            distances of the grooves' centres, shape (2, N) [m]
+
+        Returns
+        -------
+        Array
+            shift (x, r), shape (2, N) [m]
+        """
         inner, outer = self.deflections(inner_force, centrifugal, V)
         return inner - outer
 
     def deflections(self, inner_force: Array, centrifugal: Array, V: Array) -> tuple[Array, Array]:
-        """Movement of the groove's centre of the inner and the outer ring, (x, r) each, shape (2,
-        N) [m].
+        """Movement of the groove's centre of the inner and the outer ring.
+
+        Parameters
+        ----------
+        inner_force : Array
+            forces (x, r) of the balls on the inner ring, shape (2, N) [N]
+        centrifugal : Array
+            centrifugal forces, shape (N,) [N]
+        V : Array
+            distances of the grooves' centres, shape (2, N) [m]
+
+        Returns
+        -------
+        inner
+            movement (x, r), shape (2, N) [m]
+        outer
+            movement (x, r), shape (2, N) [m]
         """
         outer_force = _on_outer_ring(inner_force, centrifugal)
         return self.inner.deflection(inner_force, V), self.outer.deflection(outer_force, V)
@@ -133,8 +216,23 @@ class RingCompliance(NamedTuple):
     def derivative(
         self, inner_force: Array, centrifugal: Array, V: Array, ring_dV: Array
     ) -> Array:
-        """d(shift)/dV of the derivatives of the forces (x, r, couple, centrifugal) by V, shape (4,
-        2, N) [N/m]; shape (2, N, 2, N) [-].
+        """Derivative of the shift by the distances V of the grooves' centres.
+
+        Parameters
+        ----------
+        inner_force : Array
+            forces (x, r) of the balls on the inner ring, shape (2, N) [N]
+        centrifugal : Array
+            centrifugal forces, shape (N,) [N]
+        V : Array
+            distances of the grooves' centres, shape (2, N) [m]
+        ring_dV : Array
+            derivatives of the forces (x, r, couple, centrifugal) by V, shape (4, 2, N) [N/m]
+
+        Returns
+        -------
+        Array
+            d(shift)/dV, shape (2, N, 2, N) [-]
         """
         inner = self.inner.derivative(inner_force, V)
         outer = self.outer.derivative(_on_outer_ring(inner_force, centrifugal), V)
@@ -152,7 +250,18 @@ def _on_outer_ring(inner_force: Array, centrifugal: Array) -> Array:
 
 @lru_cache(maxsize=16)
 def response_of(ring: ElasticRing) -> bodies.RingResponse:
-    """Displacement of a ring under unit forces, computed once a process."""
+    """Displacement of a ring under unit forces, computed once a process.
+
+    Parameters
+    ----------
+    ring : ElasticRing
+        elastic ring on its seat
+
+    Returns
+    -------
+    bodies.RingResponse
+        response over the angle [m/N]
+    """
     return bodies.ring_response(
         ring.profile,
         ring.elasticity,
@@ -164,7 +273,22 @@ def response_of(ring: ElasticRing) -> bodies.RingResponse:
 
 
 def ring_compliance(rings: ElasticRings, azimuths: Array, balls: int) -> RingCompliance:
-    """Compliance of the rings between balls at azimuths [rad], rows of `balls` each."""
+    """Compliance of the rings between balls.
+
+    Parameters
+    ----------
+    rings : ElasticRings
+        elastic rings; None of a rigid one
+    azimuths : Array
+        azimuths of the balls, row by row, shape (N,) [rad]
+    balls : int
+        number of balls a row [-]
+
+    Returns
+    -------
+    RingCompliance
+        compliance of both rings [m/N]
+    """
     row = np.arange(azimuths.size) // balls
     together = row[:, None] == row[None, :]
     angles = azimuths[:, None] - azimuths[None, :]

@@ -66,14 +66,31 @@ def elastic_ring(
 ) -> ElasticRing:
     """The elastic ring of a bearing; its clearance plays no part.
 
-    `shoulder`: diameter [m], and whether it is an estimate; `body`: bore of the shaft or outside
-    diameter of the housing [m] with its material, for `Seat.ELASTIC`; `supports`: azimuths of
-    the places of `Seat.SPLIT` [rad].
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry and materials
+    race : Race
+        raceway of the ring
+    seat : Seat
+        kind of the seat
+    shoulder : tuple[float, bool]
+        diameter of the shoulder [m], and whether it is an estimate
+    body : tuple[float, Material] | None, optional
+        bore of the shaft or outside diameter of the housing [m] with its material, for
+        `Seat.ELASTIC`
+    supports : tuple[float, ...], default ()
+        azimuths of the supports of `Seat.SPLIT` [rad]
+
+    Returns
+    -------
+    ElasticRing
+        section, elastic constants and seat
 
     Raises
     ------
     ValueError
-        If bore, outside diameter or width are not known, or the section is impossible.
+        if bore, outside diameter or width is missing, or the section is impossible
     """
     inner = race is Race.INNER
     name = "bore" if inner else "outside_diameter"

@@ -36,7 +36,20 @@ class SeatPlaces(NamedTuple):
     balance: Array  # resultant of the balls, towards the places, shape (2 rows, 2 N) [-]
 
     def reactions(self, parts: Array) -> tuple[Array, Array]:
-        """R, shape (P,) [N], and z, shape (2 rows,) [m], under forces, shape (2 N,) [N]."""
+        """Forces R of the supports and movement z of the ring under forces of the balls.
+
+        Parameters
+        ----------
+        parts : Array
+            radial forces and opening parts of the balls, shape (2 N,) [N]
+
+        Returns
+        -------
+        force
+            R, shape (P,) [N]
+        movement
+            z, shape (2 rows,) [m]
+        """
         pressing = self._pressing(parts)
         system, load = self._system(pressing)
         found = np.linalg.solve(system, load @ parts)
@@ -45,7 +58,18 @@ class SeatPlaces(NamedTuple):
         return force, np.asarray(found[pressing.sum() :], dtype=np.float64)
 
     def taken(self, parts: Array) -> Array:
-        """What the places take from the compliance, shape (2 N, 2 N) [m/N]."""
+        """Reduction of the compliance by the supports.
+
+        Parameters
+        ----------
+        parts : Array
+            radial forces and opening parts of the balls, shape (2 N,) [N]
+
+        Returns
+        -------
+        Array
+            reduction, shape (2 N, 2 N) [m/N]
+        """
         system, load = self._system(self._pressing(parts))
         return np.asarray(load.T @ np.linalg.solve(system, load))
 
@@ -71,10 +95,23 @@ class SeatPlaces(NamedTuple):
 def seat_places(
     response: SeatResponse, azimuths: Array, on_balls: tuple[Array, int], outward: float
 ) -> SeatPlaces:
-    """Places at azimuths [rad] on the ring of each row.
+    """Supports at azimuths on the ring of each row.
 
-    `on_balls`: azimuths of the balls [rad], and how many of them are in a row; `outward`: 1 for
-    an outer, -1 for an inner ring.
+    Parameters
+    ----------
+    response : SeatResponse
+        response of the ring to forces at its seat
+    azimuths : Array
+        azimuths of the supports [rad]
+    on_balls : tuple[Array, int]
+        azimuths of the balls [rad], and the number of balls a row
+    outward : float
+        1 for an outer, -1 for an inner ring [-]
+
+    Returns
+    -------
+    SeatPlaces
+        supports with their compliance
     """
     ball_azimuths, balls = on_balls
     rows = ball_azimuths.size // balls

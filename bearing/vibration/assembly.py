@@ -45,13 +45,41 @@ class Assembled:
 
 
 def track_radius(bearing: Bearing, race: Race, contact_angle: float) -> float:
-    """Radius at which balls roll on a race, d_m/2 -+ D/2 cos(angle) [m]; angle in [rad]."""
+    """Radius at which balls roll on a race, d_m/2 -+ D/2 cos(angle).
+
+    Parameters
+    ----------
+    bearing : Bearing
+        geometry of the row
+    race : Race
+        raceway
+    contact_angle : float
+        contact angle [rad]
+
+    Returns
+    -------
+    float
+        radius [m]
+    """
     side = -1.0 if race is Race.INNER else 1.0
     return 0.5 * (bearing.pitch_diameter + side * bearing.ball_diameter * np.cos(contact_angle))
 
 
 def mean_angle(solution: QuasistaticSolution, race: Race) -> float:
-    """Contact angle of a race, mean over the balls by their loads [rad]."""
+    """Contact angle of a race, mean over the balls by their loads.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    race : Race
+        raceway
+
+    Returns
+    -------
+    float
+        mean angle [rad]
+    """
     inner = race is Race.INNER
     load = solution.inner_load if inner else solution.outer_load
     angle = solution.inner_contact_angle if inner else solution.outer_contact_angle
@@ -61,15 +89,31 @@ def mean_angle(solution: QuasistaticSolution, race: Race) -> float:
 def assembled(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], model: VibrationModel
 ) -> Assembled:
-    """The equations of a bearing, SI, the films of its contacts solved where the model asks for
-    them; behind a layer of oil where their conditions have one, but for the waves' way through.
+    """The equations of a bearing, SI.
+
+    The films of its contacts are solved if the model asks for them; with the oil at their inlet if
+    their conditions have a layer, except for the transmission of waves.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    contacts : Sequence[BearingContact]
+        its contacts
+    model : VibrationModel
+        form of the surfaces, supports and options
+
+    Returns
+    -------
+    Assembled
+        numbers of the equations, and the films solved for them
 
     Raises
     ------
     ValueError
-        If dimensions are missing, a wave is too short for the record, or nothing turns.
+        if dimensions are missing, a wave is too short for the record, or nothing turns
     FilmsNotSolvedError
-        If a film is not solved.
+        if a film is not solved
     """
     _check(solution, model)
     films: dict[Race, SolvedFilms] = {}
@@ -114,8 +158,21 @@ def assembled(
 
 
 def resonance(solution: QuasistaticSolution, support: Support) -> float:
-    """Of the inner ring on its balls in the radial direction of the load [Hz]; of the outer ring
-    where that one is held.
+    """Frequency of the inner ring on its balls in the radial direction of the load.
+
+    That of the outer ring if the inner one is fixed.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    support : Support
+        supports of the rings
+
+    Returns
+    -------
+    float
+        frequency [Hz]
     """
     mass = _masses(solution.bearing, support)[0 if not support.inner_ring_held else OUTER]
     return sqrt(float(solution.stiffness[1, 1]) / mass) / (2.0 * pi)

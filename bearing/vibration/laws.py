@@ -42,7 +42,20 @@ class SolvedFilms:
 
 
 def stiffness_factor(solution: QuasistaticSolution, race: Race) -> float:
-    """K of Hertz' law Q = K d^1.5 at the load-weighted mean contact angle [N/m^1.5]."""
+    """K of Hertz' law Q = K d^1.5 at the load-weighted mean contact angle.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    race : Race
+        raceway
+
+    Returns
+    -------
+    float
+        K [N/m^1.5]
+    """
     bearing = solution.bearing
     inner = race is Race.INNER
     load = solution.inner_load if inner else solution.outer_load
@@ -53,7 +66,25 @@ def stiffness_factor(solution: QuasistaticSolution, race: Race) -> float:
 
 
 def heaviest(contacts: Sequence[BearingContact], race: Race) -> BearingContact:
-    """The contact of a race with the largest load; ValueError where none is loaded [N]."""
+    """The contact of a race with the largest load.
+
+    Parameters
+    ----------
+    contacts : Sequence[BearingContact]
+        contacts of the equilibrium
+    race : Race
+        raceway
+
+    Returns
+    -------
+    BearingContact
+        its most heavily loaded contact
+
+    Raises
+    ------
+    ValueError
+        if none is loaded
+    """
     worst = max((c for c in contacts if c.race is race), key=lambda contact: contact.load)
     if not worst.load > 0.0:
         raise ValueError(f"no ball is loaded at the {race.value} race: nothing to vibrate on")
@@ -63,13 +94,29 @@ def heaviest(contacts: Sequence[BearingContact], race: Race) -> BearingContact:
 def solved_films(
     contact: BearingContact, factor: float, frequency: float, options: SolverOptions | None = None
 ) -> SolvedFilms:
-    """Response of a contact and of lighter ones at a frequency [Hz], or at the highest that a mesh
-    carries. factor: K of Hertz [N/m^1.5].
+    """Response of a contact and of lighter ones at a frequency, or at the highest that a mesh
+    carries.
+
+    Parameters
+    ----------
+    contact : BearingContact
+        contact of the equilibrium
+    factor : float
+        K of Hertz [N/m^1.5]
+    frequency : float
+        frequency of the response [Hz]
+    options : SolverOptions | None, optional
+        mesh of the films
+
+    Returns
+    -------
+    SolvedFilms
+        stiffness and damping at some loads
 
     Raises
     ------
     FilmsNotSolvedError
-        If a film or its response is not solved.
+        if a film or its response is not solved
     """
     own = contact.conditions
     if own is None:
@@ -100,8 +147,21 @@ def solved_films(
 
 
 def film_law(factor: float, films: SolvedFilms) -> ContactLawTable:
-    """Law with the stiffness dQ/dd and the damping of solved films over the load; the damping of
-    lighter contacts fades with the load. factor: K of Hertz [N/m^1.5].
+    """Law with the stiffness dQ/dd and the damping of solved films over the load.
+
+    The damping of lighter contacts fades with the load.
+
+    Parameters
+    ----------
+    factor : float
+        K of Hertz [N/m^1.5]
+    films : SolvedFilms
+        solved films of the race
+
+    Returns
+    -------
+    ContactLawTable
+        law over the logarithm of the approach
     """
     largest = films.loads[-1]
     dry = (largest / factor) ** (2.0 / 3.0)
@@ -121,8 +181,21 @@ def film_law(factor: float, films: SolvedFilms) -> ContactLawTable:
 
 
 def dry_law(factor: float, largest: float, loss_time: float) -> ContactLawTable:
-    """Hertz' law [N/m^1.5] with a damping of loss_time [s] times its stiffness, for loads around
-    the largest [N].
+    """Hertz' law with a damping in proportion to its stiffness.
+
+    Parameters
+    ----------
+    factor : float
+        K of Hertz [N/m^1.5]
+    largest : float
+        largest load of the race [N]
+    loss_time : float
+        damping over stiffness [s]
+
+    Returns
+    -------
+    ContactLawTable
+        law over the logarithm of the approach
     """
     dry = (largest / factor) ** (2.0 / 3.0)
     grid = np.geomspace(SPAN[0] * dry, SPAN[1] * dry, NODES)
@@ -131,7 +204,24 @@ def dry_law(factor: float, largest: float, loss_time: float) -> ContactLawTable:
 
 
 def linear_law(factor: float, mean: float, largest: float, loss_time: float) -> ContactLawTable:
-    """Spring k d with Hertz' stiffness k at the mean load [N] of the loaded contacts."""
+    """Spring k d with Hertz' stiffness k at the mean load of the loaded contacts.
+
+    Parameters
+    ----------
+    factor : float
+        K of Hertz [N/m^1.5]
+    mean : float
+        mean load [N]
+    largest : float
+        largest load of the race [N]
+    loss_time : float
+        damping over stiffness [s]
+
+    Returns
+    -------
+    ContactLawTable
+        law over the logarithm of the approach
+    """
     stiffness = HERTZ * factor ** (2.0 / 3.0) * mean ** (1.0 / 3.0)
     grid = np.geomspace(SPAN[0], SPAN[1], NODES) * largest / stiffness
     damping = np.full(NODES, loss_time * stiffness)
@@ -139,8 +229,25 @@ def linear_law(factor: float, mean: float, largest: float, loss_time: float) -> 
 
 
 def law_table(approach: Array, factor: Array, damping: Array, exponent: float) -> ContactLawTable:
-    """Law from its factor [N/m^n] and damping [N s/m] at approaches even in their logarithm [m];
-    the energy is the force's integral.
+    """Law from its factor and damping at approaches even in their logarithm.
+
+    The energy is the force's integral.
+
+    Parameters
+    ----------
+    approach : Array
+        approaches, shape (n,) [m]
+    factor : Array
+        elastic force over approach^n, shape (n,) [N/m^n]
+    damping : Array
+        shape (n,) [N s/m]
+    exponent : float
+        n [-]
+
+    Returns
+    -------
+    ContactLawTable
+        law for the kernels
     """
     logs = np.log(approach)
     power = exponent + 1.0

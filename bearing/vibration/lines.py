@@ -40,7 +40,22 @@ class Line:
 def expected_lines(
     solution: QuasistaticSolution, equations: Assembled, form: SurfaceForm
 ) -> tuple[Line, ...]:
-    """Lines of all waves, defects and balls of a form, and of the passing balls [Hz]."""
+    """Lines of all waves, defects and balls of a form, and of the passing balls.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    equations : Assembled
+        equations with the simulated speeds
+    form : SurfaceForm
+        form of the surfaces
+
+    Returns
+    -------
+    tuple[Line, ...]
+        lines, each frequency once [Hz]
+    """
     speeds = np.asarray(equations.arrays.speeds) / (2.0 * pi)
     balls = solution.bearing.balls
     lines = []
@@ -69,7 +84,20 @@ def expected_lines(
 
 
 def passing(solution: QuasistaticSolution, equations: Assembled) -> Frequencies:
-    """Frequencies [Hz] with the cage speed that is simulated."""
+    """Frequencies with the cage speed that is simulated.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    equations : Assembled
+        equations with the simulated speeds
+
+    Returns
+    -------
+    Frequencies
+        frequencies [Hz]
+    """
     inner, outer, cage, ball = np.asarray(equations.arrays.speeds) / (2.0 * pi)
     balls = solution.bearing.balls
     return Frequencies(
@@ -81,7 +109,18 @@ def passing(solution: QuasistaticSolution, equations: Assembled) -> Frequencies:
 
 
 def kinematic(solution: QuasistaticSolution) -> Frequencies:
-    """Frequencies [Hz] of rolling at the mean contact angle of the inner race."""
+    """Frequencies of rolling at the mean contact angle of the inner race.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+
+    Returns
+    -------
+    Frequencies
+        frequencies [Hz]
+    """
     operation: Operation = solution.operation
     angle = mean_angle(solution, Race.INNER)
     return kinematic_frequencies(solution.bearing, operation, angle)

@@ -30,9 +30,27 @@ LOOK = 10000
 def advance_explicit(
     state: SimulationState, motion: SolvedMotion, times: Array, control: StepControl, scale: Array
 ) -> tuple[int, Record]:
-    """Move a state on to the given times [s]; the kernel's status, and the rows reached.
+    """Move a state on to the given times by compiled explicit steps.
 
-    `scale`, shape (mechanical,): errors that count as one [SI].
+    Parameters
+    ----------
+    state : SimulationState
+        state of the simulation, changed
+    motion : SolvedMotion
+        equations in use
+    times : Array
+        times of the samples, rising [s]
+    control : StepControl
+        limits of the steps
+    scale : Array
+        errors that count as one, shape (mechanical,) [SI]
+
+    Returns
+    -------
+    status
+        status of the kernel
+    record
+        the rows reached
     """
     y, history = motion.begin(state)
     record = empty_record(times, motion.solved)
@@ -66,9 +84,29 @@ class _Pace:
 def advance_implicit(
     state: SimulationState, motion: SolvedMotion, times: Array, control: StepControl, scale: Array
 ) -> tuple[int, Record]:
-    """`advance_explicit` by LSODA; status DONE or TOO_SMALL, and the rows reached [SI].
+    """Move a state on to the given times by LSODA.
 
     Its systems of a hundred unknowns are solved by one thread: several took twelve times as long.
+
+    Parameters
+    ----------
+    state : SimulationState
+        state of the simulation, changed
+    motion : SolvedMotion
+        equations in use
+    times : Array
+        times of the samples, rising [s]
+    control : StepControl
+        limits of the steps
+    scale : Array
+        errors that count as one, shape (mechanical,) [SI]
+
+    Returns
+    -------
+    status
+        DONE or TOO_SMALL
+    record
+        the rows reached
     """
     y, history = motion.begin(state)
     record = empty_record(times, motion.solved)
