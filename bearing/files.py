@@ -1,4 +1,4 @@
-"""Files that are there as a whole or not at all."""
+"""Files that appear complete or not at all."""
 
 import atexit
 import errno
@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-# of a disk that is full, beyond the user's share, broken or read-only
+# errors of a disk that is full, beyond the user's quota, broken or read-only
 DISK_ERRORS = frozenset(
     getattr(errno, name)
     for name in ("ENOSPC", "EDQUOT", "EFBIG", "EIO", "EROFS")

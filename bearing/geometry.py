@@ -24,7 +24,7 @@ ANGULAR_CONTACT = radians(14.25)
 
 
 class BearingType(Enum):
-    """What rating and friction formulas distinguish."""
+    """Types that rating and friction formulas distinguish."""
 
     DEEP_GROOVE = "deep groove"
     ANGULAR_CONTACT = "angular contact"
@@ -137,7 +137,7 @@ class Bearing:
 
     @property
     def angular_contact(self) -> bool:
-        """Whether the bearing is one of angular contact: by its type, which no clearance changes,
+        """True for a bearing of angular contact: by its type, which no clearance changes,
         or where none is given by a free contact angle above 14.25 degrees.
         """
         if self.type is None:

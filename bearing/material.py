@@ -20,13 +20,13 @@ FIELDS = {  # of Material: key of the data file
     "bending_strength": "bending_strength_MPa",
     "weibull_modulus": "weibull_modulus",
 }
-# positive where they are known
+# positive or None
 MAY_BE_UNKNOWN = ("thermal_conductivity", "specific_heat", "bending_strength", "weibull_modulus")
 STRENGTH = ("bending_strength", "weibull_modulus")  # of brittle materials, with their ranges
 
 
 class MaterialKind(Enum):
-    """What rating standards distinguish."""
+    """Kinds that rating standards distinguish."""
 
     BEARING_STEEL = "bearing steel"
     SILICON_NITRIDE = "silicon nitride"
@@ -60,8 +60,8 @@ class Material:
     kind: MaterialKind = MaterialKind.OTHER
     thermal_conductivity: float | None = None  # k [W/(m K)]; None if not known
     specific_heat: float | None = None  # c at constant pressure [J/(kg K)]; None if not known
-    # of a brittle material: mean strength of bars in four-point bending, Weibull's modulus, and
-    # the ends of what is known of them; None if not known
+    # brittle material: mean strength of bars in four-point bending, Weibull's modulus, and
+    # the ends of their ranges; None if not known
     bending_strength: float | None = None  # [Pa]
     weibull_modulus: float | None = None  # m [-]
     bending_strength_range: tuple[float, float] | None = None  # [Pa]

@@ -1,5 +1,4 @@
-"""Rows of balls on one inner ring: where they sit, and how far their grooves are set against each
-other.
+"""Rows of balls on one inner ring: their positions and the offsets of their grooves.
 
 All rows have the same bearing. The undisplaced inner ring is the reference: there the middle of a
 row's inner groove lies at `axial_position`, that of its outer groove `offset` behind. A row
@@ -21,7 +20,7 @@ from .geometry import Array, Bearing
 class Row:
     """One row of balls."""
 
-    # of the middle of the inner groove from the point about which moments and tilts count [m]
+    # middle of the inner groove from the point about which moments and tilts count [m]
     axial_position: float = 0.0
     # middle of the inner groove from that of the outer one along +x, ring undisplaced [m]
     offset: float = 0.0

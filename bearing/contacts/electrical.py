@@ -34,7 +34,7 @@ Ends = tuple[float, float, float]  # value, low and high end
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Electrical:
-    """Of a bearing between its rings."""
+    """Capacitance and breakdown voltage of a bearing between its rings."""
 
     capacitance: float  # [F]
     capacitance_low: float  # by films and balls [F]
@@ -124,7 +124,7 @@ def _is_known(material: Material) -> bool:
 
 
 def _carries_both(contacts: Contacts, ball: int) -> bool:
-    """Whether a ball touches both races: an unloaded inner contact breaks the path."""
+    """Check that a ball touches both races: an unloaded inner contact breaks the path."""
     own = [c for c in contacts if c.ball == ball]
     return all(c.conditions is not None for c in own)
 
@@ -152,7 +152,7 @@ def _paths(
 
 
 def _ball_capacitance(spots: Array, radius: float) -> Ends:
-    """Of a ball of silicon nitride [F]; semi-axes of both spots, shape (2, 2), radius [m]."""
+    """Capacitance of a ball of silicon nitride [F]; semi-axes of both spots (2, 2), radius [m]."""
     permittivity = VACUUM_PERMITTIVITY * CERAMIC_PERMITTIVITY
     short, long = np.sort(spots, axis=1).T
     one = 2.0 * pi * permittivity * long / scipy.special.ellipk(1.0 - (short / long) ** 2)

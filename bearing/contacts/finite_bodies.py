@@ -39,7 +39,7 @@ class RaceDifference:
 
     @property
     def total(self) -> SurfaceDifference:
-        """Of both bodies and the gap."""
+        """Difference of both bodies and the gap."""
         return self.ring.with_body(self.ball).with_body(self.groove)
 
     def radii(self, radii: tuple[float, float], load: float) -> tuple[float, float]:
@@ -64,7 +64,7 @@ class RaceDifference:
 
     @property
     def approach_change(self) -> float:
-        """What both bodies give way more than half-spaces [m]."""
+        """Approach of both bodies beyond that of half-spaces [m]."""
         return self.ring.constant + self.ball.constant
 
     @property
@@ -233,7 +233,7 @@ def ring_profile(bearing: Bearing, race: Race) -> RingProfile:
 
 
 def _obstacle(bearing: Bearing, contact: BearingContact) -> str:
-    """Why the difference cannot be had at the heaviest contact of a race; empty where it can."""
+    """Reason against a difference at the heaviest contact of a race; empty without one."""
     race = contact.race
     if contact.hertz is None:
         return f"no ball is loaded at the {race.value} race"

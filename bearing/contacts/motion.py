@@ -136,7 +136,7 @@ _LAST: LastOf[MotionMap] = LastOf()
 
 
 def _motion_map(solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> MotionMap:
-    """As `motion_map`."""
+    """Build the map of `motion_map`."""
     inner = np.array([contact.race is Race.INNER for contact in contacts], dtype=np.bool_)
     angle = np.array([contact.contact_angle for contact in contacts])
     ball = np.array([contact.ball - 1 for contact in contacts], dtype=np.int64)

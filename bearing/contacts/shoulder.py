@@ -57,7 +57,7 @@ class Truncation:
 
     @property
     def truncated(self) -> bool:
-        """Whether a shoulder cuts the ellipse."""
+        """True if a shoulder cuts the ellipse."""
         return self.distance_ratio < 1.0
 
 

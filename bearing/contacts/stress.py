@@ -1,4 +1,4 @@
-"""What a loaded contact does to its bodies: stress below it and sliding in it.
+"""Stress below a loaded contact, and sliding in it.
 
 The ellipse, pressure and stresses are those of the dry Hertz contact. Sliding is that of the ball
 hypotheses: none in the middle, spin about the normal, and the difference of radii across the
@@ -96,7 +96,7 @@ def _stresses(
     contacts: Sequence[BearingContact],
     hertz: Sequence[HertzContact],
 ) -> Iterator[ContactStress]:
-    """Of loaded contacts."""
+    """Stress and sliding of loaded contacts."""
     bearing = solution.bearing
     motion = motion_map(solution, contacts).motion(*ball_speeds(solution))
     ellipses = np.array([(h.semi_axis_x, h.semi_axis_y, h.pressure) for h in hertz]).T
@@ -152,8 +152,10 @@ def largest_sliding(
 
 @cache
 def _places() -> tuple[Array, Array, Array]:
-    """x and y over the semi-axes, shape (ANGLES // 2 + 1, RINGS + 1), and pressure over Hertz',
-    (RINGS + 1,), of the half of an ellipse with x >= 0: speeds are even in x.
+    """Points of the half of an ellipse with x >= 0: speeds are even in x.
+
+    x and y over the semi-axes, shape (ANGLES // 2 + 1, RINGS + 1), and pressure over Hertz',
+    shape (RINGS + 1,).
     """
     angle = np.linspace(-0.5 * pi, 0.5 * pi, ANGLES // 2 + 1)[:, None]
     share = np.linspace(0.0, 1.0, RINGS + 1)

@@ -43,8 +43,8 @@ from .reduction import solved_places
 
 HERTZ_EXPONENT = 1.5
 RAMP_SHARE = 0.01  # of the ramp of the friction that an error of speed may make up [-]
-# of the entrainment that it may make up, over the tolerance: a bearing at 1 r/min closed its
-# energies to 0.1 of the work without it, to 3e-4 with it [-]
+# fraction of the entrainment that it may make up, over the tolerance: a bearing at 1 r/min closed
+# its energies to 0.1 of the work without it, to 3e-4 with it [-]
 ROLLING_SHARE = 3.0
 # friction that follows the entrainment reverses, in a bearing that comes to rest, over at least
 # this part of its fastest entrainment, up to the speed of Coulomb's ramp: at rest it would jump
@@ -341,14 +341,14 @@ def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
 
 
 def _rotating_numbers(model: DynamicsModel) -> dict[str, Any]:
-    """Those of the load that goes round [SI]."""
+    """Numbers of the rotating load [SI]."""
     load = model.rotating
     numbers = (0.0, 0.0, 0.0) if load is None else (load.force, load.speed, load.phase)
     return dict(zip(("rotating_force", "rotating_speed", "rotating_phase"), numbers, strict=True))
 
 
 def _cage_numbers(cage: CageBody, balls: int) -> dict[str, Any]:
-    """Those of the cage, its pockets and lands [SI]."""
+    """Numbers of the cage, its pockets and lands [SI]."""
     return {
         "cage_transverse": cage.transverse_inertia,
         "cage_polar": cage.polar_inertia,

@@ -15,7 +15,7 @@ from .choices import Guidance, LoadType
 from .inputs import CageBody, DynamicsModel, RingBody
 from .layout import RING_TILT
 
-# of an estimated cage, over the ball's diameter [-]; pockets: 0.2 mm at balls of 7 mm, Ma et al.
+# estimated cage over the ball's diameter [-]; pockets: 0.2 mm at balls of 7 mm, Ma et al.
 # (2023). Thickness and web make a light cage: half or twice of each takes the shipped 7008 under
 # combined load from 1.7 g to 0.9 to 3.5 g, changes its speed by 1e-5 and the largest force in a
 # pocket by up to a half. Half or twice the clearance changes the slip by a tenth and a quarter.
@@ -221,7 +221,7 @@ def cage_body(
     )
 
 
-# what a load type needs to rest at zero besides gravity: columns of `given_values`, coordinates of
+# values that a load type needs at zero besides gravity: columns of `given_values`, coordinates of
 # the ring
 ACROSS = slice(GIVEN_FORCE + 1, None)
 ALONG = (GIVEN_FORCE, GIVEN_MOMENT, GIVEN_MOMENT + 1)

@@ -41,7 +41,7 @@ class RaceFriction:
 
     @property
     def kind(self) -> int:
-        """Of the friction, as the kernel takes it."""
+        """Code of the friction for the kernels."""
         if self.inner is None:
             return FRICTIONLESS
         return TABLE if isinstance(self.inner, TractionTable) else COEFFICIENT
@@ -54,7 +54,7 @@ class RaceFriction:
 
     @property
     def follows_entrainment(self) -> bool:
-        """Whether what counts is the sliding over the entrainment."""
+        """True if friction depends on the sliding over the entrainment."""
         return self.inner is not None and self.ramp == inf
 
     def data(self, race: Race, rest: float = 0.0) -> FrictionData:

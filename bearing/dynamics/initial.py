@@ -1,4 +1,4 @@
-"""Where a simulation starts: quasi-static equilibrium, or balls on the outer race."""
+"""Start of a simulation: quasi-static equilibrium, or balls on the outer race."""
 
 from dataclasses import dataclass, replace
 from math import cos, sin
@@ -34,13 +34,13 @@ SMALLEST_SPEED_SHARE = 1.0e-3
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StartingPoint:
-    """What a simulation starts from."""
+    """Start of a simulation."""
 
     kind: LoadType  # equations of motion
     angles: tuple[float, float]  # mean contact angles, inner and outer, by load [rad]
     equilibrium: QuasistaticSolution | None  # where the simulation starts from it
     messages: tuple[str, ...]
-    # that were solved for it in the static and the quasi-static stage; none for another start [-]
+    # unknowns solved for it in the static and the quasi-static stage; none for another start [-]
     unknowns: tuple[int, int] = (0, 0)
 
 
@@ -89,7 +89,7 @@ def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel)
 
 
 def _pushed_along(operation: Operation, model: DynamicsModel) -> bool:
-    """Whether the first load or displacement of the ring over time has a part along the axis."""
+    """Check the first load or displacement of the ring for a component along the axis."""
     for row, place in zip(model.rows(operation), model.places(operation), strict=True):
         if any(row[GIVEN_FORCE:]) or any(place):
             return row[GIVEN_FORCE] != 0.0 or place[0] != 0.0

@@ -87,7 +87,7 @@ class CageBody:
     unbalance: float = 0.0  # mass times eccentricity, towards the first pocket [kg m]
     drag: float = 0.0  # torque over the square of its speed [N m s^2]
     guidance: Guidance = Guidance.BALLS
-    # of each of the two guiding lands: radius, radial clearance, width, distance from the middle
+    # each of the two guiding lands: radius, radial clearance, width, distance from the middle
     land_radius: float = 0.0  # [m]
     land_clearance: float = 0.0  # [m]
     land_width: float = 0.0  # [m]
@@ -129,7 +129,7 @@ class CageBody:
 
     @property
     def even(self) -> bool:
-        """Whether all pockets are alike and the cage is balanced."""
+        """True if all pockets are equal and the cage is balanced."""
         return len(set(self.pocket_clearances)) < 2 and self.unbalance == 0.0
 
 
@@ -172,10 +172,10 @@ class Schedule:
     time: tuple[float, ...]  # rising [s]
     # at each: speed of inner and of outer ring, force along x, y, z, moment about y, z
     values: tuple[tuple[float, ...], ...]  # [rad/s], [N], [N m]
-    # of the inner ring where it is held, x, y, z [m], tilts [rad]; None: as in the operation
+    # prescribed x, y, z [m] and tilts [rad] of the inner ring; None: as in the operation
     places: tuple[tuple[float, ...], ...] | None = None
     rates: tuple[tuple[float, ...], ...] | None = None  # of them [m/s], [rad/s]
-    # of the oil in pockets and lands, over `DynamicsModel.film_viscosity`; None: one throughout
+    # oil in pockets and lands, over `DynamicsModel.film_viscosity`; None: one throughout
     viscosity: tuple[float, ...] | None = None  # [-]
 
     def __post_init__(self) -> None:
@@ -274,7 +274,7 @@ class DynamicsOptions:
     equations: LoadType | None = None  # None: by the load (`load_type`)
     # None: a share of the vibration of a loaded ball (`simulation.STEP_ANGLE`)
     longest_step: float | None = None  # [s]
-    # of a step's error in units of contact approach and of speed in its vibration, see
+    # tolerance of a step's error in units of contact approach and of speed in its vibration, see
     # docs/theory/dynamics.md
     tolerance: float = 1.0e-4  # [-]
     gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)  # along x, y, z [m/s^2]
@@ -308,7 +308,7 @@ class DynamicsModel:
 
     @property
     def times(self) -> tuple[float, ...]:
-        """Of the rows of the schedule [s]."""
+        """Times of the rows of the schedule [s]."""
         return (0.0,) if self.schedule is None else self.schedule.time
 
     def rows(self, operation: Operation) -> list[tuple[float, ...]]:
@@ -347,7 +347,7 @@ class DynamicsModel:
 
     @property
     def viscosities(self) -> tuple[float, ...]:
-        """Of the oil over `film_viscosity` at each time of the schedule [-]."""
+        """Viscosity of the oil over `film_viscosity` at each time of the schedule [-]."""
         if self.schedule is not None and self.schedule.viscosity is not None:
             return self.schedule.viscosity
         return (1.0,) * len(self.times)

@@ -1,4 +1,4 @@
-"""What the integrators work on: state, step control, samples; and what a restart needs."""
+"""State, step control and samples of the integrators, and the state that a restart needs."""
 
 from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
@@ -35,7 +35,7 @@ class StepControl(NamedTuple):
 
 
 class ContactHistory(NamedTuple):
-    """What the contacts remember, see `SimulationState`."""
+    """History of the contacts, see `SimulationState`."""
 
     onset: Array
     states: NDArray[np.int8]
@@ -45,7 +45,7 @@ class ContactHistory(NamedTuple):
 
 @dataclass(slots=True, kw_only=True)
 class SimulationState:
-    """Where a simulation stands; all that a restart needs."""
+    """Present state of a simulation; all that a restart needs."""
 
     kind: LoadType  # whose equations move it on
     time: float  # [s]

@@ -1,4 +1,4 @@
-"""What is solved of the motion, and how the rest follows from it by symmetry.
+"""Unknowns of the motion, and the rest that follows from them by symmetry.
 
 Under an axial load all balls move alike, each in its place around the axis: the motion of one is
 solved. Under a load across the axis the middle plane is a mirror: no body moves along the axis or

@@ -39,11 +39,11 @@ REFERENCE_LOAD = 10.0  # least load that sets the scale of errors [N]
 HEAVIEST = 5.0  # load of the heaviest ball over the mean one, Stribeck (1901) [-]
 FIRST_STEP = 1.0e-9  # [s]
 SHORTEST_STEP = 1.0e-12  # over the end time, below which a step has failed [-]
-# of the period of contact vibration: a stiff problem with shorter steps goes to LSODA [-]
+# fraction of the period of contact vibration: a stiff problem with shorter steps goes to LSODA [-]
 STIFF_STEP = 0.02
 # longest step times the frequency of a loaded ball: at the limit of stability it would ring [-]
 STEP_ANGLE = 0.8
-# where no contact is damped, what steps gain or lose of the energy stays: a light ring among
+# without damping in any contact, energy that steps gain or lose remains: a light ring among
 # impacts kept it to 1.5e-3 in 2000 steps of 0.8, to 1.1e-4 in steps of 0.4
 UNDAMPED_ANGLE = 0.4
 LAND_ADVICE = "; the film of the cage's land stiffens as its gap closes: a wider one, thinner oil"
@@ -75,7 +75,7 @@ class Simulation:
 
     @property
     def layout(self) -> Layout:
-        """Where what stands in the state vector."""
+        """Slices of the state vector."""
         return Layout(self.bearing.balls)
 
     @property
@@ -89,12 +89,12 @@ class Simulation:
 
     @property
     def motion(self) -> SolvedMotion:
-        """What is solved with the equations in use."""
+        """Unknowns of the equations in use."""
         return self._equations_in_use()[1]
 
     def _equations_in_use(self) -> tuple[EquationData, SolvedMotion, EquationData]:
-        """Those of all balls, of what is solved, and the general ones by the laws themselves: what
-        is linearised is that of the motion in use.
+        """Equations of all balls, of the unknowns, and the general ones by the laws themselves:
+        what is linearised is that of the motion in use.
         """
         if self._in_use is None or self._in_use[0] is not self.data:
             general = with_equations(self.data, LoadType.GENERAL, self.operation, self.model)
@@ -184,8 +184,10 @@ class Simulation:
         self.state.restore(before)
 
     def _symmetric(self, control: StepControl, scale: Array) -> bool:
-        """Whether the general equations keep the motion as symmetric as the ones in use: no
-        acceleration against the symmetry changes a speed in a step by an error that counts as one.
+        """Check that the general equations keep the motion as symmetric as the ones in use.
+
+        No acceleration against the symmetry changes a speed in a step by an error that counts as
+        one.
         """
         layout = self.layout
         _, motion, general = self._equations_in_use()

@@ -20,8 +20,8 @@ SMALLEST_ORBIT = 1.0e-12  # of a centre, below which it has no whirl [m]
 WHIRL_SHARE = 0.5
 ONE_WAY = 0.8
 FEWEST_PLACES = 3  # of a centre, below which its turning is not told
-# of the energy at the start, stored in contacts at standstill, below which work is that of nothing
-# moving, and no measure of an error [-]
+# fraction of the energy at the start, stored in contacts at standstill, below which work is that
+# of nothing moving, and no measure of an error [-]
 STILL = 1.0e-3
 AVERAGED_SHARE = 1.0 / 3.0  # of the time, over which speeds are averaged [-]
 MECHANISMS = WORK._fields
@@ -146,7 +146,7 @@ class SimulationStatistics:
 
     @property
     def cage_whirls(self) -> bool | None:
-        """Whether the cage's centre goes round in a good part of its play; None without a cage or
+        """True if the cage's centre goes round in a large part of its play; None without a cage or
         of too few samples.
         """
         if self.cage_play is None or self.averaged < FEWEST_PLACES:

@@ -51,7 +51,7 @@ class RingStrength:
     fit_tension: float  # hoop stress at the bore by the pressure of the seat [Pa]
     rotation_tension: float  # and by rotation [Pa]
     groove_tension: float  # hoop stress at the bottom of the groove by both [Pa]
-    # of all the wall, below which (sigma/largest)^m is integrated
+    # whole wall, over which (sigma/largest)^m is integrated
     effective_volume: float | None = None  # [m^3]; None without width or strength
     failure_probability: float | None = None  # [-]
     # with the strongest and least scattered material of the range, and with the weakest
@@ -218,7 +218,7 @@ def _over_map(rings: NDArray[np.object_], name: str) -> Array | None:
 
 
 def _all_expand(bearing: Bearing, fit: Fit | None) -> bool:
-    """Whether the thermal expansion of every part is known."""
+    """Check that every part has a thermal expansion."""
     parts = [bearing.inner_ring_material, bearing.outer_ring_material, bearing.ball_material]
     if fit is not None:
         parts += [fit.shaft_material, fit.housing_material]

@@ -26,7 +26,7 @@ AIR_CAPACITY = 1100.0  # [J/(m^3 K)]
 
 @dataclass(frozen=True, slots=True)
 class Conductance:
-    """Of a path of heat, with the ends of its range [W/K]."""
+    """Conductance of a path of heat, with the ends of its range [W/K]."""
 
     value: float
     low: float

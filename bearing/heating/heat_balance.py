@@ -25,7 +25,7 @@ TOLERANCE = 1.0e-4  # of the temperature [K]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Cooling:
-    """Where the heat goes."""
+    """Conductances to the surroundings and the oil."""
 
     conductance: float  # h, heat to the surroundings per kelvin [W/K]
     ambient: float  # [K]

@@ -32,12 +32,12 @@ BOUNDARIES = (AMBIENT, OIL_SUPPLY)
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeatPath:
-    """What conducts heat between two nodes, or a node and a boundary."""
+    """Conductance between two nodes, or a node and a boundary."""
 
     first: str
     second: str
     conductance: Conductance  # [W/K]
-    what: str  # in words, with the source
+    what: str  # description with the source
 
     @property
     def name(self) -> str:

@@ -1,6 +1,6 @@
-"""Where the heat of a bearing goes: paths of its parts, seats, shaft, housing, oil and air.
+"""Paths of heat through the parts of a bearing, seats, shaft, housing, oil and air.
 
-Assumed, and named so in the text of each path: coefficients of seats, of surfaces to the oil in
+Assumed, and stated in the text of each path: coefficients of seats, of surfaces to the oil in
 the cavity and to air, dimensions of shaft and housing where a case gives none.
 """
 
@@ -53,10 +53,10 @@ TRACK = 0.1
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Surroundings:
-    """Where the heat goes, SI; None leaves a number to the estimate that the path names."""
+    """Shaft, housing, oil and air, SI; None leaves a number to the path's estimate."""
 
     ambient: float  # [K]
-    # of shaft and housing together to the surroundings [W/K]: split by the areas of the seats
+    # shaft and housing together to the surroundings [W/K]: split by the areas of the seats
     conductance: float | None = None
     oil_flow: float = 0.0  # rho c V of the oil that passes through [W/K]
     oil_supply: float = 293.15  # temperature of the oil supplied [K]
@@ -70,13 +70,13 @@ class Surroundings:
     seat: Conductance = SEAT  # [W/(m^2 K)]
     cavity: Conductance | None = None  # of all walls to the oil [W/(m^2 K)]
     filled: bool = True  # oil passes the walls of the cavity, else air
-    # of the inlets' heat that the oil takes, the rest goes into the surfaces [-]
+    # fraction of the inlets' heat that the oil takes, the rest goes into the surfaces [-]
     pumped_to_oil: float = PUMPED_TO_OIL
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Dimensions:
-    """Of a bearing on its shaft and in its housing [m]."""
+    """Dimensions of a bearing on its shaft and in its housing [m]."""
 
     bore: float
     outside: float

@@ -2,8 +2,8 @@
 
 A designation is read from left to right: a maker's name or prefix, the series, two digits for the
 bore, the letters of the contact angle, then suffixes in any order. The letters differ between
-makers; those of SKF, FAG (Schaeffler), NSK and NTN are known. Suffixes of cage, shield, grease
-and marking have no effect and are left aside; what is not known makes the designation unknown.
+makers; those of SKF, FAG (Schaeffler), NSK and NTN are known. Suffixes of cage, shield, grease and
+marking have no effect and are ignored; a suffix that is not known makes the designation unknown.
 """
 
 import re
@@ -69,7 +69,7 @@ WITHOUT_EFFECT = (
     # cages, snap rings
     "TN9|TNH|TVP2|TVP|TVH|TYN|TR|TN|TA|MPA|MPB|MA|MB|JR|PHAS|PH|BP|J|M|Y|T|P|F|NR|N|W|DG|U|G"
 )
-# why a designation is none of the bearings here, by its beginning
+# reason why a designation is none of the bearings here, by its beginning
 SINGLE_ROWS = "the catalogue has deep groove and angular contact ones"
 BALLS_HERE = "the catalogue has ball bearings only"
 NOT_HERE = (
@@ -106,7 +106,7 @@ NOT_HERE = (
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Designation:
-    """What a designation says."""
+    """Contents of a designation."""
 
     series: str  # of `SERIES`
     bore_number: int  # [-]
@@ -172,9 +172,7 @@ def read_designation(text: str) -> Designation | None:
 
 @lru_cache(maxsize=256)
 def _read(text: str) -> tuple[Designation | None, str]:
-    """What a designation says, and what of its end is not known; None if it is none of the
-    series here.
-    """
+    """Contents of a designation and its unknown end; None if it is none of the series here."""
     prefixes = "|".join(sorted(PREFIXES, key=len, reverse=True))
     series = "|".join(sorted({*SERIES, *SYNONYMS}, key=len, reverse=True))
     begin = rf"((?:(?:{MAKERS}) )?(?:{prefixes}) ?(?:{series}))"

@@ -1,5 +1,5 @@
-"""Greases by name: the oil of the library that stands for the base oil, and what is known of the
-film with the grease over that of its base oil, by age.
+"""Greases by name: their base oil in the library, and the film with the grease over that of
+its base oil, by age.
 """
 
 from dataclasses import dataclass

@@ -1,4 +1,4 @@
-"""What other distributions bring by entry points: laws of friction, oils, models of the torque.
+"""Plug-ins of other distributions by entry points: laws of friction, oils, models of the torque.
 
     [project.entry-points."oilfilm.oils"]
     "Maker Oil 32" = "maker_oils:oil_32"

@@ -13,7 +13,7 @@ METRIC = (3.5e-3,)  # of thin bearings: 6804 to 6807 [m]
 FEWEST_BALLS = 5
 INNER_CONFORMITY = 0.515  # groove radius over ball diameter, assumed [-]
 OUTER_CONFORMITY = 0.525
-# of the bearings with known ones [-]
+# range of the bearings with published ones [-]
 INNER_CONFORMITY_RANGE = (0.51, 0.525)
 OUTER_CONFORMITY_RANGE = (0.515, 0.53)
 ANGLE_RANGE = 3.0  # around a nominal contact angle, unverified [deg]
@@ -24,7 +24,7 @@ TYPICAL_BALL = 0.30
 # below, the 6322 has 0.83 [-]
 WIDEST_BALL = 0.80
 TYPICAL_FILL = ((0.0, 0.60), (15.0, 0.78), (40.0, 0.86))
-# of such a guess, over the guess: docs/user/libraries.md [-]
+# ranges of such an estimate, over the estimate: docs/user/libraries.md [-]
 TYPICAL_BALL_RANGE = (0.80, 1.15)
 TYPICAL_BALLS_RANGE = 0.2
 TYPICAL_PITCH_RANGE = 0.02

@@ -92,7 +92,7 @@ def _prescribed(problem: BallProblem, balls: int) -> Array:
 
 
 def _given(problem: BallProblem) -> tuple[Any, ...]:
-    """What the kernel takes of a problem."""
+    """Numbers of a problem for the kernel."""
     return (
         (problem.inner_length, problem.outer_length, problem.inner_groove_radius),
         (problem.ball_diameter, problem.pitch_diameter, problem.mass, problem.nominal_couple),

@@ -40,8 +40,8 @@ from .limits import EDGE_COSINE, FRICTION_LIMIT
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BallProblem:
-    """What all balls of a row share: lengths [m], mass [kg], speeds [rad/s], Hertz stiffness,
-    hypothesis.
+    """Numbers that all balls of a row have in common: lengths [m], mass [kg], speeds [rad/s],
+    Hertz stiffness, hypothesis.
     """
 
     inner_length: float  # r_i - D/2 [m]

@@ -25,12 +25,12 @@ from .elastic_balls import BetweenRings, solve_between_elastic_rings
 from .limits import ROUND_OFF
 from .thrust import thrust_position
 
-# What follows, and the constants of `ball_equilibrium`, were measured on 60 random bearings at 0.3
+# The next constants, and those of `ball_equilibrium`, were measured on 60 random bearings at 0.3
 # to 4 GPa: each halved and doubled leaves all of them converged, the loads equal to 8e-12 of the
 # largest, and the number of steps, 268, between 264 and 284.
 RESIDUAL_TOLERANCE = 1.0e-10  # relative residual of ring and balls in an equilibrium [-]
 RESIDUAL_TARGET = 1.0e-12  # relative residual at which iterating stops [-]
-# of the tangent, relative to its largest entry: a ring that nothing holds must not fly [-]
+# regularisation of the tangent, relative to its largest entry, for a ring without stiffness [-]
 REGULARISATION = 1.0e-12
 SOFTEST = 1.0e-6  # stiffness of the ring over that of a contact below which it counts as none [-]
 # radial over axial load below which the search starts from the thrust alone [-]
@@ -46,7 +46,7 @@ MAX_STALLED_STEPS = 30  # without a new best residual
 
 
 class Ring(NamedTuple):
-    """What is prescribed, and the geometry between the ring and its balls; forces and lengths
+    """Prescribed loads, and the geometry between the ring and its balls; forces and lengths
     only.
     """
 
@@ -120,8 +120,10 @@ class RingPoint(NamedTuple):
 
 
 class RingStart(NamedTuple):
-    """Where to begin: ring position q (5,), ball positions u (2, Z), None for a guess, and
-    distances of the grooves' centres V (2, Z), None for those of rigid rings [m].
+    """Initial positions of ring and balls.
+
+    Ring position q (5,), ball positions u (2, Z), None for a guess, and distances of the grooves'
+    centres V (2, Z), None for those of rigid rings [m].
     """
 
     q: Array

@@ -195,7 +195,7 @@ def _convergence(
     state: BallState,
     iterations: int,
 ) -> tuple[bool, str]:
-    """Whether the point is an equilibrium, and a message: why not, or what is undetermined."""
+    """Convergence of the point, and a message with the fault or the undetermined directions."""
     loaded = state.inner_load > 0.0
     beyond = (loaded & (state.inner.cos < EDGE_COSINE)) | (state.outer.cos < EDGE_COSINE)
     if beyond.any():
@@ -219,7 +219,7 @@ def _convergence(
 
 
 def _advice(problem: BallProblem, bearing: Bearing, ring: Ring, state: BallState) -> str:
-    """What most likely keeps balls and ring from a balance, and what to change."""
+    """Most likely reason why balls and ring have no balance, and what to change."""
     if _too_wide(bearing, problem, state):
         return "contact ellipses came out wider than the ball, take smaller loads or speeds"
     forces = state.inner_load.size * problem.nominal_force
@@ -238,7 +238,7 @@ def _advice(problem: BallProblem, bearing: Bearing, ring: Ring, state: BallState
 
 
 def _too_wide(bearing: Bearing, problem: BallProblem, state: BallState) -> bool:
-    """Whether a contact ellipse is wider than the ball, where Hertz' theory is void.
+    """Check for a contact ellipse that is wider than the ball, where Hertz' theory is void.
 
     Over the semi-axis b the gap rises by b^2/(2 Ry), which is less than the approach (Q/K)^(2/3):
     most fit by that.

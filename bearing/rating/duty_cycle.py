@@ -43,7 +43,7 @@ class LoadCase:
     torque: float | None = None  # friction torque [N m]; None where no model gives it
     torque_model: str | None = None
     revolution_share: float = 0.0  # u_i of the revolutions of the cycle [-]
-    # of the damage of the cycle, with a_ISO where that is known
+    # fraction of the damage of the cycle, with a_ISO if that applies
     damage_share: float | None = None  # [-]
     messages: tuple[str, ...] = ()
 
@@ -55,7 +55,7 @@ class LoadCase:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DutyCycle:
-    """Load cases and what follows from all of them; None where it does not apply."""
+    """Load cases and results of all of them; None for a result that does not apply."""
 
     cases: tuple[LoadCase, ...]
     mean_speed: float  # n_m, of one ring against the other, over the time [rad/s]
@@ -72,7 +72,7 @@ class DutyCycle:
 
     @property
     def converged(self) -> bool:
-        """Whether every case has its equilibrium."""
+        """True if every case has its equilibrium."""
         return all(case.converged for case in self.cases)
 
     @property
@@ -228,7 +228,7 @@ def _shared(cases: Sequence[LoadCase], shares: Sequence[float]) -> Iterator[Load
 
 
 def _messages(cases: Sequence[LoadCase]) -> Iterator[str]:
-    """What each case leaves out, in its own words, and what that means for the cycle."""
+    """Results that each case leaves out, by its messages, and the consequence for the cycle."""
     still = [str(k) for k, case in enumerate(cases, 1) if not case.operation.shaft_speed]
     if still:
         yield f"load_cases: life, kappa and a_iso null where nothing turns, {', '.join(still)}"

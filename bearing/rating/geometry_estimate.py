@@ -1,5 +1,5 @@
-"""Internal geometry that makers do not publish, estimated from what they do: boundary dimensions
-and load ratings.
+"""Internal geometry that makers do not publish, estimated from their boundary dimensions and
+load ratings.
 
 The ratings of ISO 281 and ISO 76 are functions of ball diameter, number of balls, pitch diameter
 and contact angle alone as long as the grooves are not wide. Balls come in standard sizes and whole
@@ -35,7 +35,7 @@ NEAR = 0.1  # of the logarithms of ratings, within which a pair comes into quest
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CatalogueData:
-    """What a maker's catalogue says of a ball bearing with one row, SI."""
+    """Data of a maker's catalogue for a ball bearing with one row, SI."""
 
     bore: float  # d [m]
     outside_diameter: float  # D_o [m]
@@ -44,7 +44,7 @@ class CatalogueData:
     dynamic_rating: float | None = None  # [N]
     static_rating: float | None = None  # [N]
     width: float | None = None  # [m]
-    # where it is known better than (d + D_o)/2, as from the shoulders' diameters [m]
+    # if it is more exact than (d + D_o)/2, as from the shoulders' diameters [m]
     pitch_diameter: float | None = None
 
     def __post_init__(self) -> None:
@@ -135,7 +135,7 @@ def _bearings(data: CatalogueData, ball: float) -> list[Bearing]:
 
 
 def _is_near(data: CatalogueData, bearing: Bearing) -> bool:
-    """Whether the dynamic rating is near enough for the dearer static one to be computed."""
+    """Check the dynamic rating before the more expensive static one is computed."""
     if data.dynamic_rating is None:
         return True
     return abs(log(dynamic_rating(bearing, data.contact_angle) / data.dynamic_rating)) < NEAR

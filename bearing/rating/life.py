@@ -157,7 +157,7 @@ def bearing_life(
 
 
 def _not_covered(bearing: Bearing) -> str:
-    """Why the standards do not cover the materials, empty if they do."""
+    """Reason why the standards do not cover the materials, empty if they do."""
     for ring in (bearing.inner_ring_material, bearing.outer_ring_material):
         if ring.kind is not MaterialKind.BEARING_STEEL:
             material = f"{ring.name!r} (kind {ring.kind.value!r})"
@@ -236,7 +236,7 @@ def overload(life: LifeRating) -> Iterator[str]:
 
 
 def _no_life(solution: QuasistaticSolution, rating: RatingInput, speed: float) -> str:
-    """Why there is no basic life, empty if there is one."""
+    """Reason why there is no basic life, empty if there is one."""
     if not speed:
         return "the rings do not turn against each other"
     if not (solution.inner_load > 0.0).any():

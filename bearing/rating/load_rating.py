@@ -12,14 +12,14 @@ from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..operation import RatingInput
 
 RATING_FACTOR = 1.3  # b_m of deep groove and angular contact ball bearings, ISO 281 [-]
-# of Lundberg and Palmgren's form that passes five points of ISO 281's table within their rounding
-# (tests), N and mm
+# scale of Lundberg and Palmgren's form that passes five points of ISO 281's table within their
+# rounding (tests), N and mm
 F_C_SCALE = 38.2
 # to which the form is used [-]
 SMALLEST_GAMMA = 0.01
 LARGEST_GAMMA = 0.40
 F_C_CONFORMITY = 0.52  # of both grooves, with which it passes them [-]
-# of inner and outer groove that f_c is for; wider ones carry less [-]
+# conformities of inner and outer groove that f_c is for; wider ones carry less [-]
 LARGEST_CONFORMITIES = (0.52, 0.53)
 STATIC_PRESSURE = 4.2e9  # Hertz pressure at the static rating of ball bearings, ISO 76 [Pa]
 # heaviest ball load over the mean one, F/(Z cos alpha), of a radially loaded bearing [-]

@@ -1,4 +1,4 @@
-r"""What the forces of the balls move at each other's places: structural compliance of the rings.
+r"""Structural compliance of the rings: movement of a groove at one ball by another's force.
 
 A force F_k = (x, r) of ball k on a ring moves the centre of its groove at ball j by C_jk F_k,
 beyond what Hertz' theory gives at the ball itself. V, the distance of the grooves' centres, then

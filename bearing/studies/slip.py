@@ -380,7 +380,7 @@ def minimum_radial_load_skf(
 
 
 class _Ascent(NamedTuple):
-    """Where the search upwards ended."""
+    """End of the search upwards."""
 
     before: float  # trial before the last; NaN without an equilibrium there [N]
     load: float  # last trial [N]

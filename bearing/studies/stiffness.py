@@ -31,7 +31,7 @@ class StiffnessOverSpeed:
 
     @property
     def converged(self) -> NDArray[np.bool_]:
-        """Whether there is an equilibrium, shape (n,) [-]."""
+        """True for the speeds with an equilibrium, shape (n,) [-]."""
         return np.asarray(np.isfinite(self.matrices).all(axis=(1, 2)))
 
 

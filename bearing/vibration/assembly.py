@@ -295,7 +295,7 @@ def _arrays(
 
 
 def _masses(bearing: Bearing, support: Support) -> Array:
-    """Of the nine coordinates [kg], [kg m^2], and the polar inertia of the inner ring [kg m^2]."""
+    """Masses of the nine coordinates and the inner ring's polar inertia [kg], [kg m^2]."""
     masses = np.ones(BALLS + 1)
     if not support.inner_ring_held:
         ring = ring_body(bearing)
@@ -310,7 +310,7 @@ def _masses(bearing: Bearing, support: Support) -> Array:
 
 
 def _outer_mass(bearing: Bearing, support: Support) -> float:
-    """Of the outer ring: as given, or a hollow cylinder outside of its groove's bottom [kg]."""
+    """Mass of the outer ring [kg]: prescribed, or that of a cylinder outside of its groove."""
     if support.outer_mass is not None:
         return support.outer_mass
     if bearing.outside_diameter is None or bearing.width is None:

@@ -71,7 +71,7 @@ class Defect:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SurfaceForm:
-    """What the surfaces of a bearing differ by from circles and grooves."""
+    """Differences of the surfaces of a bearing from circles and grooves."""
 
     waves: dict[Place, tuple[Wave, ...]] = field(default_factory=dict)
     profiles: dict[Place, Array] = field(default_factory=dict)  # heights over a turn, even [m]

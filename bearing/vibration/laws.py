@@ -173,7 +173,7 @@ def film_law(factor: float, films: SolvedFilms) -> ContactLawTable:
     approach = hertz[0] / ratio[0] + np.concatenate([[0.0], np.cumsum(steps)])
     grid = np.geomspace(SPAN[0] * dry, SPAN[1] * dry, NODES)
     load = np.exp(np.interp(np.log(grid), np.log(approach), np.log(loads)))
-    # what is negative at the one frequency is positive at those of balls: none, over time
+    # damping negative at the one frequency is positive at those of balls: none, over time
     solved = np.maximum(films.damping, 0.0)
     damping = films.film_share * np.interp(np.log(load), np.log(films.loads), solved)
     damping *= np.minimum(load / films.loads[0], 1.0)

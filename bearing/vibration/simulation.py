@@ -14,7 +14,7 @@ from .assembly import Assembled
 from .inputs import VibrationModel
 
 OVERSAMPLED = 4  # rows kept for each sample of the record, against aliasing
-# of the fastest vibration, angular frequency times step: the phase of Runge and Kutta's method is
+# angular frequency of the fastest vibration times step: the phase of Runge and Kutta's method is
 # off by (0.35)^5/120 = 4e-5 a step, its stability ends at 2.8
 STEP = 0.35
 STIFFER = 1.3  # of contacts, by loads beyond those at rest
@@ -40,17 +40,17 @@ class VibrationRun:
 
     @property
     def samples(self) -> int:
-        """Of the record [-]."""
+        """Samples of the record [-]."""
         return round(self.model.options.duration * self.model.options.sample_rate)
 
     @property
     def settling_steps(self) -> int:
-        """Before the record [-]."""
+        """Steps before the record [-]."""
         return round(self.model.options.settling / self.step)
 
     @property
     def steps(self) -> int:
-        """In all [-]."""
+        """Steps in all [-]."""
         return self.settling_steps + self.samples * self.per_sample
 
     @property

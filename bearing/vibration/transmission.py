@@ -1,4 +1,4 @@
-r"""What of a wave on a surface enters the bearing: the contact is as long as a short wave.
+r"""Transmission of waves of a surface into the bearing: the contact is as long as a short wave.
 
 A small height g(x, y) under a contact moves the bodies apart, under the same load, by
 

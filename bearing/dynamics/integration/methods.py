@@ -65,7 +65,7 @@ def advance_explicit(
 
 @dataclass(slots=True)
 class _Pace:
-    """Whether steps lead on."""
+    """Progress of the steps over time."""
 
     before: float  # time LOOK steps ago [s]
     least: float  # mean of LOOK steps [s]
