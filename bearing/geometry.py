@@ -195,11 +195,13 @@ def _check_lengths(bearing: Bearing) -> None:
             f"pitch_diameter must exceed ball_diameter {bearing.ball_diameter} m, "
             f"got {bearing.pitch_diameter}"
         )
-    least = 0.5 * bearing.ball_diameter
+    ball_radius = 0.5 * bearing.ball_diameter
     for field in grooves:
         value = getattr(bearing, field)
-        if value <= least:
-            raise ValueError(f"{field} must exceed the ball radius {least:.6g} m, got {value!r} m")
+        if value <= ball_radius:
+            raise ValueError(
+                f"{field} must exceed the ball radius {ball_radius:.6g} m, got {value!r} m"
+            )
 
 
 def _check_shoulders(bearing: Bearing) -> None:

@@ -25,9 +25,9 @@ def shoulder_diameter(bearing: Bearing, race: Race) -> tuple[float, bool] | None
         groove bearing
     """
     inner = race is Race.INNER
-    given = bearing.inner_shoulder_diameter if inner else bearing.outer_shoulder_diameter
-    if given is not None:
-        return given, False
+    diameter = bearing.inner_shoulder_diameter if inner else bearing.outer_shoulder_diameter
+    if diameter is not None:
+        return diameter, False
     if bearing.angular_contact:
         return None
     centre = bearing.inner_centre_radius if inner else bearing.outer_centre_radius

@@ -107,7 +107,7 @@ def electrical_lack(bearing: Bearing, contacts: Contacts, films: Films) -> str:
     rings = (bearing.inner_ring_material, bearing.outer_ring_material)
     if any(ring.kind is INSULATOR for ring in rings):
         return "a ring of silicon nitride insulates"
-    unknown = [m.name for m in (*rings, bearing.ball_material) if not _is_known(m)]
+    unknown = [m.name for m in (*rings, bearing.ball_material) if not _is_classified(m)]
     if unknown:
         return f"whether {unknown[0]!r} conducts is not known"
     if not _paths(bearing, contacts, films):
@@ -119,14 +119,14 @@ def electrical_lack(bearing: Bearing, contacts: Contacts, films: Films) -> str:
     return ""
 
 
-def _is_known(material: Material) -> bool:
+def _is_classified(material: Material) -> bool:
     return material.kind in (CONDUCTOR, INSULATOR)
 
 
 def _carries_both(contacts: Contacts, ball: int) -> bool:
     """Check that a ball touches both races: an unloaded inner contact breaks the path."""
-    own = [c for c in contacts if c.ball == ball]
-    return all(c.conditions is not None for c in own)
+    ball_contacts = [c for c in contacts if c.ball == ball]
+    return all(c.conditions is not None for c in ball_contacts)
 
 
 def _paths(
@@ -139,16 +139,16 @@ def _paths(
             by_race.setdefault(contact.race, {})[contact.ball] = (contact.hertz, film)
     inner, outer = (by_race.get(race, {}) for race in (Race.INNER, Race.OUTER))
     insulating = bearing.ball_material.kind is INSULATOR
-    found = []
+    paths = []
     for ball in sorted(inner.keys() & outer.keys()):
-        own = None
+        capacitance = None
         if insulating:
             spots = [
                 (hertz.semi_axis_x, hertz.semi_axis_y) for hertz, _ in (inner[ball], outer[ball])
             ]
-            own = _ball_capacitance(np.array(spots), 0.5 * bearing.ball_diameter)
-        found.append((inner[ball][1], outer[ball][1], own))
-    return found
+            capacitance = _ball_capacitance(np.array(spots), 0.5 * bearing.ball_diameter)
+        paths.append((inner[ball][1], outer[ball][1], capacitance))
+    return paths
 
 
 def _ball_capacitance(spots: Array, radius: float) -> Ends:
@@ -166,8 +166,10 @@ def _in_series(inner: FilmInstruments, outer: FilmInstruments, ball: Ends | None
     ends = []
     for end, sign in enumerate((0.0, -1.0, 1.0)):
         films = [film.capacitance + sign * film.capacitance_uncertainty for film in (inner, outer)]
-        parts = [max(part, 0.0) for part in films] + ([] if ball is None else [ball[end]])
-        ends.append(0.0 if min(parts) <= 0.0 else 1.0 / sum(1.0 / part for part in parts))
+        series = [max(film, 0.0) for film in films]
+        if ball is not None:
+            series.append(ball[end])
+        ends.append(0.0 if min(series) <= 0.0 else 1.0 / sum(1.0 / one for one in series))
     return ends[0], ends[1], ends[2]
 
 
@@ -177,6 +179,6 @@ def _first_breakdown(inner: FilmInstruments, outer: FilmInstruments, end: int) -
     """
     names = ("breakdown_voltage", "breakdown_voltage_low", "breakdown_voltage_high")
     together = inner.capacitance + outer.capacitance
-    shares = (outer.capacitance / together, inner.capacitance / together)
-    pairs = zip((inner, outer), shares, strict=True)
-    return min(float(getattr(film, names[end])) / share for film, share in pairs)
+    fractions = (outer.capacitance / together, inner.capacitance / together)
+    pairs = zip((inner, outer), fractions, strict=True)
+    return min(float(getattr(film, names[end])) / fraction for film, fraction in pairs)

@@ -57,9 +57,9 @@ class RaceDifference:
         tuple[float, float]
             R_x and R_y of finite bodies [m]
         """
-        share = load / self.contact.load
+        fraction = load / self.contact.load
         curvatures = (self.total.curvature_x, self.total.curvature_y)
-        x, y = (1.0 / (1.0 / r + share * c) for r, c in zip(radii, curvatures, strict=True))
+        x, y = (1.0 / (1.0 / r + fraction * c) for r, c in zip(radii, curvatures, strict=True))
         return x, y
 
     @property
@@ -169,14 +169,14 @@ def finite_bodies(bearing: Bearing, contacts: Sequence[BearingContact]) -> Finit
     FiniteBodies
         both differences, or the reason why there are none
     """
-    found = {}
+    differences = {}
     for race in Race:
         heaviest = max((c for c in contacts if c.race is race), key=lambda contact: contact.load)
         reason = _obstacle(bearing, heaviest)
         if reason:
             return FiniteBodies(reason=reason)
-        found[race] = _difference(bearing, heaviest)
-    return FiniteBodies(inner=found[Race.INNER], outer=found[Race.OUTER])
+        differences[race] = _difference(bearing, heaviest)
+    return FiniteBodies(inner=differences[Race.INNER], outer=differences[Race.OUTER])
 
 
 def with_finite_bodies(
@@ -197,13 +197,13 @@ def with_finite_bodies(
         contacts with changed film conditions, in the same order
     """
 
-    def one(contact: BearingContact) -> BearingContact:
+    def adjusted(contact: BearingContact) -> BearingContact:
         difference = differences.at(contact.race)
         if difference is None or contact.conditions is None:
             return contact
         return replace(contact, conditions=difference.conditions(contact.conditions))
 
-    return tuple(map(one, contacts))
+    return tuple(map(adjusted, contacts))
 
 
 def ring_profile(bearing: Bearing, race: Race) -> RingProfile:

@@ -117,48 +117,50 @@ def truncation(
     radius = groove_radius(bearing, race)
     edge = radius * sin(angle - abs(contact_angle))
     other = radius * sin(min(angle + abs(contact_angle), 0.5 * pi))
-    near, far = edge / hertz.semi_axis_y, other / hertz.semi_axis_y
-    approach = cut_approach(near, far)
+    near_edge, far_edge = edge / hertz.semi_axis_y, other / hertz.semi_axis_y
+    approach = cut_approach(near_edge, far_edge)
     return Truncation(
         estimated=shoulder[1],
-        distance_ratio=near,
+        distance_ratio=near_edge,
         margin=edge - hertz.semi_axis_y,
-        length_share=sum(0.5 * (1.0 - _on_ellipse(s)) for s in (near, far)),
-        load_share=sum(_load_beyond(_on_ellipse(s)) for s in (near, far)),
-        edge_pressure=hertz.pressure * sqrt(1.0 - _on_ellipse(near) ** 2),
+        length_share=sum(0.5 * (1.0 - _on_ellipse(s)) for s in (near_edge, far_edge)),
+        load_share=sum(_load_beyond(_on_ellipse(s)) for s in (near_edge, far_edge)),
+        edge_pressure=hertz.pressure * sqrt(1.0 - _on_ellipse(near_edge) ** 2),
         cut_pressure=None if approach is None else hertz.pressure * sqrt(approach),
         cut_edge_pressure=(
-            None if approach is None else hertz.pressure * sqrt(max(approach - near * near, 0.0))
+            None
+            if approach is None
+            else hertz.pressure * sqrt(max(approach - near_edge * near_edge, 0.0))
         ),
     )
 
 
-def cut_approach(near: float, far: float) -> float | None:
+def cut_approach(near_edge: float, far_edge: float) -> float | None:
     """Approach of a cut ellipse over Hertz' one under the same load, by slices.
 
     Parameters
     ----------
-    near : float
+    near_edge : float
         from the middle to the nearer edge over the semi-axis; from 1 on it does not cut [-]
-    far : float
-        likewise to the other edge, at least `near` [-]
+    far_edge : float
+        likewise to the other edge, at least `near_edge` [-]
 
     Returns
     -------
     float | None
         ratio of the approaches [-]; None if the middle lies beyond the nearer edge
     """
-    if near <= 0.0:
+    if near_edge <= 0.0:
         return None
-    if near >= 1.0:
+    if near_edge >= 1.0:
         return 1.0
 
     def excess(approach: float) -> float:
-        ends = (min(sqrt(approach), edge) for edge in (near, far))
+        ends = (min(sqrt(approach), edge) for edge in (near_edge, far_edge))
         return sum(approach * end - end**3 / 3.0 for end in ends) - HERTZ_LOAD
 
     # at 1/s either side carries at least 1 - s^3/3 of the 4/3
-    return float(brentq(excess, 1.0, 1.0 / near))
+    return float(brentq(excess, 1.0, 1.0 / near_edge))
 
 
 def _on_ellipse(s: float) -> float:

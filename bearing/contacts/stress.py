@@ -82,13 +82,13 @@ def contact_stresses(
         stress [Pa] and sliding [m/s] of each; None for unloaded contacts
     """
     loaded = [(n, c, c.hertz) for n, c in enumerate(contacts) if c.hertz is not None]
-    found: list[ContactStress | None] = [None] * len(contacts)
+    results: list[ContactStress | None] = [None] * len(contacts)
     if loaded:
-        own = [contact for _, contact, _ in loaded]
-        stresses = _stresses(solution, own, [hertz for _, _, hertz in loaded])
+        loaded_contacts = [contact for _, contact, _ in loaded]
+        stresses = _stresses(solution, loaded_contacts, [hertz for _, _, hertz in loaded])
         for (n, _, _), stress in zip(loaded, stresses, strict=True):
-            found[n] = stress
-    return found
+            results[n] = stress
+    return results
 
 
 def _stresses(
@@ -113,8 +113,8 @@ def _stresses(
     curvature = np.array([radius[c.race] for c in contacts])
     sliding = largest_sliding(ellipses, motion[:, 2], motion[:, 3], curvature)
     columns = np.stack([2.0 / 3.0 * pressure, *shear, *orthogonal, *sliding], axis=1)
-    for contact, own, row in zip(contacts, hertz, columns.tolist(), strict=True):
-        cut = truncation(bearing, contact.race, contact.contact_angle, own)
+    for contact, ellipse, row in zip(contacts, hertz, columns.tolist(), strict=True):
+        cut = truncation(bearing, contact.race, contact.contact_angle, ellipse)
         yield ContactStress(**dict(zip(COLUMNS, row, strict=True)), truncation=cut)
 
 
@@ -145,18 +145,18 @@ def largest_sliding(
         largest pressure times sliding speed, shape (n,) [W/m^2]
     """
     shapes = np.stack([ellipses[0], ellipses[1], spin, 0.5 * rolling / radius], axis=1)
-    found = np.empty((len(shapes), 2))
-    largest_sliding_speeds(shapes, *_places(), found)
-    return found[:, 0], ellipses[2] * found[:, 1]
+    largest = np.empty((len(shapes), 2))
+    largest_sliding_speeds(shapes, *_ellipse_points(), largest)
+    return largest[:, 0], ellipses[2] * largest[:, 1]
 
 
 @cache
-def _places() -> tuple[Array, Array, Array]:
+def _ellipse_points() -> tuple[Array, Array, Array]:
     """Points of the half of an ellipse with x >= 0: speeds are even in x.
 
     x and y over the semi-axes, shape (ANGLES // 2 + 1, RINGS + 1), and pressure over Hertz',
     shape (RINGS + 1,).
     """
     angle = np.linspace(-0.5 * pi, 0.5 * pi, ANGLES // 2 + 1)[:, None]
-    share = np.linspace(0.0, 1.0, RINGS + 1)
-    return share * np.cos(angle), share * np.sin(angle), np.sqrt(1.0 - share**2)
+    radius = np.linspace(0.0, 1.0, RINGS + 1)
+    return radius * np.cos(angle), radius * np.sin(angle), np.sqrt(1.0 - radius**2)

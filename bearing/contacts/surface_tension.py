@@ -115,18 +115,18 @@ def surface_tensions(
     tuple[SurfaceTension | None, ...]
         tension of each contact [Pa]
     """
-    known: dict[tuple[int, Race], SurfaceTension] = {}
-    found: list[SurfaceTension | None] = []
+    solved: dict[tuple[int, Race], SurfaceTension] = {}
+    tensions: list[SurfaceTension | None] = []
     for film, traction in zip(solutions, tractions, strict=True):
         if film is None or traction is None or not is_brittle(bearing, traction.contact.race):
-            found.append(None)
+            tensions.append(None)
             continue
         key = (id(film), traction.contact.race)
-        if key not in known:
+        if key not in solved:
             pull = hoop.get(traction.contact.race, 0.0)
-            known[key] = solved_tension(bearing, film, traction, rheology, pull, temperature)
-        found.append(known[key])
-    return tuple(found)
+            solved[key] = solved_tension(bearing, film, traction, rheology, pull, temperature)
+        tensions.append(solved[key])
+    return tuple(tensions)
 
 
 def is_brittle(bearing: Bearing, race: Race) -> bool:
@@ -180,9 +180,9 @@ def solved_tension(
     """
     materials = (ring_material(bearing, traction.contact.race), bearing.ball_material)
     ratios = [body.poisson_ratio for body in materials]
-    own = film.thinned(POINTS)
-    meshes = (own, own.thinned(own.X.size // 2 + 1))
-    found = []
+    thinned = film.thinned(POINTS)
+    meshes = (thinned, thinned.thinned(thinned.X.size // 2 + 1))
+    largest = []
     for mesh in meshes:
         fields = shear_fields(mesh, traction.kinematics, rheology, temperature=temperature)
         shears = ((fields.body_2_x, fields.body_2_y), (fields.body_1_x, fields.body_1_y))
@@ -190,8 +190,8 @@ def solved_tension(
             _largest(mesh, stress, pull)
             for stress, pull in zip(_stresses(mesh, shears, ratios), (hoop, 0.0), strict=True)
         )
-        found.append((ring, ball))
-    (ring, ball), coarse = found
+        largest.append((ring, ball))
+    (ring, ball), coarse = largest
     errors = [abs(fine[0] - other[0]) for fine, other in zip((ring, ball), coarse, strict=True)]
     return SurfaceTension(
         ring=ring[0], ball=ball[0], uncertainty=BEYOND * max(errors), x=ring[1], y=ring[2]

@@ -79,7 +79,7 @@ def assemble(
     cage = model.cage
     n = bearing.balls
     free = free_array(point.kind, operation, model)
-    places = solved_places(free, n)
+    indices = solved_places(free, n)
     azimuth = bearing.first_ball_azimuth + 2.0 * pi / n * np.arange(n)
     numbers = constants(bearing, model)
     laws = normal_laws(bearing, model, point.angles)
@@ -110,8 +110,8 @@ def assemble(
         **_clock_arrays(n),
         power=np.zeros(ACCUMULATORS),
         loads=np.zeros((3, LOAD_COLUMNS)),
-        solved=places,
-        mechanical=_mechanical(places, n),
+        solved=indices,
+        mechanical=_mechanical(indices, n),
         whole=np.zeros(Layout(n).size),
         rates=np.zeros(Layout(n).size),
         turns=np.zeros((n, 3)),
@@ -138,12 +138,12 @@ def schedule_array(operation: Operation, model: DynamicsModel) -> Array:
     Array
         rows, shape (n, GIVEN_COLUMNS) [SI]
     """
-    places = model.places(operation)
-    rates = np.zeros_like(places)
+    displacements = model.places(operation)
+    rates = np.zeros_like(displacements)
     if model.schedule is not None and model.schedule.rates is not None:
         rates = np.array(model.schedule.rates)
     viscosities = np.array(model.viscosities)[:, None]
-    return np.hstack([model.rows(operation), places, rates, viscosities])
+    return np.hstack([model.rows(operation), displacements, rates, viscosities])
 
 
 def entrainment_speeds(schedule: Array, pitch_radius: float) -> Array:
@@ -247,15 +247,15 @@ def with_equations(
         changed problem, which shares its arrays with `data`
     """
     free = free_array(kind, operation, model)
-    places = solved_places(free, data.constants.balls)
-    mechanical = _mechanical(places, data.constants.balls)
-    return data._replace(free=free, solved=places, mechanical=mechanical)
+    indices = solved_places(free, data.constants.balls)
+    mechanical = _mechanical(indices, data.constants.balls)
+    return data._replace(free=free, solved=indices, mechanical=mechanical)
 
 
-def _mechanical(places: NDArray[np.int64], balls: int) -> int:
+def _mechanical(indices: NDArray[np.int64], balls: int) -> int:
     """How many of the solved places are none of the accumulators [-]."""
     layout = Layout(balls)
-    return int(places.size - (layout.size - layout.mechanical))
+    return int(indices.size - (layout.size - layout.mechanical))
 
 
 def friction_kind(model: DynamicsModel, races: list[FrictionData], laws: Array) -> int:
@@ -389,8 +389,8 @@ def normal_laws(bearing: Bearing, model: DynamicsModel, angles: tuple[float, flo
     cage = model.cage or NO_CAGE
     chi = damping_factor(normal.law, normal.restitution)
     rows = []
-    given = (normal.inner_stiffness, normal.outer_stiffness)
-    for race, angle, stiffness in zip(Race, angles, given, strict=True):
+    prescribed = (normal.inner_stiffness, normal.outer_stiffness)
+    for race, angle, stiffness in zip(Race, angles, prescribed, strict=True):
         radii = reduced_radii(bearing, race, angle)
         hertz = contact_stiffness(*radii, contact_modulus(bearing, race))
         rows.append((stiffness or hertz, HERTZ_EXPONENT, chi))
@@ -436,10 +436,10 @@ def scales(data: EquationData, load: float, model: DynamicsModel) -> Array:
     n = 3 * data.constants.balls
     ring = [1.0] * RING_TILT + [1.0 / pitch] * (RING - RING_TILT)
     cage = [1.0] * CAGE_ROTATION + [1.0 / pitch] * (CAGE - CAGE_ROTATION)
-    place = np.array([*ring, *cage, *[1.0] * n])
+    positions = np.array([*ring, *cage, *[1.0] * n])
     turn = np.full(n, 1.0 / data.constants.ball_radius)
     speed = min(tolerance * speed, RAMP_SHARE * model.friction.ramp)
     fastest = float(np.abs(entrainment_speeds(data.schedule, pitch)).max())
     if model.friction.follows_entrainment and fastest > 0.0:
         speed = min(speed, ROLLING_SHARE * tolerance * fastest)
-    return np.concatenate([tolerance * length * place, speed * place, speed * turn])
+    return np.concatenate([tolerance * length * positions, speed * positions, speed * turn])

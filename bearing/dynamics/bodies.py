@@ -119,13 +119,13 @@ def require_web(bearing: Bearing, clearance: float) -> None:
     """
     apart = bearing.pitch_diameter * sin(pi / bearing.balls)
     if bearing.ball_diameter + clearance >= apart:
-        most = from_si("clearance_mm", apart - bearing.ball_diameter)
-        if most <= 0.0:
+        largest = from_si("clearance_mm", apart - bearing.ball_diameter)
+        if largest <= 0.0:
             raise ValueError(f"{bearing.balls} balls leave no room for a cage between them")
-        found = from_si("clearance_mm", clearance)
+        prescribed = from_si("clearance_mm", clearance)
         raise ValueError(
-            f"pocket_clearance: pockets overlap at {found:.4g} mm; {bearing.balls} balls leave "
-            f"less than {most:.4g} mm"
+            f"pocket_clearance: pockets overlap at {prescribed:.4g} mm; {bearing.balls} balls "
+            f"leave less than {largest:.4g} mm"
         )
 
 
@@ -152,7 +152,7 @@ def pocket_stiffness(ball: float, clearance: float, modulus: float) -> float:
 
 
 def cage_body(
-    bearing: Bearing, material: Material, **given: float | tuple[float, ...] | Guidance | None
+    bearing: Bearing, material: Material, **prescribed: float | tuple[float, ...] | Guidance | None
 ) -> CageBody:
     """The cage: a hollow cylinder around the pitch circle, less its pockets.
 
@@ -179,9 +179,9 @@ def cage_body(
     ValueError
         if pockets overlap
     """
-    guidance = given.get("guidance")
-    plays = next((value for value in given.values() if isinstance(value, tuple)), ())
-    values = {name: value for name, value in given.items() if isinstance(value, int | float)}
+    guidance = prescribed.get("guidance")
+    plays = next((value for value in prescribed.values() if isinstance(value, tuple)), ())
+    values = {name: value for name, value in prescribed.items() if isinstance(value, int | float)}
     values |= {"pocket_clearance": max(plays)} if plays else {}
     number = values.get
     ball = bearing.ball_diameter
@@ -226,8 +226,8 @@ def cage_body(
 ACROSS = slice(GIVEN_FORCE + 1, None)
 ALONG = (GIVEN_FORCE, GIVEN_MOMENT, GIVEN_MOMENT + 1)
 # the same of `given_places`
-PLACES_ACROSS = slice(1, None)
-PLACES_ALONG = (0, 3, 4)
+DISPLACEMENTS_ACROSS = slice(1, None)
+DISPLACEMENTS_ALONG = (0, 3, 4)
 
 
 def load_type(operation: Operation, model: DynamicsModel) -> LoadType:
@@ -286,16 +286,20 @@ def symmetric_until(kind: LoadType, operation: Operation, model: DynamicsModel) 
         time; zero if they never do, infinite if they always do [s]
     """
     gravity = np.array(model.options.gravity)
-    places = np.array(model.places(operation))
+    displacements = np.array(model.places(operation))
     rows = np.array(model.rows(operation))
     if kind is LoadType.AXIAL:
         even = model.ring.unbalance == 0.0 and (model.cage is None or model.cage.even)
         even = even and model.rotating is None
         broken = np.any(gravity[1:]) or not even
-        loaded = np.any(rows[:, ACROSS], axis=1) | np.any(places[:, PLACES_ACROSS], axis=1)
+        loaded = np.any(rows[:, ACROSS], axis=1) | np.any(
+            displacements[:, DISPLACEMENTS_ACROSS], axis=1
+        )
     elif kind in (LoadType.RADIAL, LoadType.PLANAR):
         broken = bool(gravity[0])
-        loaded = np.any(rows[:, ALONG], axis=1) | np.any(places[:, PLACES_ALONG], axis=1)
+        loaded = np.any(rows[:, ALONG], axis=1) | np.any(
+            displacements[:, DISPLACEMENTS_ALONG], axis=1
+        )
     else:
         return inf
     if broken:
@@ -361,7 +365,7 @@ def equation_counts(kind: LoadType, balls: int, operation: Operation) -> dict[st
     dict[str, int]
         numbers of ring, cage, balls, and in all [-]
     """
-    ring, cage, ball = (sum(part) for part in free_coordinates(kind, operation))
+    ring, cage, ball = (sum(component) for component in free_coordinates(kind, operation))
     solved = 1 if kind is LoadType.AXIAL else balls
     return {
         "ring": ring,

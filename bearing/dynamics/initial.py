@@ -90,9 +90,9 @@ def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel)
 
 def _pushed_along(operation: Operation, model: DynamicsModel) -> bool:
     """Check the first load or displacement of the ring for a component along the axis."""
-    for row, place in zip(model.rows(operation), model.places(operation), strict=True):
-        if any(row[GIVEN_FORCE:]) or any(place):
-            return row[GIVEN_FORCE] != 0.0 or place[0] != 0.0
+    for row, displacement in zip(model.rows(operation), model.places(operation), strict=True):
+        if any(row[GIVEN_FORCE:]) or any(displacement):
+            return row[GIVEN_FORCE] != 0.0 or displacement[0] != 0.0
     return False
 
 
@@ -140,23 +140,23 @@ def first_operation(operation: Operation, model: DynamicsModel, kind: LoadType) 
         for a, b in zip(rows[0][:GIVEN_FORCE], rows[-1][:GIVEN_FORCE], strict=True)
     )
     ring = free_coordinates(kind, operation)[0]
-    given = [*rows[0][GIVEN_FORCE:]]
+    prescribed = [*rows[0][GIVEN_FORCE:]]
     if model.rotating is not None:
-        given[1] += model.rotating.force * cos(model.rotating.phase)
-        given[2] += model.rotating.force * sin(model.rotating.phase)
+        prescribed[1] += model.rotating.force * cos(model.rotating.phase)
+        prescribed[2] += model.rotating.force * sin(model.rotating.phase)
     loads: list[Any] = []
-    places: list[Any] = []
-    for load, place, free in zip(given, model.places(operation)[0], ring, strict=True):
+    displacements: list[Any] = []
+    for load, displacement, free in zip(prescribed, model.places(operation)[0], ring, strict=True):
         loads.append(load if free else None)
-        places.append(None if free else place)
+        displacements.append(None if free else displacement)
     return replace(
         operation,
         inner_speed=inner,
         outer_speed=outer,
         force=tuple(loads[:3]),
         moment=tuple(loads[3:]),
-        displacement=tuple(places[:3]),
-        tilt=tuple(places[3:]),
+        displacement=tuple(displacements[:3]),
+        tilt=tuple(displacements[3:]),
     )
 
 
@@ -201,10 +201,10 @@ def initial_state(
     speed = orbit * radial
     ball_free = data.free[BODIES:FREE_TURN]
     turn_free = data.free[FREE_TURN:]
-    place = np.stack([axial, radial * cosines, radial * sines], axis=1)
+    position = np.stack([axial, radial * cosines, radial * sines], axis=1)
     velocity = np.stack([0.0 * speed, -speed * sines, speed * cosines], axis=1) * ball_free
     turn = np.stack([spin[0], spin[1] * cosines, spin[1] * sines], axis=1) * turn_free
-    y[layout.ball] = place.ravel()
+    y[layout.ball] = position.ravel()
     y[layout.ball_speed] = velocity.ravel()
     y[layout.ball_turn] = turn.ravel()
     # 3. the cage goes round with the balls

@@ -67,13 +67,13 @@ class SimulationState:
         snapshot : SimulationState
             state with the values
         """
-        for part in fields(self):
-            own = getattr(self, part.name)
-            value = getattr(snapshot, part.name)
-            if isinstance(own, np.ndarray):
-                own[...] = value
+        for field in fields(self):
+            present = getattr(self, field.name)
+            value = getattr(snapshot, field.name)
+            if isinstance(present, np.ndarray):
+                present[...] = value
             else:
-                setattr(self, part.name, value)
+                setattr(self, field.name, value)
 
 
 def empty_record(times: Array, balls: int) -> Record:
@@ -119,8 +119,8 @@ def first_rows(record: Record, rows: int) -> Record:
     Record
         record with views of these rows
     """
-    parts: list[Any] = [part[:rows] for part in record]
-    return Record(*parts)
+    arrays: list[Any] = [array[:rows] for array in record]
+    return Record(*arrays)
 
 
 def join(first: Record, second: Record) -> Record:
@@ -137,5 +137,5 @@ def join(first: Record, second: Record) -> Record:
         one record
     """
     pairs: Any = zip(first, second, strict=True)
-    parts = [np.concatenate((a, b)) for a, b in pairs]
-    return Record(*parts)
+    arrays = [np.concatenate((a, b)) for a, b in pairs]
+    return Record(*arrays)

@@ -96,7 +96,7 @@ class SolvedMotion:
         Array
             errors, shape (mechanical,) [SI]
         """
-        one = scale[_first_places(self.balls, self.solved)[: Layout(self.solved).mechanical]]
+        one = scale[_first_indices(self.balls, self.solved)[: Layout(self.solved).mechanical]]
         return one[self.data.solved[: self.data.mechanical]]
 
     def begin(self, state: SimulationState) -> tuple[Array, ContactHistory]:
@@ -114,19 +114,19 @@ class SolvedMotion:
         history
             onset, state and times of the contacts
         """
-        whole = state.y[_first_places(self.balls, self.solved)]
-        self.data.whole[:] = whole
+        selected = state.y[_first_indices(self.balls, self.solved)]
+        self.data.whole[:] = selected
         history = ContactHistory(state.onset, state.contact_state, state.shares, state.attitude)
         if self.solved < self.balls:
-            kept = _first_contacts(self.balls)
-            self.data.memory[:] = state.memory[kept]
+            contacts = _first_contacts(self.balls)
+            self.data.memory[:] = state.memory[contacts]
             history = ContactHistory(
-                onset=state.onset[kept],
+                onset=state.onset[contacts],
                 states=state.contact_state[:, :1].copy(),
                 shares=state.shares[:, :1].copy(),
                 attitude=state.attitude[:1].copy(),
             )
-        return whole[self.data.solved], history
+        return selected[self.data.solved], history
 
     def finish(self, state: SimulationState, y: Array, history: ContactHistory) -> None:
         """Bring a state up to date; inverse of `begin`.
@@ -212,7 +212,7 @@ def _one_ball(data: EquationData) -> EquationData:
     """Equations of the first ball, which stands for all."""
     balls = data.constants.balls
     layout = Layout(1)
-    places = solved_places(data.free, 1)
+    indices = solved_places(data.free, 1)
     return data._replace(
         constants=data.constants._replace(balls=1, copies=balls),
         pocket_angle=data.pocket_angle[:1].copy(),
@@ -225,26 +225,26 @@ def _one_ball(data: EquationData) -> EquationData:
         films=data.films[:, :1].copy(),
         linear=data.linear[:, :1].copy(),
         pocket_films=data.pocket_films[:1].copy(),
-        solved=places,
-        mechanical=places.size - (layout.size - layout.mechanical),
+        solved=indices,
+        mechanical=indices.size - (layout.size - layout.mechanical),
         whole=np.zeros(layout.size),
         rates=np.zeros(layout.size),
         turns=np.zeros((1, 3)),
     )
 
 
-def _first_places(balls: int, solved: int) -> NDArray[np.int64]:
+def _first_indices(balls: int, solved: int) -> NDArray[np.int64]:
     """Places in the state vector of all balls of that of the first ones."""
     layout = Layout(balls)
-    places = np.arange(layout.size)
-    kept: list[Any] = []
+    indices = np.arange(layout.size)
+    selected: list[Any] = []
     for bodies, of_balls in (
         (slice(0, BODIES), layout.ball),
         (slice(layout.positions, layout.positions + BODIES), layout.ball_speed),
         (slice(0, 0), layout.ball_turn),
     ):
-        kept += [places[bodies], places[of_balls][: 3 * solved]]
-    return np.concatenate([*kept, places[layout.mechanical :]])
+        selected += [indices[bodies], indices[of_balls][: 3 * solved]]
+    return np.concatenate([*selected, indices[layout.mechanical :]])
 
 
 def _first_contacts(balls: int) -> NDArray[np.int64]:
@@ -334,10 +334,10 @@ def all_states(states: Array, balls: int, solved: int) -> Array:
     one = Layout(1)
     all_of_them = Layout(balls)
     out = np.zeros((len(states), all_of_them.size))
-    out[:, _first_places(balls, solved)] = states[:, : one.size]
-    for part in ("ball", "ball_speed", "ball_turn"):
-        vectors = turned(states[:, getattr(one, part)], balls)
-        out[:, getattr(all_of_them, part)] = vectors.reshape(len(states), -1)
+    out[:, _first_indices(balls, solved)] = states[:, : one.size]
+    for name in ("ball", "ball_speed", "ball_turn"):
+        vectors = turned(states[:, getattr(one, name)], balls)
+        out[:, getattr(all_of_them, name)] = vectors.reshape(len(states), -1)
     return out
 
 
@@ -356,7 +356,7 @@ def symmetric_part(motion: SolvedMotion, rates: Array) -> Array:
     Array
         symmetric rates, shape (size,) [SI]
     """
-    first = rates[_first_places(motion.balls, motion.solved)]
-    kept = np.zeros_like(first)
-    kept[motion.data.solved] = first[motion.data.solved]
-    return all_states(kept[None], motion.balls, motion.solved)[0]
+    first = rates[_first_indices(motion.balls, motion.solved)]
+    solved = np.zeros_like(first)
+    solved[motion.data.solved] = first[motion.data.solved]
+    return all_states(solved[None], motion.balls, motion.solved)[0]

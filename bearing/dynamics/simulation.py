@@ -154,11 +154,11 @@ class Simulation:
         method = self._control(scale), scale
         while times.size:
             began = perf_counter()
-            before = deepcopy(self.state)
+            saved = deepcopy(self.state)
             try:
                 record = self._advance(times[:PIECE], method)
             except KeyboardInterrupt:
-                self._restore(before)
+                self._restore(saved)
                 raise
             self.wall += perf_counter() - began
             times = times[record.time.size :]
@@ -179,9 +179,9 @@ class Simulation:
             self.data = with_equations(self.data, kind, self.operation, self.model)
             self.state.kind = kind
 
-    def _restore(self, before: SimulationState) -> None:
-        self.set_equations(before.kind)
-        self.state.restore(before)
+    def _restore(self, saved: SimulationState) -> None:
+        self.set_equations(saved.kind)
+        self.state.restore(saved)
 
     def _symmetric(self, control: StepControl, scale: Array) -> bool:
         """Check that the general equations keep the motion as symmetric as the ones in use.
@@ -207,26 +207,26 @@ class Simulation:
         until = symmetric_until(self.state.kind, self.operation, self.model)
         if not self._symmetric(*method):
             until = self.state.time
-        held = times[times <= until]
-        if not held.size:
+        symmetric_times = times[times <= until]
+        if not symmetric_times.size:
             self._break_symmetry()
-        return self._steps(held if held.size else times, method)
+        return self._steps(symmetric_times if symmetric_times.size else times, method)
 
     def _break_symmetry(self) -> None:
         """Go on with the general equations, and say so."""
-        lost = f"dynamics: the motion lost the symmetry of the {self.state.kind.value} equations"
+        text = f"dynamics: the motion lost the symmetry of the {self.state.kind.value} equations"
         self.set_equations(LoadType.GENERAL)
-        self._note(f"{lost} at t = {self.state.time:.6g} s; the general ones went on from there")
+        self._note(f"{text} at t = {self.state.time:.6g} s; the general ones went on from there")
 
     def _steps(self, times: Array, method: tuple[StepControl, Array]) -> Record:
         """Explicit steps; where they are given up, at most `STRETCH` samples by LSODA."""
         began, stiff = self.state.time, self.state.stiff
-        before = deepcopy(self.state) if stiff else None
+        saved = deepcopy(self.state) if stiff else None
         # 1. explicit steps, after LSODA too: a stiff start may be over
         status, record = advance_explicit(self.state, self.motion, times, *method)
         # 2. where they fail after LSODA, undo them: LSODA does their samples too
-        if before is not None and status not in (DONE, STIFF):
-            self.state.restore(before)
+        if saved is not None and status not in (DONE, STIFF):
+            self.state.restore(saved)
             status = STIFF
             record = empty_record(times[:0], self.bearing.balls)
         # 3. LSODA from there on
@@ -247,8 +247,12 @@ class Simulation:
     def _fail(self, status: int) -> None:
         c = self.data.constants
         film = c.cage_mass > 0.0 and c.guide != GUIDED_BY_BALLS and c.film_viscosity > 0.0
-        told = {"t": self.state.time, "step": self.state.step, "land": LAND_ADVICE if film else ""}
-        self.messages.append(f"dynamics: not converged: {FAILURES[status].format(**told)}")
+        values = {
+            "t": self.state.time,
+            "step": self.state.step,
+            "land": LAND_ADVICE if film else "",
+        }
+        self.messages.append(f"dynamics: not converged: {FAILURES[status].format(**values)}")
 
     def _note(self, text: str) -> None:
         """Add a message unless one that begins alike is there."""

@@ -176,10 +176,10 @@ def orbit_speeds(states: Array, layout: Layout) -> Array:
     Array
         speeds, shape (m, Z) [rad/s]
     """
-    place = states[:, layout.ball].reshape(len(states), -1, 3)
+    position = states[:, layout.ball].reshape(len(states), -1, 3)
     speed = states[:, layout.ball_speed].reshape(len(states), -1, 3)
-    turn = place[..., 1] * speed[..., 2] - place[..., 2] * speed[..., 1]
-    result: Array = turn / (place[..., 1] ** 2 + place[..., 2] ** 2)
+    turn = position[..., 1] * speed[..., 2] - position[..., 2] * speed[..., 1]
+    result: Array = turn / (position[..., 1] ** 2 + position[..., 2] ** 2)
     return result
 
 
@@ -253,7 +253,7 @@ def simulation_statistics(
     has_cage = simulation.data.constants.cage_mass > 0.0 and span > 0.0
     work = state.y[simulation.layout.energy]
     put_in = float(np.sum(work[:INPUTS]))
-    lost = float(np.sum(work[LOSSES]))
+    dissipated = float(np.sum(work[LOSSES]))
     return SimulationStatistics(
         simulated=state.time,
         wall=simulation.wall,
@@ -269,8 +269,8 @@ def simulation_statistics(
         **_cage_orbit(simulation, centres[:, 2:]),
         averaged=int(late.sum()),
         work=dict(zip(MECHANISMS, work.tolist(), strict=True)),
-        stored=put_in - lost - float(work[-1]),
-        energy_error=_energy_error(running.residual, put_in, lost, simulation.start_energy),
+        stored=put_in - dissipated - float(work[-1]),
+        energy_error=_energy_error(running.residual, put_in, dissipated, simulation.start_energy),
         shares=state.shares / max(state.time, 1e-300),
         mean_load=running.load_sum / running.rows,
         largest_load=running.load_largest,
@@ -281,17 +281,17 @@ def simulation_statistics(
     )
 
 
-def _energy_error(residual: float, put_in: float, lost: float, start: float) -> float:
+def _energy_error(residual: float, put_in: float, dissipated: float, start: float) -> float:
     """A residual over the work or a share of the energy at the start, all in [J]."""
-    return residual / max(abs(put_in), abs(lost), STILL * abs(start), 1e-300)
+    return residual / max(abs(put_in), abs(dissipated), STILL * abs(start), 1e-300)
 
 
-def _cage_orbit(simulation: Simulation, place: Array) -> dict[str, float | None]:
+def _cage_orbit(simulation: Simulation, position: Array) -> dict[str, float | None]:
     """Radius [m], play [m] and share of one-way turning [-] of the cage's centre."""
     c = simulation.data.constants
     if c.cage_mass <= 0.0:
         return {"cage_orbit": None, "cage_play": None, "one_way": None}
-    off = place - place.mean(axis=0)
+    off = position - position.mean(axis=0)
     play = c.pocket_play if c.guide == GUIDED_BY_BALLS else c.land_clearance
     radius = float(np.sqrt((off**2).sum(axis=1).mean()))
     if radius < SMALLEST_ORBIT:
@@ -351,14 +351,14 @@ def batch_interval(values: Array) -> float | None:
     return STUDENT * float(means.std(ddof=1)) / BATCHES**0.5
 
 
-def whirl_speed(time: Array, place: Array) -> float | None:
+def whirl_speed(time: Array, position: Array) -> float | None:
     """Mean angular speed of a centre's path about its own mean, positive as the axis turns.
 
     Parameters
     ----------
     time : Array
         times, shape (m,) [s]
-    place : Array
+    position : Array
         y and z of the centre, shape (m, 2) [m]
 
     Returns
@@ -366,7 +366,7 @@ def whirl_speed(time: Array, place: Array) -> float | None:
     float | None
         speed [rad/s]; None if the centre stays within a picometre, or for fewer than three samples
     """
-    off = place - place.mean(axis=0)
+    off = position - position.mean(axis=0)
     if time.size < FEWEST_PLACES or np.abs(off).max() < SMALLEST_ORBIT:
         return None
     angle = np.unwrap(np.arctan2(off[:, 1], off[:, 0]))

@@ -295,24 +295,32 @@ def _changes(
     }
     if fit is not None and bore:
         shaft = _Cylinder(fit.shaft_material, fit.shaft_bore, bore, speeds[0], rise.shaft)
-        left, pressure = _seat(fit.inner_interference, hub=inner, shaft=shaft)
+        remaining, pressure = _seat(fit.inner_interference, hub=inner, shaft=shaft)
         growth = far_growth(pressure, inner, inside=True)
-        changes |= {"inner_interference": left, "inner_pressure": pressure, "inner_fit": -growth}
+        changes |= {
+            "inner_interference": remaining,
+            "inner_pressure": pressure,
+            "inner_fit": -growth,
+        }
     if fit is not None and outside and fit.housing_outside_diameter:
         far = fit.housing_outside_diameter
         housing = _Cylinder(fit.housing_material, outside, far, speeds[1], rise.housing)
-        left, pressure = _seat(fit.outer_interference, hub=housing, shaft=outer)
+        remaining, pressure = _seat(fit.outer_interference, hub=housing, shaft=outer)
         growth = far_growth(pressure, outer, inside=False)
-        changes |= {"outer_interference": left, "outer_pressure": pressure, "outer_fit": growth}
-    parts = ("thermal", "centrifugal", "inner_fit", "outer_fit")
-    return changes | {"change": sum(changes.get(part, 0.0) for part in parts)}
+        changes |= {
+            "outer_interference": remaining,
+            "outer_pressure": pressure,
+            "outer_fit": growth,
+        }
+    names = ("thermal", "centrifugal", "inner_fit", "outer_fit")
+    return changes | {"change": sum(changes.get(name, 0.0) for name in names)}
 
 
 def _seat(interference: float, hub: _Cylinder, shaft: _Cylinder) -> tuple[float, float]:
     """Interference left of one at rest [m], and pressure in the seat [Pa]."""
     seat = hub.inner
-    left = interference + shaft.free_growth(seat) - hub.free_growth(seat)
-    return left, fit_pressure(left, seat, hub=hub, shaft=shaft)
+    remaining = interference + shaft.free_growth(seat) - hub.free_growth(seat)
+    return remaining, fit_pressure(remaining, seat, hub=hub, shaft=shaft)
 
 
 def _check(bearing: Bearing, fit: Fit) -> None:

@@ -193,8 +193,8 @@ def strength_map(
     fastest = MAP_REACH * abs(operation.inner_speed)
     speeds = np.linspace(0.0, fastest, MAP_SPEEDS) if fastest else np.zeros(1)
     rings = np.empty((rises.size, speeds.size), dtype=object)
-    for i, own in enumerate(rises):
-        warm = _scaled(rise, float(own) / rise.inner_ring)
+    for i, inner_rise in enumerate(rises):
+        warm = _scaled(rise, float(inner_rise) / rise.inner_ring)
         for j, speed in enumerate(speeds):
             turning = _at_speed(operation, float(speed))
             budget = clearance_budget(bearing, turning, fit, warm)
@@ -219,10 +219,10 @@ def _over_map(rings: NDArray[np.object_], name: str) -> Array | None:
 
 def _all_expand(bearing: Bearing, fit: Fit | None) -> bool:
     """Check that every part has a thermal expansion."""
-    parts = [bearing.inner_ring_material, bearing.outer_ring_material, bearing.ball_material]
+    materials = [bearing.inner_ring_material, bearing.outer_ring_material, bearing.ball_material]
     if fit is not None:
-        parts += [fit.shaft_material, fit.housing_material]
-    return all(part.thermal_expansion is not None for part in parts)
+        materials += [fit.shaft_material, fit.housing_material]
+    return all(material.thermal_expansion is not None for material in materials)
 
 
 def failure_probability(
@@ -293,7 +293,7 @@ def _wall(
 def _strength(race: Race, wall: _Wall) -> RingStrength:
     """Hoop stress and probability of failure of a ring."""
     bore = wall.inner
-    found = RingStrength(
+    stresses = RingStrength(
         race=race,
         material=wall.material,
         seat_pressure=wall.pressure,
@@ -305,12 +305,12 @@ def _strength(race: Race, wall: _Wall) -> RingStrength:
     strength = material.bending_strength
     modulus = material.weibull_modulus
     if wall.width is None or strength is None or modulus is None:
-        return found
+        return stresses
     weak, strong = material.bending_strength_range or (strength, strength)
-    least, most = material.weibull_modulus_range or (modulus, modulus)
-    ends = [_failure(wall, s, m) for s in (weak, strong) for m in (least, most)]
+    smallest, largest = material.weibull_modulus_range or (modulus, modulus)
+    ends = [_failure(wall, s, m) for s in (weak, strong) for m in (smallest, largest)]
     return replace(
-        found,
+        stresses,
         effective_volume=effective_volume(wall, modulus),
         failure_probability=_failure(wall, strength, modulus),
         failure_low=min(ends),
@@ -345,8 +345,8 @@ def effective_volume(wall: _Wall, modulus: float) -> float:
     nodes, weights = _gauss()
     half = 0.5 * (wall.outer - wall.inner)
     radius = wall.inner + half * (1.0 + nodes)
-    share = np.maximum(np.asarray(wall.hoop(radius)) / largest, 0.0) ** modulus
-    return float(2.0 * pi * wall.width * half * (weights * share * radius).sum())
+    ratio = np.maximum(np.asarray(wall.hoop(radius)) / largest, 0.0) ** modulus
+    return float(2.0 * pi * wall.width * half * (weights * ratio * radius).sum())
 
 
 @cache

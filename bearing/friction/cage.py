@@ -139,12 +139,14 @@ def resisted_power(solution: QuasistaticSolution, resistance: Resistance) -> Res
     drag = float((resistance.drag(speed) * speed).sum())
     if not load.any():
         return ResistedPower(drag=drag)
-    still = np.zeros((load.size, 4))
-    pushed = resistance.cage_power(solution, driven_cage_speed(solution, load, still))
+    no_change = np.zeros((load.size, 4))
+    pushed = resistance.cage_power(solution, driven_cage_speed(solution, load, no_change))
     push = pushed / max(abs(float((load * speed).sum())), TINY) * load
     surface = np.hypot(*rubbing_speeds(solution).T)
     pocket = float((resistance.pocket * np.abs(push) * surface).sum())
-    return with_land(ResistedPower(drag=drag, pocket=pocket), solution, resistance, still, load)
+    return with_land(
+        ResistedPower(drag=drag, pocket=pocket), solution, resistance, no_change, load
+    )
 
 
 def with_land(
@@ -304,9 +306,9 @@ def _cage_driven_motion(
     shifted = z.copy()
     rotation = ball_speeds(solution)[1]
     for i in np.flatnonzero(~driving):
-        own = float(solution.orbit_speed[i])
+        orbit = float(solution.orbit_speed[i])
         # rolling goes with the orbit
-        faster = (mean - outer) / (own - outer) - 1.0 if own != outer else 0.0
-        shifted[i, 0] = radius * (mean - own)
+        faster = (mean - outer) / (orbit - outer) - 1.0 if orbit != outer else 0.0
+        shifted[i, 0] = radius * (mean - orbit)
         shifted[i, 1:] = 0.5 * bearing.ball_diameter * faster * rotation[i]
     return shifted

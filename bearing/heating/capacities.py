@@ -50,8 +50,8 @@ def heat_capacities(
     outer = _capacity(bearing.outer_ring_material)
     outer *= _ring(size.outer_track, size.outside, size.width)
     balls = rows * bearing.balls * pi / 6.0 * bearing.ball_diameter**3
-    known = with_dimensions(bearing, size.bore, size.outside, size.width / rows)
-    cavity = rows * cavity_volume(known) * (OIL_SHARE if oil_share is None else oil_share)
+    sized = with_dimensions(bearing, size.bore, size.outside, size.width / rows)
+    cavity = rows * cavity_volume(sized) * (OIL_SHARE if oil_share is None else oil_share)
     fluid = oil.density * oil.thermal.specific_heat if oil.thermal else 0.0
     values = {
         "shaft": _capacity(around.shaft_material) * _ring(around.shaft_bore, size.bore, length),

@@ -68,20 +68,20 @@ class HeatNetwork:
             b, shape (nodes,) [W]
         """
         leaving = np.zeros((len(NODES), len(NODES)))
-        given = np.zeros(len(NODES))
+        prescribed = np.zeros(len(NODES))
         for path in self.paths:
             g = path.conductance.end(end)
             ends = (path.first, path.second), (path.second, path.first)
-            for here, there in ends:
-                if here not in NODES:
+            for node, neighbour in ends:
+                if node not in NODES:
                     continue
-                row = NODES.index(here)
+                row = NODES.index(node)
                 leaving[row, row] += g
-                if there in NODES:
-                    leaving[row, NODES.index(there)] -= g
+                if neighbour in NODES:
+                    leaving[row, NODES.index(neighbour)] -= g
                 else:
-                    given[row] += g * self.boundaries[there]
-        return leaving, given
+                    prescribed[row] += g * self.boundaries[neighbour]
+        return leaving, prescribed
 
     def temperatures(self, sources: Array, end: int = 0) -> Array:
         """Temperatures of the nodes under heat sources.
@@ -103,15 +103,15 @@ class HeatNetwork:
         ValueError
             if heat cannot leave a node
         """
-        leaving, given = self.matrix(end)
+        leaving, prescribed = self.matrix(end)
         scale = np.sqrt(np.diag(leaving))
         if not (scale > 0.0).all():
-            lost = [name for name, own in zip(NODES, scale, strict=True) if not own > 0.0]
-            raise ValueError(f"no heat leaves {', '.join(lost)}")
+            isolated = [name for name, entry in zip(NODES, scale, strict=True) if not entry > 0.0]
+            raise ValueError(f"no heat leaves {', '.join(isolated)}")
         even = leaving / np.outer(scale, scale)
         if np.linalg.eigvalsh(even)[0] < 1e-12:
             raise ValueError("no heat leaves the bearing: all paths to the surroundings are zero")
-        return np.asarray(np.linalg.solve(even, (sources + given) / scale) / scale)
+        return np.asarray(np.linalg.solve(even, (sources + prescribed) / scale) / scale)
 
     def flows(self, temperatures: Array) -> tuple[float, ...]:
         """Heat along each path, from its first to its second end.
@@ -126,9 +126,9 @@ class HeatNetwork:
         tuple[float, ...]
             heat of each path [W]
         """
-        known = dict(zip(NODES, temperatures, strict=True)) | dict(self.boundaries)
+        by_name = dict(zip(NODES, temperatures, strict=True)) | dict(self.boundaries)
         return tuple(
-            float(path.conductance.value * (known[path.first] - known[path.second]))
+            float(path.conductance.value * (by_name[path.first] - by_name[path.second]))
             for path in self.paths
         )
 
@@ -166,8 +166,8 @@ class HeatNetwork:
         heat = float(np.abs(sources).sum())
         if heat == 0.0:
             return 0.0
-        leaving, given = self.matrix()
-        nodes = np.abs(sources + given - leaving @ temperatures).max()
+        leaving, prescribed = self.matrix()
+        nodes = np.abs(sources + prescribed - leaving @ temperatures).max()
         total = abs(float(sources.sum()) - self.removed(temperatures))
         return max(float(nodes), total) / heat
 

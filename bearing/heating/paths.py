@@ -185,11 +185,11 @@ def _outside_paths(around: Surroundings, size: Dimensions, speed: float) -> Iter
     if around.conductance is not None:
         sizes = {"shaft": size.bore, "housing": size.outside}
         for name, diameter in sizes.items():
-            share = diameter / (size.bore + size.outside)
+            fraction = diameter / (size.bore + size.outside)
             yield HeatPath(
                 first=name,
                 second=AMBIENT,
-                conductance=Conductance.exactly(share * around.conductance),
+                conductance=Conductance.exactly(fraction * around.conductance),
                 what="heat_transfer_W_K as given, split by the areas of the seats",
             )
     else:
@@ -216,8 +216,8 @@ def _shaft_path(around: Surroundings, size: Dimensions, speed: float) -> HeatPat
     k = solid_thermal(around.shaft_material).conductivity
     area = 0.25 * pi * (size.bore**2 - around.shaft_bore**2)
     turning = rotating_coefficient(speed, size.bore)
-    still = radiation_coefficient(EMISSIVITY, around.ambient)
-    ends = (turning + still, 0.5 * turning + still, 2.0 * turning + still)
+    radiation = radiation_coefficient(EMISSIVITY, around.ambient)
+    ends = (turning + radiation, 0.5 * turning + radiation, 2.0 * turning + radiation)
     rods = [
         2.0 * fin_conductance(h, pi * size.bore, k, area, size.shaft_length) if h > 0.0 else 0.0
         for h in ends
@@ -350,8 +350,8 @@ def ring_conductance(bearing: Bearing, race: Race, width: float) -> float:
     height = 0.2 * ball  # of shoulders of which no diameter is known, assumed
     if shoulder is None:
         shoulder = (groove + 2.0 * height if inner else groove - 2.0 * height, True)
-    known = with_dimensions(bearing, bore, outside, width)
-    profile = elastic_ring(known, race, Seat.RIGID, shoulder).profile
+    sized = with_dimensions(bearing, bore, outside, width)
+    profile = elastic_ring(sized, race, Seat.RIGID, shoulder).profile
     return _ring_conductance(profile, k, TRACK * ball)
 
 

@@ -160,10 +160,10 @@ def warn_of_estimates(name: str, values: Mapping[str, Any], assumed: Collection[
     if key is not None and (estimates := _estimates(key, name, values, assumed)):
         text = f"bearing {key!r}: internal geometry is estimated: {', '.join(estimates)}"
         warnings.warn(text, stacklevel=2)
-    known = {field: value for field, value in values.items() if value is not None}
-    own = [_with_words(field, value) for field, value in known.items() if field in assumed]
-    if own:
-        text = f"bearing {name!r}: assumed, as the case says: {', '.join(own)}"
+    present = {field: value for field, value in values.items() if value is not None}
+    texts = [_with_words(field, value) for field, value in present.items() if field in assumed]
+    if texts:
+        text = f"bearing {name!r}: assumed, as the case says: {', '.join(texts)}"
         warnings.warn(text, stacklevel=2)
 
 
@@ -198,8 +198,8 @@ def estimated_fields(name: str, values: Mapping[str, Any]) -> tuple[str, ...]:
     if catalogue_name(name) is None:
         return ()
     entry = _entry_with_class(name, values)
-    known = (field for field in entry["estimated"] if values.get(field) is not None)
-    return tuple(field for field in known if isclose(values[field], entry[field]))
+    present = (field for field in entry["estimated"] if values.get(field) is not None)
+    return tuple(field for field in present if isclose(values[field], entry[field]))
 
 
 def _entry_with_class(name: str, values: Mapping[str, Any]) -> dict[str, Any]:

@@ -146,7 +146,11 @@ def estimated_bearings() -> tuple[str, ...]:
     """Designations of all bearings of the catalogue with an estimated geometry."""
     names = []
     for series, (dimensions, angular) in SERIES.items():
-        bores = [bore for own, bore in boundary_dimensions() if own == dimensions]
+        bores = [
+            bore
+            for series_dimensions, bore in boundary_dimensions()
+            if series_dimensions == dimensions
+        ]
         suffixes = tuple(ANGLES) if angular else ("",)
         if series in ("719", "70"):
             suffixes = ("C", "AC")
@@ -216,10 +220,12 @@ def catalogue_entry(designation: Designation) -> dict[str, Any] | None:
     )
     entry["skf_series"] = skf_series(designation)
     source = f"boundary dimensions: ISO 15, dimension series {designation.dimension_series}"
-    parts = [source, *([MAKER] if row else ["no ratings read"]), entry["source"]]
+    sources = [source, *([MAKER] if row else ["no ratings read"]), entry["source"]]
     if row.get("inner_shoulder_mm"):
-        parts.append("shoulders: SKF general catalogue, d1 and D1, the pitch diameter their mean")
-    return {**entry, "source": "; ".join(parts)}
+        sources.append(
+            "shoulders: SKF general catalogue, d1 and D1, the pitch diameter their mean"
+        )
+    return {**entry, "source": "; ".join(sources)}
 
 
 def skf_series(designation: Designation) -> str:
@@ -263,13 +269,13 @@ def nearest_series(bore: float, outside_diameter: float, *, angular: bool) -> st
     """
     if angular:
         return "other single row"
-    own = {
+    outside = {
         series: boundary_dimensions()[dimensions, bore][0]
         for series, (dimensions, is_angular) in SERIES.items()
         if not is_angular and (dimensions, bore) in boundary_dimensions()
     }
-    if own:
-        return min(own, key=lambda series: abs(own[series] - outside_diameter))
+    if outside:
+        return min(outside, key=lambda series: abs(outside[series] - outside_diameter))
     factor = (outside_diameter - bore) / bore**0.9
     return min(DIAMETER_SERIES, key=lambda series: abs(DIAMETER_SERIES[series] - factor))
 
@@ -406,14 +412,14 @@ def with_clearance(entry: dict[str, Any], name: str | None) -> dict[str, Any]:
     if not name or key not in entry or "bore_mm" not in entry:
         return entry
     low, high = clearance_class(entry["bore_mm"], name)
-    told = [part for part in entry["source"].split("; ") if not part.startswith("clearance: ")]
+    sources = [text for text in entry["source"].split("; ") if not text.startswith("clearance: ")]
     return {
         **entry,
         "clearance_class": name,
         key: 0.5 * (low + high),
         "range": {**entry.get("range", {}), key: [low, high]},
         "estimated": list(dict.fromkeys([*entry["estimated"], key])),
-        "source": "; ".join((*told, f"clearance: middle of the class {name}")),
+        "source": "; ".join((*sources, f"clearance: middle of the class {name}")),
     }
 
 

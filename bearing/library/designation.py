@@ -229,16 +229,16 @@ def _with_suffixes(read: Designation, rest: str) -> tuple[Designation, str]:
     rest = rest.replace("FULL CERAMIC", "CERAMIC").strip()
     while rest:
         word = next((word for word in sorted(words, key=len)[::-1] if rest.startswith(word)), "")
-        found = words.get(word, {})
+        fields = words.get(word, {})
         if not word and SERIES[read.series][1] and (match := re.match(SETS, rest)):
             word = match.group()
-            found = _set(match)
+            fields = _set(match)
         if not word:
             match = re.match(WITHOUT_EFFECT, rest)
             if match is None:
                 break
             word = match.group()
-        read = replace(read, **found)  # type: ignore[arg-type]
+        read = replace(read, **fields)  # type: ignore[arg-type]
         rest = rest.removeprefix(word).strip()
     return read, rest
 
@@ -246,12 +246,12 @@ def _with_suffixes(read: Designation, rest: str) -> tuple[Designation, str]:
 def _set(match: re.Match[str]) -> dict[str, object]:
     """Arrangement and preload class of a set of angular contact bearings."""
     arrangement = match["set"] or match["alone"] or ""
-    found: dict[str, object] = {}
+    fields: dict[str, object] = {}
     if arrangement in ARRANGEMENTS:
-        found["arrangement"] = arrangement
+        fields["arrangement"] = arrangement
     if match["preload"] and arrangement:
-        found["preload_class"] = PRELOADS[match["preload"]]
-    return found
+        fields["preload_class"] = PRELOADS[match["preload"]]
+    return fields
 
 
 def why_unknown(text: str) -> str:

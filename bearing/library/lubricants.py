@@ -150,8 +150,8 @@ def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
         celsius = f"{temperature - ZERO_CELSIUS:.1f} C"
         warnings.warn(f"lubricant {key!r}: {celsius} is outside {low} to {high} C", stacklevel=2)
     constants = oil_constants(entry, temperature)
-    laws = _own_laws(entry) | {name: law for name, law in laws.items() if law is not None}
-    alpha = _own_coefficient(entry, laws.get("viscosity_law"), constants, temperature)
+    laws = _laws_of_set(entry) | {name: law for name, law in laws.items() if law is not None}
+    alpha = _coefficient_of_law(entry, laws.get("viscosity_law"), constants, temperature)
     return Lubricant(
         viscosity=dynamic_viscosity(entry, temperature),
         pressure_viscosity=alpha,
@@ -188,13 +188,13 @@ def _thermal(entry: dict[str, Any], temperature: float) -> ThermalProperties:
     )
 
 
-def _own_laws(entry: dict[str, Any]) -> dict[str, Any]:
+def _laws_of_set(entry: dict[str, Any]) -> dict[str, Any]:
     """Laws of the oil's set, where it has one."""
     kinds = {"viscosity_law": ViscosityLaw, "density_law": DensityLaw}
     return {name: kind(entry[name]) for name, kind in kinds.items() if name in entry}
 
 
-def _own_coefficient(
+def _coefficient_of_law(
     entry: dict[str, Any], law: ViscosityLaw | None, constants: dict[str, Any], temperature: float
 ) -> float:
     """d(ln eta)/dp at ambient pressure [1/Pa], by the constants of the law that is taken [K]."""
@@ -450,10 +450,12 @@ def pressure_viscosity(entry: dict[str, Any], temperature: float) -> float:
     if data["law"] == "hyperbola":
         return float(data["a_1_Pa"] + data["b_K_Pa"] / (temperature - data["c_K"]))
     if data["law"] == "roelands":
-        here, there = (
+        value, reference = (
             log(dynamic_viscosity(entry, t)) for t in (temperature, data["reference_K"])
         )
-        return float(data["value"] * (here + ROELANDS_LOG_OFFSET) / (there + ROELANDS_LOG_OFFSET))
+        return float(
+            data["value"] * (value + ROELANDS_LOG_OFFSET) / (reference + ROELANDS_LOG_OFFSET)
+        )
     coldest, *_, hottest = sorted(zip(data["temperature_K"], data["value"], strict=True))
     if temperature > hottest[0]:
         return float(hottest[1])

@@ -52,7 +52,9 @@ def matching_name(name: str, names: Iterable[str]) -> str | None:
     names = tuple(names)
     if name in names:
         return name
-    return {plain_name(own): own for own in reversed(names)}.get(plain_name(name))
+    return {plain_name(candidate): candidate for candidate in reversed(names)}.get(
+        plain_name(name)
+    )
 
 
 @cache

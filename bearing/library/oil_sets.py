@@ -127,5 +127,5 @@ def limiting_coefficient(entry: dict[str, Any]) -> dict[str, Any] | None:
         `value` [-], `source` and, if it was not read in a source, `verified` false; None without
         data
     """
-    known: dict[str, Any] | None = entry.get("limiting_stress_coefficient")
-    return known
+    data: dict[str, Any] | None = entry.get("limiting_stress_coefficient")
+    return data

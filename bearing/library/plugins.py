@@ -117,12 +117,12 @@ def plugins(kind: str) -> tuple[Plugin, ...]:
     """
     from importlib.metadata import entry_points  # 10 ms; 50 ms for the metadata of all there is
 
-    found = []
+    installed = []
     for point in entry_points(group=GROUP + kind):
         owner = point.dist
         distribution = "unknown" if owner is None else f"{owner.name} {owner.version}"
-        found.append(Plugin(kind, point.name, point.value, distribution, point))
-    return tuple(sorted(found, key=lambda plugin: (plugin.name, plugin.distribution)))
+        installed.append(Plugin(kind, point.name, point.value, distribution, point))
+    return tuple(sorted(installed, key=lambda plugin: (plugin.name, plugin.distribution)))
 
 
 def plugin_names(kind: str) -> tuple[str, ...]:
@@ -162,11 +162,11 @@ def plugin(kind: str, name: str) -> Plugin | None:
         if several distributions bring one of this name
     """
     key = matching_name(name, plugin_names(kind))
-    found = [one for one in plugins(kind) if one.name == key]
-    if len(found) > 1:
-        owners = ", ".join(one.distribution for one in found)
+    matches = [one for one in plugins(kind) if one.name == key]
+    if len(matches) > 1:
+        owners = ", ".join(one.distribution for one in matches)
         raise PluginError(f"plug-in {key!r} ({GROUP}{kind}): of several distributions: {owners}")
-    return found[0] if found else None
+    return matches[0] if matches else None
 
 
 def plugin_sources() -> bytes:
@@ -216,12 +216,12 @@ def plugin_oil(name: str) -> dict[str, Any] | None:
     PluginError
         if the plug-in gives no dictionary
     """
-    found = plugin(OILS, name)
-    if found is None:
+    entry = plugin(OILS, name)
+    if entry is None:
         return None
-    data = found.load()
+    data = entry.load()
     if callable(data):
-        data = found.call(data)
+        data = entry.call(data)
     if not isinstance(data, dict):
-        raise found.wrong(f"gives {type(data).__name__}, and a dictionary is needed")
+        raise entry.wrong(f"gives {type(data).__name__}, and a dictionary is needed")
     return data

@@ -179,8 +179,8 @@ def inner_interference(shaft: str, tolerance_class: str, bore: float) -> Interva
         smallest and largest interference [um]
     """
     low, high = shaft_deviations(shaft, bore)
-    least, most = bore_deviations(tolerance_class, bore)
-    return low - most, high - least
+    smallest, largest = bore_deviations(tolerance_class, bore)
+    return low - largest, high - smallest
 
 
 def outer_interference(housing: str, tolerance_class: str, outside_diameter: float) -> Interval:
@@ -201,5 +201,5 @@ def outer_interference(housing: str, tolerance_class: str, outside_diameter: flo
         smallest and largest interference [um]
     """
     low, high = housing_deviations(housing, outside_diameter)
-    least, most = outside_deviations(tolerance_class, outside_diameter)
-    return least - high, most - low
+    smallest, largest = outside_deviations(tolerance_class, outside_diameter)
+    return smallest - high, largest - low

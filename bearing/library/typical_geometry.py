@@ -97,12 +97,12 @@ def typical_geometry(
     balls
         Z [-]
     """
-    wanted = TYPICAL_BALL * (outside_diameter - bore)
+    target = TYPICAL_BALL * (outside_diameter - bore)
     if width is not None:
-        wanted = min(wanted, WIDEST_BALL * width)
+        target = min(target, WIDEST_BALL * width)
     pitch = 0.5 * (bore + outside_diameter)
-    sizes = ball_sizes(0.5 * wanted, 1.5 * wanted) or (wanted,)
-    ball = min(sizes, key=lambda size: abs(size - wanted))
+    sizes = ball_sizes(0.5 * target, 1.5 * target) or (target,)
+    ball = min(sizes, key=lambda size: abs(size - target))
     return ball, pitch, typical_number(ball, pitch, contact_angle)
 
 

@@ -159,14 +159,14 @@ def ball_state(u: Numbers, w: Numbers, problem: BallProblem) -> BallState:
     inner_load = inner_load * _smooth_step(inner.cos, EDGE_COSINE)
     prescribed = problem.prescribed
     if prescribed is None:
-        share, motion = _shared_motion(outer, inner, (inner_load, outer_load), problem)
+        fraction, motion = _shared_motion(outer, inner, (inner_load, outer_load), problem)
     else:
         motion = prescribed.motion
     force = centrifugal_force(problem.mass, problem.pitch_diameter, motion.orbit_speed)
     moment = gyroscopic_moment(problem.mass, problem.ball_diameter, motion)
     if prescribed is None:
-        part = INNER_PART[problem.kinematics] * share
-        friction = [p * moment / problem.ball_diameter for p in (part, 2.0 - part)]
+        coefficient = INNER_PART[problem.kinematics] * fraction
+        friction = [p * moment / problem.ball_diameter for p in (coefficient, 2.0 - coefficient)]
     else:
         none = 0.0 * inner_load
         friction = [prescribed.inner_friction + none, prescribed.outer_friction + none]
@@ -185,22 +185,26 @@ def _shared_motion(
     """
     inner_load, outer_load = loads
     speeds = (problem.inner_speed, problem.outer_speed)
-    alone = attitude(outer, inner, problem.gamma, BallKinematics.OUTER_RACE_CONTROL)
-    parallel = Direction(0.0 * alone.sin, 0.0 * alone.sin + 1.0)
-    beta = blend(parallel, alone, _transmissible_share(outer_load, 2.0, alone, problem))
+    outer_control = attitude(outer, inner, problem.gamma, BallKinematics.OUTER_RACE_CONTROL)
+    parallel = Direction(0.0 * outer_control.sin, 0.0 * outer_control.sin + 1.0)
+    beta = blend(
+        parallel, outer_control, _transmissible_fraction(outer_load, 2.0, outer_control, problem)
+    )
     if problem.kinematics is BallKinematics.OUTER_RACE_CONTROL:
         return np.ones_like(inner_load), rolling_motion(outer, inner, beta, problem.gamma, *speeds)
     chosen = attitude(outer, inner, problem.gamma, problem.kinematics)
-    share = _transmissible_share(inner_load, INNER_PART[problem.kinematics], chosen, problem)
-    return share, rolling_motion(outer, inner, blend(beta, chosen, share), problem.gamma, *speeds)
+    fraction = _transmissible_fraction(inner_load, INNER_PART[problem.kinematics], chosen, problem)
+    return fraction, rolling_motion(
+        outer, inner, blend(beta, chosen, fraction), problem.gamma, *speeds
+    )
 
 
-def _transmissible_share(
-    load: Numbers, part: float, beta: Direction, problem: BallProblem
+def _transmissible_fraction(
+    load: Numbers, coefficient: float, beta: Direction, problem: BallProblem
 ) -> Numbers:
-    """1 where the load [N] transmits the friction `part` Mg/D of an attitude, else less."""
+    """1 where the load [N] transmits the friction `coefficient` Mg/D of an attitude, else less."""
     couple = problem.nominal_couple * beta.sin * np.sign(beta.sin.real)
-    return _smooth_step(FRICTION_LIMIT * load, part * couple / problem.ball_diameter)
+    return _smooth_step(FRICTION_LIMIT * load, coefficient * couple / problem.ball_diameter)
 
 
 def _power(approach: Numbers) -> Numbers:

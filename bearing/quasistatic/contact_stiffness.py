@@ -78,7 +78,7 @@ def stiffness_at(series: Array, cosine: Numbers) -> Numbers:
     """
     c = np.clip(cosine.real, 0.0, 1.0)
     # the same for all directions of a complex step, along the first axis
-    own = c[:1] if np.iscomplexobj(cosine) and c.ndim > 1 else c
-    polynomials = np.cos(np.arange(TERMS) * np.arccos(2.0 * own - 1.0)[..., None])
+    distinct = c[:1] if np.iscomplexobj(cosine) and c.ndim > 1 else c
+    polynomials = np.cos(np.arange(TERMS) * np.arccos(2.0 * distinct - 1.0)[..., None])
     both = polynomials @ series
     return np.exp(both[..., 0]) * (1.0 + both[..., 1] * (cosine - c))

@@ -95,11 +95,13 @@ def solve_between_elastic_rings(
     stiffness = np.abs(trial.balls.ring_dV[:2]).max() / max(force, 1e-300)
     tangent = _tangent(trial, compliance)
     columns = movement.transpose(0, 2, 1).reshape(-1, movement.shape[1])
-    moved = np.asarray(np.linalg.solve(tangent, columns))
-    moved = moved.reshape(2, -1, movement.shape[1]).transpose(0, 2, 1)
+    elastic = np.asarray(np.linalg.solve(tangent, columns))
+    elastic = elastic.reshape(2, -1, movement.shape[1]).transpose(0, 2, 1)
     residual = float(np.abs(trial.miss).max() * stiffness) if force > 0.0 else 0.0
     noise = float(target * stiffness) if force > 0.0 else 0.0
-    return BetweenRings(trial.balls, trial.V, np.asarray(moved, dtype=np.float64), residual, noise)
+    return BetweenRings(
+        trial.balls, trial.V, np.asarray(elastic, dtype=np.float64), residual, noise
+    )
 
 
 def _trial(

@@ -108,14 +108,14 @@ def attitude(
     return direction(outer.sin + inner.sin, outer.cos + inner.cos)
 
 
-def blend(start: Direction, end: Direction, share: Numbers) -> Direction:
+def blend(start: Direction, end: Direction, fraction: Numbers) -> Direction:
     """Direction between two others.
 
     Parameters
     ----------
     start, end : Direction
         directions at 0 and 1 [-]
-    share : Numbers
+    fraction : Numbers
         fraction of the way from `start` to `end` [-]
 
     Returns
@@ -123,8 +123,8 @@ def blend(start: Direction, end: Direction, share: Numbers) -> Direction:
     Direction
         direction [-]
     """
-    sine = start.sin + share * (end.sin - start.sin)
-    return direction(sine, start.cos + share * (end.cos - start.cos))
+    sine = start.sin + fraction * (end.sin - start.sin)
+    return direction(sine, start.cos + fraction * (end.cos - start.cos))
 
 
 def rolling_motion(

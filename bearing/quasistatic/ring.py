@@ -169,11 +169,11 @@ def ring_of(
     distance = bearing.curvature_centre_distance
     facing = distance - 0.5 * bearing.diametral_clearance
     offset = per_ball(bearing, [row.offset for row in rows])
-    place = (distance, facing, bearing.free_axial_position, offset, movement, gather)
+    geometry = (distance, facing, bearing.free_axial_position, offset, movement, gather)
     compliance = None
     if rings is not None:
         compliance = ring_compliance(rings, row_azimuths(bearing, rows), bearing.balls)
-    return Ring(free, load, prescribed, scale, *place, np.zeros((len(rows), 5)), compliance)
+    return Ring(free, load, prescribed, scale, *geometry, np.zeros((len(rows), 5)), compliance)
 
 
 def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tuple[RingPoint, int]:
@@ -210,13 +210,13 @@ def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tup
         # 2. Newton step, shortened by a line search
         point = _search(point, _step(point, ring, problem), ring, problem)
         # 3. no more progress: round-off, a ball without equilibrium, or too many steps in vain
-        lost = bool(point.balls.residual.max() > max(RESIDUAL_TOLERANCE, point.noise))
+        unbalanced = bool(point.balls.residual.max() > max(RESIDUAL_TOLERANCE, point.noise))
         stalled = point.residual >= 0.5 * best.residual
         if point.residual < best.residual:
             best = point
             improved_at = iteration
-        enough = stalled and best.residual <= max(RESIDUAL_TOLERANCE, best.noise)
-        if enough or lost or iteration - improved_at >= MAX_STALLED_STEPS:
+        accurate = stalled and best.residual <= max(RESIDUAL_TOLERANCE, best.noise)
+        if accurate or unbalanced or iteration - improved_at >= MAX_STALLED_STEPS:
             break
     return best, iteration + 1
 
@@ -314,8 +314,10 @@ def _guess(ring: Ring, problem: BallProblem) -> Array:
     if axial != 0.0 and radial < MAX_THRUST_LOAD_RATIO * abs(axial) and ring.free[0]:
         beyond = ring.free_axial + ring.distance
         each = abs(axial) / balls
-        place = thrust_position(each, ring.distance, ring.facing, lambda _: compliance) or beyond
-        q[0] = np.sign(axial) * min(place, beyond) - offset
+        position = (
+            thrust_position(each, ring.distance, ring.facing, lambda _: compliance) or beyond
+        )
+        q[0] = np.sign(axial) * min(position, beyond) - offset
     elif radial > 0.0 and (ring.free[1] or ring.free[2]):
         length = ring.distance + compliance * (5.0 * hypot(axial, radial) / balls) ** (2.0 / 3.0)
         angle = min(atan2(abs(axial), radial), asin(min(1.0, ring.free_axial / ring.distance)))

@@ -39,10 +39,10 @@ def ring_displacements(state: QuasistaticSolution, race: Race) -> tuple[RingFiel
     rows = [slice(first, first + balls) for first in range(0, state.azimuth.size, balls)]
     if not ring.supports:
         return tuple(ring_field(response, state.azimuth[row], loads[:, row]) for row in rows)
-    pressed, moved = seat_reactions(state, race)
+    pressed, movements = seat_reactions(state, race)
     outward = pressed if race is Race.INNER else -pressed
     fields = []
-    for row, force, move in zip(rows, outward, moved, strict=True):
+    for row, force, move in zip(rows, outward, movements, strict=True):
         turns = np.concatenate([state.azimuth[row], ring.supports])
         both = np.zeros((4, turns.size))
         both[:3, :balls] = loads[:, row]
@@ -76,8 +76,8 @@ def seat_reactions(state: QuasistaticSolution, race: Race) -> tuple[Array, Array
     angle = state.inner_contact_angle if race is Race.INNER else state.outer_contact_angle
     directions = np.stack([np.sin(angle), np.cos(angle)])
     groove = getattr(ring_compliance(rings, state.azimuth, state.bearing.balls), race.value)
-    pressed, moved = groove.reactions(ball_forces(state, race), directions)
-    return pressed.reshape(-1, len(ring.supports)), moved
+    pressed, movements = groove.reactions(ball_forces(state, race), directions)
+    return pressed.reshape(-1, len(ring.supports)), movements
 
 
 def ball_forces(state: QuasistaticSolution, race: Race) -> Array:

@@ -87,8 +87,8 @@ class QuasistaticSolution:
         QuasistaticSolution
             solution of this row
         """
-        part = slice(index * self.bearing.balls, (index + 1) * self.bearing.balls)
-        arrays = {name: getattr(self, name)[part] for name in BALL_ARRAYS}
+        balls = slice(index * self.bearing.balls, (index + 1) * self.bearing.balls)
+        arrays = {name: getattr(self, name)[balls] for name in BALL_ARRAYS}
         return replace(
             self,
             **arrays,

@@ -223,10 +223,10 @@ def _advice(problem: BallProblem, bearing: Bearing, ring: Ring, state: BallState
     if _too_wide(bearing, problem, state):
         return "contact ellipses came out wider than the ball, take smaller loads or speeds"
     forces = state.inner_load.size * problem.nominal_force
-    share = float(np.linalg.norm(ring.load[:3])) / max(forces, 1e-300)
-    if problem.nominal_force > 0.0 and share < LIGHT_LOAD_RATIO and ring.free[0]:
+    ratio = float(np.linalg.norm(ring.load[:3])) / max(forces, 1e-300)
+    if problem.nominal_force > 0.0 and ratio < LIGHT_LOAD_RATIO and ring.free[0]:
         return (
-            f"the loads are {share:.2g} of the centrifugal forces of the balls, too light to hold "
+            f"the loads are {ratio:.2g} of the centrifugal forces of the balls, too light to hold "
             "them in the grooves under this hypothesis: take more thrust or less speed"
         )
     if problem.inner_speed * problem.outer_speed < 0.0:
@@ -270,8 +270,8 @@ def _undetermined(ring: Ring, point: RingPoint) -> list[str]:
     null = vectors[values < SINGULAR_RATIO * values[0]]
     return [
         DEGREES_OF_FREEDOM[k]
-        for k, part in zip(indices, np.abs(null).T, strict=True)
-        if (part > 0.1).any()
+        for k, components in zip(indices, np.abs(null).T, strict=True)
+        if (components > 0.1).any()
     ]
 
 
@@ -304,7 +304,7 @@ def _solution(
         azimuth=row_azimuths(bearing, rows),
         **_ball_arrays(state),
         **_ring_arrays(ring, point),
-        ball_axial=balls.u[0] + per_ball(bearing, [part.outer_plane for part in rows]),
+        ball_axial=balls.u[0] + per_ball(bearing, [row.outer_plane for row in rows]),
         ball_radial=bearing.outer_centre_radius + balls.u[1],
         pivot_speed=none if prescribed is None else prescribed.pivot_speed,
         inner_drive=none if prescribed is None else prescribed.inner_drive,

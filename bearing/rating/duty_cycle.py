@@ -116,9 +116,9 @@ def revolution_shares(cases: Sequence[LoadCase]) -> list[float]:
     list[float]
         u_i of each case [-]
     """
-    turned = [case.time_share * case.operation.shaft_speed for case in cases]
-    total = sum(turned)
-    return [part / total if total else 0.0 for part in turned]
+    turns = [case.time_share * case.operation.shaft_speed for case in cases]
+    total = sum(turns)
+    return [turn / total if total else 0.0 for turn in turns]
 
 
 def miner_life(shares: Sequence[float], lives: Sequence[float | None]) -> float | None:
@@ -229,9 +229,9 @@ def _shared(cases: Sequence[LoadCase], shares: Sequence[float]) -> Iterator[Load
 
 def _messages(cases: Sequence[LoadCase]) -> Iterator[str]:
     """Results that each case leaves out, by its messages, and the consequence for the cycle."""
-    still = [str(k) for k, case in enumerate(cases, 1) if not case.operation.shaft_speed]
-    if still:
-        yield f"load_cases: life, kappa and a_iso null where nothing turns, {', '.join(still)}"
+    idle = [str(k) for k, case in enumerate(cases, 1) if not case.operation.shaft_speed]
+    if idle:
+        yield f"load_cases: life, kappa and a_iso null where nothing turns, {', '.join(idle)}"
     turning = [(k, case) for k, case in enumerate(cases, 1) if case.operation.shaft_speed]
     if not turning:
         yield "duty_cycle: life and torque null, no load case turns"

@@ -129,12 +129,15 @@ def bearing_life(
     speed = solution.operation.shaft_speed
     viscosity = lubricant.viscosity / lubricant.density
     kappa = viscosity_ratio(viscosity, speed, bearing.pitch_diameter) if speed else None
-    known, messages = _static(
+    partial, messages = _static(
         LifeRating(rating=rating, viscosity_ratio=kappa, shaft_speed=speed), solution
     )
-    why = _no_life(solution, rating, speed)
-    if kappa is None or why:
-        return replace(known, messages=(*messages, f"life: basic and modified rating null, {why}"))
+    reason_without = _no_life(solution, rating, speed)
+    if kappa is None or reason_without:
+        return replace(
+            partial,
+            messages=(*messages, f"life: basic and modified rating null, {reason_without}"),
+        )
     capacity = rating.dynamic_rating or dynamic_rating(bearing, angle)
     life = reference_life(solution, capacity, angle)
     rows = len(solution.rows)
@@ -145,7 +148,7 @@ def bearing_life(
     if rating.contamination_factor is not None and kappa >= SMALLEST_KAPPA:
         factor = life_factor(kappa, rating.contamination_factor * (limit / load))
     return replace(
-        known,
+        partial,
         dynamic_rating=capacity,
         equivalent_load=load,
         basic_life=MILLION * life,
@@ -170,13 +173,13 @@ def _not_covered(bearing: Bearing) -> str:
     )
 
 
-def _static(known: LifeRating, solution: QuasistaticSolution) -> tuple[LifeRating, list[str]]:
+def _static(partial: LifeRating, solution: QuasistaticSolution) -> tuple[LifeRating, list[str]]:
     """Static safety by pressure and by S_0 = C_0/P_0, and what is left out."""
     bearing = solution.bearing
-    angle = known.rating.nominal_contact_angle
+    angle = partial.rating.nominal_contact_angle
     messages = []
     safety = None
-    capacity = known.rating.static_rating
+    capacity = partial.rating.static_rating
     hybrid = bearing.ball_material.kind is not MaterialKind.BEARING_STEEL
     if hybrid:
         messages.append(
@@ -203,14 +206,14 @@ def _static(known: LifeRating, solution: QuasistaticSolution) -> tuple[LifeRatin
             "life: P_0 and S_0 null, factors X_0, Y_0 are known for contact angles of 0 and 15 "
             "to 40 deg"
         )
-    known = replace(
-        known,
+    partial = replace(
+        partial,
         static_safety=safety,
         static_rating=capacity,
         static_load=load,
         static_safety_factor=capacity / load if capacity is not None and load else None,
     )
-    return known, [*messages, *overload(known)]
+    return partial, [*messages, *overload(partial)]
 
 
 def overload(life: LifeRating) -> Iterator[str]:
@@ -226,8 +229,8 @@ def overload(life: LifeRating) -> Iterator[str]:
     Iterator[str]
         one message, or none
     """
-    found = {"S_0": life.static_safety_factor, "static safety by pressure": life.static_safety}
-    low = [f"{name} = {value:.3g}" for name, value in found.items() if value and value < 1.0]
+    safeties = {"S_0": life.static_safety_factor, "static safety by pressure": life.static_safety}
+    low = [f"{name} = {value:.3g}" for name, value in safeties.items() if value and value < 1.0]
     if low:
         yield (
             f"life: {', '.join(low)}, beyond the static rating: ball and race keep a deformation "
@@ -248,7 +251,7 @@ def _no_life(solution: QuasistaticSolution, rating: RatingInput, speed: float) -
 
 
 def _remarks(
-    solution: QuasistaticSolution, rating: RatingInput, kappa: float, share: float
+    solution: QuasistaticSolution, rating: RatingInput, kappa: float, ratio: float
 ) -> Iterator[str]:
     rows = len(solution.rows)
     null = "life: a_iso and modified rating null,"
@@ -272,9 +275,9 @@ def _remarks(
         yield f"{null} the case gives no [lubricant] contamination_factor"
     elif kappa < SMALLEST_KAPPA:
         yield f"{null} ISO 281 has no factor below kappa {SMALLEST_KAPPA}"
-    if share > LARGEST_LOAD_SHARE:
+    if ratio > LARGEST_LOAD_SHARE:
         yield (
-            f"life: the equivalent load is {share:.3g} of the dynamic rating, beyond ISO 281, "
+            f"life: the equivalent load is {ratio:.3g} of the dynamic rating, beyond ISO 281, "
             f"which ends at {LARGEST_LOAD_SHARE}"
         )
 
@@ -385,7 +388,7 @@ def life_factor(kappa: float, limit: float) -> float:
     if kappa < SMALLEST_KAPPA:
         raise ValueError(f"kappa must be at least {SMALLEST_KAPPA}, got {kappa!r}")
     kappa = min(kappa, LARGEST_KAPPA)
-    constant, exponent = next((c, e) for most, c, e in A_ISO_PIECES if kappa <= most)
+    constant, exponent = next((c, e) for largest, c, e in A_ISO_PIECES if kappa <= largest)
     base = 1.0 - (2.5671 - constant / kappa**exponent) ** 0.83 * limit ** (1.0 / 3.0)
     return min(LARGEST_A_ISO, 0.1 * base**-9.3) if base > 0.0 else LARGEST_A_ISO
 

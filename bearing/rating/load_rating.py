@@ -216,9 +216,9 @@ def ball_ratings(bearing: Bearing, capacity: float, contact_angle: float) -> tup
     gamma = _gamma(bearing, contact_angle)
     grooves = inner * (2.0 * outer - diameter) / (outer * (2.0 * inner - diameter))
     ratio = 1.044 * ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * grooves**0.41
-    share = capacity / (bearing.balls * cos(contact_angle))
-    inner_rating = share / 0.407 * (1.0 + ratio ** (10.0 / 3.0)) ** 0.3
-    return inner_rating, share / 0.389 * (1.0 + ratio ** (-10.0 / 3.0)) ** 0.3
+    per_ball = capacity / (bearing.balls * cos(contact_angle))
+    inner_rating = per_ball / 0.407 * (1.0 + ratio ** (10.0 / 3.0)) ** 0.3
+    return inner_rating, per_ball / 0.389 * (1.0 + ratio ** (-10.0 / 3.0)) ** 0.3
 
 
 def fatigue_load_limit(bearing: Bearing, contact_angle: float) -> float:

@@ -55,11 +55,11 @@ def reference_speed(bearing: Bearing, static_rating: float, series: str | None) 
     float | None
         speed [rad/s]; None if a dimension or the factors of the series are missing
     """
-    known = [FACTORS[name] for name in FACTORS if (series or "").startswith(name)]
+    factors = [FACTORS[name] for name in FACTORS if (series or "").startswith(name)]
     sizes = (bearing.bore, bearing.outside_diameter, bearing.width)
-    if not known or None in sizes:
+    if not factors or None in sizes:
         return None
-    f_0, f_1 = known[0]
+    f_0, f_1 = factors[0]
     bore, outside, width = (float(size or 0.0) / MILLIMETRE for size in sizes)
     area = pi * width * (outside + bore)
     heat = HEAT_FLOW * area * min(1.0, (area / LARGE_SEAT) ** -0.34)

@@ -84,12 +84,12 @@ class GrooveCompliance(NamedTuple):
         Array
             movement (x, r), shape (2, N) [m]
         """
-        part = self.opening_force(force, V)
-        axial, radial, opened, opening = self._matrices(force, part)
-        moved = part.slope * (opened.T @ force[1] + opening @ part.size)
-        moved[0] += axial @ force[0]
-        moved[1] += radial @ force[1] + opened @ part.size
-        return np.asarray(moved)
+        opening_part = self.opening_force(force, V)
+        axial, radial, opened, opening = self._matrices(force, opening_part)
+        movement = opening_part.slope * (opened.T @ force[1] + opening @ opening_part.size)
+        movement[0] += axial @ force[0]
+        movement[1] += radial @ force[1] + opened @ opening_part.size
+        return np.asarray(movement)
 
     def derivative(self, force: Array, V: Array) -> Array:
         """Derivative of the deflection by the forces.
@@ -106,17 +106,17 @@ class GrooveCompliance(NamedTuple):
         Array
             d(deflection)/dF, shape (2, N, 2, N) [m/N]
         """
-        part = self.opening_force(force, V)
-        axial, radial, opened, opening = self._matrices(force, part)
-        whole = np.einsum("vj,jk,wk->vjwk", part.slope, opening, part.slope)
-        whole[0, :, 0] += axial
-        whole[1, :, 1] += radial
-        whole[1] += np.einsum("jk,wk->jwk", opened, part.slope)
-        whole[:, :, 1] += np.einsum("vj,kj->vjk", part.slope, opened)
+        opening_part = self.opening_force(force, V)
+        axial, radial, opened, opening = self._matrices(force, opening_part)
+        total = np.einsum("vj,jk,wk->vjwk", opening_part.slope, opening, opening_part.slope)
+        total[0, :, 0] += axial
+        total[1, :, 1] += radial
+        total[1] += np.einsum("jk,wk->jwk", opened, opening_part.slope)
+        total[:, :, 1] += np.einsum("vj,kj->vjk", opening_part.slope, opened)
         balls = np.arange(force.shape[1])
-        bend = part.curvature * (opened.T @ force[1] + opening @ part.size)
-        whole[:, balls, :, balls] += bend.transpose(2, 0, 1)
-        return np.asarray(whole)
+        bend = opening_part.curvature * (opened.T @ force[1] + opening @ opening_part.size)
+        total[:, balls, :, balls] += bend.transpose(2, 0, 1)
+        return np.asarray(total)
 
     def reactions(self, force: Array, V: Array) -> tuple[Array, Array]:
         """Forces of the supports of the seat, and the movement of the ring as a whole towards
@@ -138,11 +138,13 @@ class GrooveCompliance(NamedTuple):
         """
         if self.places is None:
             return np.zeros(0), np.zeros((0, 2))
-        part = self.opening_force(force, V)
-        pressed, moved = self.places.reactions(np.concatenate([force[1], part.size]))
-        return pressed, -self.outward * moved.reshape(-1, 2)
+        opening_part = self.opening_force(force, V)
+        pressed, movement = self.places.reactions(np.concatenate([force[1], opening_part.size]))
+        return pressed, -self.outward * movement.reshape(-1, 2)
 
-    def _matrices(self, force: Array, part: OpeningForce) -> tuple[Array, Array, Array, Array]:
+    def _matrices(
+        self, force: Array, opening_part: OpeningForce
+    ) -> tuple[Array, Array, Array, Array]:
         """Compliance of the movements, G_xx, G_rr, G_ro, G_oo, less what the places of the
         seat take from it.
         """
@@ -151,12 +153,12 @@ class GrooveCompliance(NamedTuple):
         count = force.shape[1]
         if self.places is None:
             return axial, radial, opened, opening
-        less = self.places.taken(np.concatenate([force[1], part.size]))
+        reduction = self.places.taken(np.concatenate([force[1], opening_part.size]))
         return (
             axial,
-            radial - less[:count, :count],
-            opened - less[:count, count:],
-            opening - less[count:, count:],
+            radial - reduction[:count, :count],
+            opened - reduction[:count, count:],
+            opening - reduction[count:, count:],
         )
 
 

@@ -39,8 +39,10 @@ class ElasticRing:
         if max(gaps) > pi - self.half_support:
             raise ValueError("supports must be three or more, none of them 180 deg from the next")
         if min(gaps) < 2.0 * self.half_support:
-            least = 2.0 * degrees(self.half_support)
-            raise ValueError(f"supports must be {least:.1f} deg apart, twice the wall of the ring")
+            smallest = 2.0 * degrees(self.half_support)
+            raise ValueError(
+                f"supports must be {smallest:.1f} deg apart, twice the wall of the ring"
+            )
 
     @property
     def half_support(self) -> float:

@@ -52,10 +52,10 @@ class SeatPlaces(NamedTuple):
         """
         pressing = self._pressing(parts)
         system, load = self._system(pressing)
-        found = np.linalg.solve(system, load @ parts)
+        solved = np.linalg.solve(system, load @ parts)
         force = np.zeros(len(self.seat))
-        force[pressing] = found[: pressing.sum()]
-        return force, np.asarray(found[pressing.sum() :], dtype=np.float64)
+        force[pressing] = solved[: pressing.sum()]
+        return force, np.asarray(solved[pressing.sum() :], dtype=np.float64)
 
     def taken(self, parts: Array) -> Array:
         """Reduction of the compliance by the supports.
@@ -120,7 +120,7 @@ def seat_places(
     ball_row = np.arange(ball_azimuths.size) // balls
     _, _, seat = response.at(place[:, None] - place)
     radial, opened, _ = response.at(place[:, None] - ball_azimuths)
-    own = place_row[:, None] == ball_row
+    same_row = place_row[:, None] == ball_row
     direction = np.stack([np.cos(place), np.sin(place)], axis=1)
     to_ball = outward * np.stack([np.cos(ball_azimuths), np.sin(ball_azimuths)], axis=1)
     spread = np.zeros((place.size, rows, 2))
@@ -130,7 +130,9 @@ def seat_places(
     none = np.zeros((2 * rows, ball_azimuths.size))
     return SeatPlaces(
         seat=np.where(place_row[:, None] == place_row, 0.5 * (seat + seat.T), 0.0),
-        by_force=np.hstack([np.where(own, radial, 0.0), np.where(own, outward * opened, 0.0)]),
+        by_force=np.hstack(
+            [np.where(same_row, radial, 0.0), np.where(same_row, outward * opened, 0.0)]
+        ),
         directions=spread.reshape(place.size, 2 * rows),
         balance=np.hstack([balance.reshape(2 * rows, -1), none]),
     )

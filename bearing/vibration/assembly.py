@@ -118,7 +118,7 @@ def assembled(
     _check(solution, model)
     films: dict[Race, SolvedFilms] = {}
     laws: dict[Race, ContactLawTable] = {}
-    parts: dict[Race, Transmission] = {}
+    transmissions: dict[Race, Transmission] = {}
     stiffness: dict[Race, float] = {}
     frequency = resonance(solution, model.support)
     for race in RACES:
@@ -134,23 +134,23 @@ def assembled(
         if model.options.wave_filter is not WaveFilter.NONE:
             assert contact.hertz is not None  # it is loaded
             along = contact.hertz.semi_axis_x
-            parts[race] = dry_transmission(along)
+            transmissions[race] = dry_transmission(along)
             uneven = not (model.form.is_even(RACES[race]) and model.form.is_even(Place.BALL))
             if model.options.wave_filter is WaveFilter.FILM and uneven:
                 assert contact.conditions is not None  # its film was solved
                 shortest = _largest_number(solution, model, race, along)
                 grid = SolverOptions(points=POINTS, certify=False)
                 flooded = replace(contact.conditions, inlet_layer=None)
-                parts[race] = film_transmission(flooded, along, shortest, grid)
+                transmissions[race] = film_transmission(flooded, along, shortest, grid)
     cage = solution.cage_speed
     cage -= model.options.cage_slip * (cage - solution.operation.outer_speed)
     loaded = solution.inner_load > 0.0
     ball = float(np.mean(solution.spin_speed[loaded] if loaded.any() else solution.spin_speed))
-    arrays = _arrays(solution, model, laws, parts, (cage, ball))
+    arrays = _arrays(solution, model, laws, transmissions, (cage, ball))
     return Assembled(
         arrays=arrays,
         films=films,
-        transmissions=parts,
+        transmissions=transmissions,
         stiffness=stiffness,
         cage_speed=cage,
         ball_speed=ball,
@@ -195,8 +195,8 @@ def _check(solution: QuasistaticSolution, model: VibrationModel) -> None:
     if max(numbers, default=0) > balls:
         raise ValueError(f"ball: {max(numbers)} is given a form, but there are {balls} balls")
     if len(model.form.ball_diameters) not in (0, balls):
-        given = len(model.form.ball_diameters)
-        raise ValueError(f"ball_diameters: {given} values for {balls} balls")
+        count = len(model.form.ball_diameters)
+        raise ValueError(f"ball_diameters: {count} values for {balls} balls")
     _check_orders(solution, model, limit)
 
 
@@ -236,8 +236,8 @@ def _largest_number(
     """k a of the shortest wave that matters: given, or half the sample rate for profiles [-]."""
     radius = track_radius(solution.bearing, race, mean_angle(solution, race))
     ball_radius = 0.5 * solution.bearing.ball_diameter
-    own = model.form.waves.get(RACES[race], ())
-    numbers = [wave.order * along / radius for wave in own]
+    waves = model.form.waves.get(RACES[race], ())
+    numbers = [wave.order * along / radius for wave in waves]
     numbers += [w.order * along / ball_radius for w in model.form.waves.get(Place.BALL, ())]
     if model.form.profiles or model.form.defects:
         conditions_speed = abs(solution.operation.shaft_speed) * radius
@@ -249,7 +249,7 @@ def _arrays(
     solution: QuasistaticSolution,
     model: VibrationModel,
     laws: dict[Race, ContactLawTable],
-    parts: dict[Race, Transmission],
+    transmissions: dict[Race, Transmission],
     speeds: tuple[float, float],
 ) -> VibrationArrays:
     bearing = solution.bearing
@@ -279,9 +279,9 @@ def _arrays(
         ball_excess=excess,
         inner_law=laws[Race.INNER],
         outer_law=laws[Race.OUTER],
-        inner_height=_ring_heights(solution, model, Race.INNER, parts),
-        outer_height=_ring_heights(solution, model, Race.OUTER, parts),
-        ball_height=_ball_heights(solution, model, parts),
+        inner_height=_ring_heights(solution, model, Race.INNER, transmissions),
+        outer_height=_ring_heights(solution, model, Race.OUTER, transmissions),
+        ball_height=_ball_heights(solution, model, transmissions),
         mass=inertia[:BALLS],
         free=_free(solution, support),
         polar_inertia=float(inertia[BALLS]),
@@ -325,8 +325,8 @@ def _outer_mass(bearing: Bearing, support: Support) -> float:
 def _free(solution: QuasistaticSolution, support: Support) -> Array:
     free = np.zeros(BALLS)
     if not support.inner_ring_held:
-        given = [load is not None for load in solution.operation.loads]
-        free[INNER:OUTER] = given
+        loaded = [load is not None for load in solution.operation.loads]
+        free[INNER:OUTER] = loaded
     if support.outer_moves:
         free[OUTER:SENSOR] = 1.0
     if support.sensor is not None:
@@ -343,15 +343,15 @@ def _sensor(sensor: Sensor | None) -> Array:
     return np.array([sensor.mass * omega**2, damping, float(AXES[Direction.Y])])
 
 
-def _entering(profile: Array, part: Transmission | None, radius: float) -> Array:
-    return profile if part is None else filtered(profile, part, radius)
+def _entering(profile: Array, transmission: Transmission | None, radius: float) -> Array:
+    return profile if transmission is None else filtered(profile, transmission, radius)
 
 
 def _ring_heights(
     solution: QuasistaticSolution,
     model: VibrationModel,
     race: Race,
-    parts: dict[Race, Transmission],
+    transmissions: dict[Race, Transmission],
 ) -> Array:
     """Form of a race as it enters the bearing [m]."""
     place = RACES[race]
@@ -363,11 +363,11 @@ def _ring_heights(
     for defect in model.form.defects_of(place):
         profile = profile - hollow(defect, radius)
     along = reduced_radii(solution.bearing, race, angle)[0]
-    return _entering(rolled(profile, radius, along), parts.get(race), radius)
+    return _entering(rolled(profile, radius, along), transmissions.get(race), radius)
 
 
 def _ball_heights(
-    solution: QuasistaticSolution, model: VibrationModel, parts: dict[Race, Transmission]
+    solution: QuasistaticSolution, model: VibrationModel, transmissions: dict[Race, Transmission]
 ) -> Array:
     """Form of the balls as it enters at the inner and the outer race, shape (2, 1 or Z, n) [m];
     one of all balls where they are alike.
@@ -377,14 +377,14 @@ def _ball_heights(
     if form.is_even(Place.BALL):
         return np.zeros((2, 1, 2))
     radius = 0.5 * bearing.ball_diameter
-    alike = not form.defects_of(Place.BALL)
-    alike &= all(wave.ball == 0 for wave in form.waves.get(Place.BALL, ()))
-    rows = [heights(form, Place.BALL, ball + 1) for ball in range(1 if alike else bearing.balls)]
+    equal = not form.defects_of(Place.BALL)
+    equal &= all(wave.ball == 0 for wave in form.waves.get(Place.BALL, ()))
+    rows = [heights(form, Place.BALL, ball + 1) for ball in range(1 if equal else bearing.balls)]
     for defect in form.defects_of(Place.BALL):
         rows[defect.ball - 1] -= hollow(defect, radius)
     both = []
     for race in RACES:
         along = reduced_radii(bearing, race, mean_angle(solution, race))[0]
-        part = parts.get(race)
-        both.append([_entering(rolled(row, radius, along), part, radius) for row in rows])
+        transmission = transmissions.get(race)
+        both.append([_entering(rolled(row, radius, along), transmission, radius) for row in rows])
     return np.array(both)

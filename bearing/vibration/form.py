@@ -106,8 +106,8 @@ class SurfaceForm:
         bool
             true if its form is that of a circle
         """
-        given = self.waves.get(place) or place in self.profiles or self.defects_of(place)
-        return not given
+        uneven = self.waves.get(place) or place in self.profiles or self.defects_of(place)
+        return not uneven
 
 
 def heights(form: SurfaceForm, place: Place, ball: int = 0) -> Array:
@@ -132,9 +132,9 @@ def heights(form: SurfaceForm, place: Place, ball: int = 0) -> Array:
     for wave in form.waves.get(place, ()):
         if wave.ball in (0, ball):
             total += wave.amplitude * np.cos(wave.order * angle + wave.phase)
-    given = form.profiles.get(place)
-    if given is not None:
-        even = np.append(given, given[0])
+    profile = form.profiles.get(place)
+    if profile is not None:
+        even = np.append(profile, profile[0])
         total += np.interp(angle, np.linspace(0.0, 2.0 * pi, even.size), even)
     return total
 
@@ -161,14 +161,14 @@ def hollow(defect: Defect, radius: float) -> Array:
     """
     if defect.width > pi * radius:
         raise ValueError(f"width: {defect.width:.4g} m is more than half of the track")
-    turned = 2.0 * pi / POINTS * np.arange(POINTS) - defect.azimuth
-    from_middle = radius * ((turned + pi) % (2.0 * pi) - pi)
-    place = 2.0 * from_middle / defect.width  # from -1 to 1 inside
-    inside = abs(place) < 1.0
+    angle = 2.0 * pi / POINTS * np.arange(POINTS) - defect.azimuth
+    from_middle = radius * ((angle + pi) % (2.0 * pi) - pi)
+    position = 2.0 * from_middle / defect.width  # from -1 to 1 inside
+    inside = abs(position) < 1.0
     shapes = {
         DefectKind.SPALL: np.ones(POINTS),
-        DefectKind.PIT: 1.0 - place**2,
-        DefectKind.DENT: 0.5 * (1.0 + np.cos(pi * place)),
+        DefectKind.PIT: 1.0 - position**2,
+        DefectKind.DENT: 0.5 * (1.0 + np.cos(pi * position)),
     }
     return np.where(inside, defect.depth * shapes[defect.kind], 0.0)
 

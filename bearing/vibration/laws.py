@@ -118,31 +118,33 @@ def solved_films(
     FilmsNotSolvedError
         if a film or its response is not solved
     """
-    own = contact.conditions
-    if own is None:
+    conditions = contact.conditions
+    if conditions is None:
         raise FilmsNotSolvedError(f"{contact.race.value} race: {contact.note}")
-    grid = options or SolverOptions(points=POINTS if own.inlet_layer is None else STARVED_POINTS)
-    found: list[tuple[float, float, NormalResponse]] = []
-    for share in SOLVED_LOADS:
-        lighter: ContactConditions = replace(own, load=share * own.load)
+    grid = options or SolverOptions(
+        points=POINTS if conditions.inlet_layer is None else STARVED_POINTS
+    )
+    responses: list[tuple[float, float, NormalResponse]] = []
+    for fraction in SOLVED_LOADS:
+        lighter: ContactConditions = replace(conditions, load=fraction * conditions.load)
         at = min(frequency, highest_frequency(lighter))
-        found.append((lighter.load, at, normal_response(lighter, grid, (at,))))
-        response = found[-1][2]
+        responses.append((lighter.load, at, normal_response(lighter, grid, (at,))))
+        response = responses[-1][2]
         if not response.converged:
             where = f"film at the {contact.race.value} race under {lighter.load:.4g} N"
             raise FilmsNotSolvedError(f"{where}: {response.message}")
-    loads = np.array([load for load, _, _ in found])
+    loads = np.array([load for load, _, _ in responses])
     hertz = HERTZ * factor ** (2.0 / 3.0) * np.cbrt(loads)
-    stiffness = np.array([response.stiffnesses[0].value for _, _, response in found])
+    stiffness = np.array([response.stiffnesses[0].value for _, _, response in responses])
     # behind a layer it may be negative: bodies that close in feed the meniscus
-    damping = np.array([response.dampings[0].value for _, _, response in found])
-    bars = np.array([response.dampings[0].uncertainty for _, _, response in found])
+    damping = np.array([response.dampings[0].value for _, _, response in responses])
+    bars = np.array([response.dampings[0].uncertainty for _, _, response in responses])
     return SolvedFilms(
         loads=loads,
         stiffness_ratio=stiffness / hertz,
         damping=damping,
         damping_uncertainty=bars,
-        frequency=min(at for _, at, _ in found),
+        frequency=min(at for _, at, _ in responses),
     )
 
 

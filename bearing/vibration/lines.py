@@ -128,8 +128,8 @@ def kinematic(solution: QuasistaticSolution) -> Frequencies:
 
 def _ring_lines(place: Place, order: int, balls: int, speeds: tuple[float, float]) -> list[Line]:
     """Lines of a wave of a ring. speeds: of the ring and of the cage [Hz]."""
-    near = range(order // balls, order // balls + 2)
-    offsets = {k: order - k * balls for k in near}
+    numbers = range(order // balls, order // balls + 2)
+    offsets = {k: order - k * balls for k in numbers}
     seen = {k: m for k, m in offsets.items() if abs(m) <= 1}
     if not seen:
         k = min(offsets, key=lambda one: abs(offsets[one]))
@@ -149,12 +149,15 @@ def _ring_lines(place: Place, order: int, balls: int, speeds: tuple[float, float
 def _ball_lines(order: int, spin: float, cage: float) -> list[Line]:
     """Lines of a wave of the balls. spin: of a ball against the cage, cage: speeds [Hz]."""
     if order % 2:
-        places = {"none": [order * spin]}
+        by_direction = {"none": [order * spin]}
     else:
-        places = {"axial": [order * spin], "radial": [order * spin - cage, order * spin + cage]}
+        by_direction = {
+            "axial": [order * spin],
+            "radial": [order * spin - cage, order * spin + cage],
+        }
     return [
         Line(source="ball waviness", order=order, direction=direction, frequency=abs(frequency))
-        for direction, frequencies in places.items()
+        for direction, frequencies in by_direction.items()
         for frequency in frequencies
     ]
 

@@ -56,10 +56,10 @@ class VibrationRun:
     @property
     def energy_balance_error(self) -> float:
         """Largest imbalance of energy and works, over the mean energy and all works [-]."""
-        external, formed, lost = self.energy[:, 1:].T
+        external, formed, dissipated = self.energy[:, 1:].T
         energy = self.energy[:, 0]
-        balance = energy - energy[0] - external - formed + lost
-        size = energy.mean() + sum(float(np.ptp(work)) for work in (external, formed, lost))
+        balance = energy - energy[0] - external - formed + dissipated
+        size = energy.mean() + sum(float(np.ptp(work)) for work in (external, formed, dissipated))
         return float(abs(balance).max() / size) if size > 0.0 else 0.0
 
 

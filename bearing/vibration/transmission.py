@@ -61,9 +61,9 @@ class Transmission:
         spline = CubicSpline(self.numbers, self.parts)
         last = self.numbers[-1]
         inside = number <= last
-        found = dry.copy()
-        found[inside] = spline(number[inside])
-        return found
+        result = dry.copy()
+        result[inside] = spline(number[inside])
+        return result
 
 
 def dry_transmission(semi_axis: float) -> Transmission:
@@ -113,14 +113,14 @@ def film_transmission(
     )
 
 
-def filtered(profile: Array, part: Transmission, radius: float) -> Array:
+def filtered(profile: Array, transmission: Transmission, radius: float) -> Array:
     """Heights over a turn that enter the bearing, order by order.
 
     Parameters
     ----------
     profile : Array
         heights, shape (n,) [m]
-    part : Transmission
+    transmission : Transmission
         transmission of the contact
     radius : float
         radius of the track [m]
@@ -132,4 +132,4 @@ def filtered(profile: Array, part: Transmission, radius: float) -> Array:
     """
     spectrum = np.fft.rfft(profile)
     orders = np.arange(spectrum.size, dtype=np.float64)
-    return np.asarray(np.fft.irfft(spectrum * part.of(orders, radius), profile.size))
+    return np.asarray(np.fft.irfft(spectrum * transmission.of(orders, radius), profile.size))

@@ -64,11 +64,11 @@ def advance_explicit(
 
 
 @dataclass(slots=True)
-class _Pace:
+class _Progress:
     """Progress of the steps over time."""
 
     before: float  # time LOOK steps ago [s]
-    least: float  # mean of LOOK steps [s]
+    shortest: float  # mean of LOOK steps [s]
     steps: int = 0
 
     def crawls(self, time: float) -> bool:
@@ -112,11 +112,11 @@ def advance_implicit(
     record = empty_record(times, motion.solved)
     state.counters[[STIFF_SEEN, SOFT_SEEN]] = 0  # the test begins anew when explicit steps do
     reached = 0
-    pace = _Pace(state.time, CRAWL * control.stiff)
+    progress = _Progress(state.time, CRAWL * control.stiff)
     with threadpool_limits(1, user_api="blas"):
         for row, time in enumerate(times):
             limits = (float(time), control, motion.scale(scale))
-            if not _advance_to(state, motion, (y, history), limits, pace):
+            if not _advance_to(state, motion, (y, history), limits, progress):
                 break
             _kernels.sample(y, motion.data, history, record, row)
             reached = row + 1
@@ -128,14 +128,14 @@ def advance_implicit(
 def _advance_to(
     state: SimulationState,
     motion: SolvedMotion,
-    moved: tuple[Array, ContactHistory],
+    unknowns: tuple[Array, ContactHistory],
     limits: tuple[float, StepControl, Array],
-    pace: "_Pace",
+    progress: "_Progress",
 ) -> bool:
     """Steps of LSODA up to the time of `limits` [s], impacts remembered after each; whether it was
-    reached. `moved`: what is solved and what its contacts remember, brought up to date.
+    reached. `unknowns`: what is solved and what its contacts remember, brought up to date.
     """
-    y, history = moved
+    y, history = unknowns
     data = motion.data
     rates = np.zeros_like(y)
     data.linear[:] = 0.0  # each evaluation asks the laws of friction and films
@@ -159,7 +159,7 @@ def _advance_to(
         state.counters[STEPS] += 1
         state.time = solver.t
         state.step = step
-        if pace.crawls(solver.t):
+        if progress.crawls(solver.t):
             return False
     state.counters[EVALUATIONS] += solver.nfev
     return True
