@@ -42,7 +42,7 @@ def other_start(first: Simulation, fraction: float) -> Simulation:
     return from_state(bearing, first.operation, first.model, (run.point, run.data, y))
 
 
-def settled(run: Simulation) -> SimulationStatistics | None:
+def simulated_statistics(run: Simulation) -> SimulationStatistics | None:
     """Statistics of a simulation, moved to its end.
 
     Parameters

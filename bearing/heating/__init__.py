@@ -10,7 +10,7 @@ heat_state      - heat and temperatures at one film temperature and clearance
 limiting_speed  - balances over the speed, and the speed above which there is none
 network         - nodes, paths and boundaries; temperatures and flows of heat
 paths           - rings, seats, shaft, housing, oil and air as paths of heat
-remedy          - the least cooling that keeps a bearing below a limit
+required_cooling - least cooling that keeps a bearing below a limit
 self_heating    - temperatures at which friction, clearance, films and cooling agree
 stability       - margin against thermal runaway, ends of the temperatures
 warm_up         - temperatures over time from a start on

@@ -37,7 +37,7 @@ class HeatPath:
     first: str
     second: str
     conductance: Conductance  # [W/K]
-    what: str  # description with the source
+    description: str  # with the source
 
     @property
     def name(self) -> str:

@@ -154,7 +154,7 @@ def _ring_paths(
         first="inner_ring",
         second="shaft",
         conductance=in_series(inner, seat),
-        what="track to bore by finite elements, and the seat (assumed)",
+        description="track to bore by finite elements, and the seat (assumed)",
     )
     outer = Conductance.exactly(rows * ring_conductance(bearing, Race.OUTER, size.width / rows))
     seat = around.seat.times(pi * size.outside * size.width)
@@ -166,7 +166,7 @@ def _ring_paths(
             first=name,
             second="housing",
             conductance=half,
-            what="track to seat by finite elements, seat (assumed), wall of the housing",
+            description="track to seat by finite elements, seat (assumed), wall of the housing",
         )
     k = solid_thermal(bearing.outer_ring_material).conductivity
     section = 0.5 * (size.outside - size.outer_track) * size.width
@@ -176,7 +176,7 @@ def _ring_paths(
         first="outer_ring_loaded",
         second="outer_ring_unloaded",
         conductance=Conductance.exactly(around_ring),
-        what="around the ring, closed form",
+        description="around the ring, closed form",
     )
 
 
@@ -190,7 +190,7 @@ def _outside_paths(around: Surroundings, size: Dimensions, speed: float) -> Iter
                 first=name,
                 second=AMBIENT,
                 conductance=Conductance.exactly(fraction * around.conductance),
-                what="heat_transfer_W_K as given, split by the areas of the seats",
+                description="heat_transfer_W_K as given, split by the areas of the seats",
             )
     else:
         yield _shaft_path(around, size, speed)
@@ -200,14 +200,14 @@ def _outside_paths(around: Surroundings, size: Dimensions, speed: float) -> Iter
             first="oil",
             second=OIL_SUPPLY,
             conductance=Conductance.exactly(around.oil_flow),
-            what="oil that passes through, rho c V",
+            description="oil that passes through, rho c V",
         )
     if around.air_flow > 0.0:
         yield HeatPath(
             first="oil",
             second=AMBIENT,
             conductance=Conductance.exactly(AIR_CAPACITY * around.air_flow),
-            what="air that passes through, rho c V",
+            description="air that passes through, rho c V",
         )
 
 
@@ -226,7 +226,7 @@ def _shaft_path(around: Surroundings, size: Dimensions, speed: float) -> HeatPat
         first="shaft",
         second=AMBIENT,
         conductance=Conductance(*rods),
-        what="a fin on each side, its length and coefficient assumed",
+        description="a fin on each side, its length and coefficient assumed",
     )
 
 
@@ -239,7 +239,7 @@ def _housing_path(around: Surroundings, size: Dimensions) -> HeatPath:
         first="housing",
         second=AMBIENT,
         conductance=side_by_side(FREE_AIR, radiated).times(area),
-        what="free convection and radiation of an assumed housing",
+        description="free convection and radiation of an assumed housing",
     )
 
 
@@ -279,7 +279,7 @@ def state_paths(
             first="balls",
             second=name,
             conductance=friction.race(name),
-            what="contacts, by the film of each",
+            description="contacts, by the film of each",
         )
         for name in ("inner_ring", "outer_ring_loaded", "outer_ring_unloaded")
     ]
@@ -298,7 +298,7 @@ def state_paths(
             first=name,
             second="oil",
             conductance=h.times(area),
-            what=f"wall to the {'oil' if around.filled else 'air'} in the cavity, {words}",
+            description=f"wall to the {'oil' if around.filled else 'air'} in the cavity, {words}",
         )
         for name, area in areas.items()
     ]

@@ -26,7 +26,7 @@ from ehl.solid import bodies
 
 from ..geometry import Array
 from .elastic_ring import ElasticRing, ElasticRings
-from .seat_places import SeatPlaces, seat_places
+from .seat_places import SeatSupports, seat_supports
 
 
 class OpeningForce(NamedTuple):
@@ -43,7 +43,7 @@ class GrooveCompliance(NamedTuple):
     entries: Array  # G_xx, G_rr, G_ro, G_oo, shape (4, N, N) [m/N]
     angle: float  # alpha, at which the opening counts as one [rad]
     outward: float  # sign of the radial force that balls press with: 1 outer, -1 inner ring [-]
-    places: SeatPlaces | None = None  # of a seat that presses there only
+    supports: SeatSupports | None = None  # of a seat that presses there only
 
     def opening_force(self, force: Array, V: Array) -> OpeningForce:
         """Opening parts of forces, with their derivatives.
@@ -136,24 +136,24 @@ class GrooveCompliance(NamedTuple):
         moved
             movement (y, z), shape (rows, 2) [m]
         """
-        if self.places is None:
+        if self.supports is None:
             return np.zeros(0), np.zeros((0, 2))
         opening_part = self.opening_force(force, V)
-        pressed, movement = self.places.reactions(np.concatenate([force[1], opening_part.size]))
+        pressed, movement = self.supports.reactions(np.concatenate([force[1], opening_part.size]))
         return pressed, -self.outward * movement.reshape(-1, 2)
 
     def _matrices(
         self, force: Array, opening_part: OpeningForce
     ) -> tuple[Array, Array, Array, Array]:
-        """Compliance of the movements, G_xx, G_rr, G_ro, G_oo, less what the places of the
+        """Compliance of the movements, G_xx, G_rr, G_ro, G_oo, less what the supports of the
         seat take from it.
         """
         axial, radial, opened, opening = self.entries
         opened = self.outward * opened
         count = force.shape[1]
-        if self.places is None:
+        if self.supports is None:
             return axial, radial, opened, opening
-        reduction = self.places.taken(np.concatenate([force[1], opening_part.size]))
+        reduction = self.supports.taken(np.concatenate([force[1], opening_part.size]))
         return (
             axial,
             radial - reduction[:count, :count],
@@ -301,18 +301,20 @@ def ring_compliance(rings: ElasticRings, azimuths: Array, balls: int) -> RingCom
     for ring, outward in ((rings.inner, -1.0), (rings.outer, 1.0)):
         entries = np.zeros((4, azimuths.size, azimuths.size))
         angle = 0.5 * np.pi
-        places = None
+        supports = None
         if ring is not None:
             between = response_of(ring).at(2.0 * np.pi * np.arange(balls // 2 + 1) / balls)
             entries = np.where(together, between[:, steps], 0.0)
             angle = ring.contact_angle
-            places = _places(ring, azimuths, balls, outward)
-        grooves.append(GrooveCompliance(entries, angle, outward, places))
+            supports = _supports(ring, azimuths, balls, outward)
+        grooves.append(GrooveCompliance(entries, angle, outward, supports))
     return RingCompliance(*grooves)
 
 
-def _places(ring: ElasticRing, azimuths: Array, balls: int, outward: float) -> SeatPlaces | None:
+def _supports(
+    ring: ElasticRing, azimuths: Array, balls: int, outward: float
+) -> SeatSupports | None:
     response = response_of(ring).places
     if response is None:
         return None
-    return seat_places(response, np.array(ring.supports), (azimuths, balls), outward)
+    return seat_supports(response, np.array(ring.supports), (azimuths, balls), outward)

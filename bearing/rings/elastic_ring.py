@@ -27,7 +27,7 @@ class ElasticRing:
     contact_angle: float  # at which axial forces act [rad]
     estimated_shoulder: bool = False  # its diameter is an estimate
     cells: RingCells | None = None  # of its mesh; None: those of `ring_mesh`
-    supports: tuple[float, ...] = ()  # azimuths of the places of `Seat.SPLIT` [rad]
+    supports: tuple[float, ...] = ()  # azimuths of the supports of `Seat.SPLIT` [rad]
 
     def __post_init__(self) -> None:
         if (self.seat is Seat.SPLIT) != bool(self.supports):
@@ -46,7 +46,7 @@ class ElasticRing:
 
     @property
     def half_support(self) -> float:
-        """Half the angle of a place of a split seat, as wide as twice the wall [rad]."""
+        """Half the angle of a support of a split seat, as wide as twice the wall [rad]."""
         return self.profile.wall / self.profile.seat_radius
 
 

@@ -174,7 +174,7 @@ def resonance(solution: QuasistaticSolution, support: Support) -> float:
     float
         frequency [Hz]
     """
-    mass = _masses(solution.bearing, support)[0 if not support.inner_ring_held else OUTER]
+    mass = _masses(solution.bearing, support)[0 if not support.inner_ring_fixed else OUTER]
     return sqrt(float(solution.stiffness[1, 1]) / mass) / (2.0 * pi)
 
 
@@ -297,7 +297,7 @@ def _arrays(
 def _masses(bearing: Bearing, support: Support) -> Array:
     """Masses of the nine coordinates and the inner ring's polar inertia [kg], [kg m^2]."""
     masses = np.ones(BALLS + 1)
-    if not support.inner_ring_held:
+    if not support.inner_ring_fixed:
         ring = ring_body(bearing)
         masses[INNER:OUTER] = ring.mass + support.shaft_mass
         masses[INNER + 3 : OUTER] = ring.transverse_inertia
@@ -324,7 +324,7 @@ def _outer_mass(bearing: Bearing, support: Support) -> float:
 
 def _free(solution: QuasistaticSolution, support: Support) -> Array:
     free = np.zeros(BALLS)
-    if not support.inner_ring_held:
+    if not support.inner_ring_fixed:
         loaded = [load is not None for load in solution.operation.loads]
         free[INNER:OUTER] = loaded
     if support.outer_moves:

@@ -53,7 +53,7 @@ class Support:
     """Supports of the rings."""
 
     shaft_mass: float = 0.0  # that moves with the inner ring [kg]
-    inner_ring_held: bool = False  # as on a stiff spindle: it stays where the loads put it
+    inner_ring_fixed: bool = False  # as on a stiff spindle: it stays where the loads put it
     # outer ring's seat, radial and axial [N/m]; None: it stands still; zero: it is loaded
     # against an inner ring that is held
     seat_stiffness: float | None = None
@@ -74,12 +74,12 @@ class Support:
                 raise ValueError(f"{name} must not be negative, got {getattr(self, name)!r}")
         if self.sensor is not None and not self.outer_moves:
             raise ValueError("sensor: needs an outer ring that moves, hence a seat_stiffness")
-        if self.inner_ring_held and not self.outer_moves:
-            raise ValueError("inner_ring_held: nothing moves; needs a seat_stiffness, or 0")
-        if self.seat_stiffness == 0.0 and not self.inner_ring_held:
+        if self.inner_ring_fixed and not self.outer_moves:
+            raise ValueError("inner_ring_fixed: nothing moves; needs a seat_stiffness, or 0")
+        if self.seat_stiffness == 0.0 and not self.inner_ring_fixed:
             raise ValueError(
                 "seat_stiffness: 0 leaves both rings without a hold; allowed with "
-                "inner_ring_held, or give a stiffness"
+                "inner_ring_fixed, or give a stiffness"
             )
 
 

@@ -289,7 +289,7 @@ def _support(table: SupportTable) -> Support:
         )
     return Support(
         shaft_mass=si["shaft_mass"],
-        inner_ring_held=table.inner_ring == "held",
+        inner_ring_fixed=table.inner_ring == "held",
         seat_stiffness=si["seat_stiffness"],
         seat_axial_stiffness=si["seat_axial_stiffness"],
         seat_damping=si["seat_damping"] or 0.0,
