@@ -12,7 +12,7 @@ from .geometry import (
     contact_angle_to_clearance,
     reduced_radii,
 )
-from .library.bearings import list_bearings, load_catalogue_entry
+from .library.bearings import list_bearings, load_bearing, load_catalogue_entry
 from .library.greases import Grease, list_greases, load_grease
 from .library.lubricants import library_lubricant, list_lubricants
 from .library.typical_geometry import typical_geometry
@@ -72,6 +72,7 @@ __all__ = [
     "list_greases",
     "list_lubricants",
     "list_materials",
+    "load_bearing",
     "load_catalogue_entry",
     "load_grease",
     "load_material",

@@ -315,6 +315,24 @@ def reduced_radii(bearing: Bearing, race: Race, contact_angle: float) -> tuple[f
     return 0.5 * bearing.ball_diameter * factor, radius_y
 
 
+def ring_material(bearing: Bearing, race: Race) -> Material:
+    """Material of a ring.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        materials of the rings
+    race : Race
+        raceway of the ring
+
+    Returns
+    -------
+    Material
+        its material
+    """
+    return bearing.inner_ring_material if race is Race.INNER else bearing.outer_ring_material
+
+
 def contact_modulus(bearing: Bearing, race: Race) -> float:
     """Reduced modulus E' of a ball on a race.
 
@@ -330,5 +348,4 @@ def contact_modulus(bearing: Bearing, race: Race) -> float:
     float
         E' [Pa]
     """
-    ring = bearing.inner_ring_material if race is Race.INNER else bearing.outer_ring_material
-    return reduced_modulus(bearing.ball_material, ring)
+    return reduced_modulus(bearing.ball_material, ring_material(bearing, race))

@@ -18,7 +18,7 @@ from ehl.solid.bodies.ring_stress import RingStress, ring_stress
 from ehl.solid.bodies.sphere import ball_difference
 from ehl.solid.bodies.surface_difference import ContactPatch, SurfaceDifference, groove_gap
 
-from ..geometry import Bearing, Race
+from ..geometry import Bearing, Race, ring_material
 from ..rings.elastic_ring import elastic_ring
 from ..shoulder_diameter import shoulder_diameter
 from .contact import BearingContact
@@ -252,8 +252,7 @@ def _difference(bearing: Bearing, contact: BearingContact) -> RaceDifference:
     race, hertz = contact.race, contact.hertz
     profile = ring_profile(bearing, race)
     assert hertz is not None  # as `_obstacle` says
-    inner = race is Race.INNER
-    ring = bearing.inner_ring_material if inner else bearing.outer_ring_material
+    ring = ring_material(bearing, race)
     ball = bearing.ball_material
     patch = ContactPatch(
         load=hertz.load, semi_axis_x=hertz.semi_axis_x, semi_axis_y=hertz.semi_axis_y

@@ -15,7 +15,7 @@ import numpy as np
 from ehl.closed_form.hertz import HertzContact
 from ehl.closed_form.hertz_stress import hertz_maximum_shear, hertz_orthogonal_shear
 
-from ..geometry import Array, Race
+from ..geometry import Array, Race, ring_material
 from ..quasistatic.solution import QuasistaticSolution
 from ._kernels import largest_sliding_speeds
 from .contact import BearingContact
@@ -100,10 +100,7 @@ def _stresses(
     bearing = solution.bearing
     motion = motion_map(solution, contacts).motion(*ball_speeds(solution))
     ellipses = np.array([(h.semi_axis_x, h.semi_axis_y, h.pressure) for h in hertz]).T
-    poisson = {
-        Race.INNER: bearing.inner_ring_material.poisson_ratio,
-        Race.OUTER: bearing.outer_ring_material.poisson_ratio,
-    }
+    poisson = {race: ring_material(bearing, race).poisson_ratio for race in Race}
     radius = {race: groove_curvature_radius(bearing, race) for race in Race}
     pressure = ellipses[2]
     shear = hertz_maximum_shear(

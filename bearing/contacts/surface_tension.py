@@ -19,8 +19,7 @@ from ehl.oil.rheology import Rheology
 from ehl.solid.surface_stress import SurfaceStress, surface_stress, surface_stresses
 from ehl.traction.shear import shear_fields
 
-from ..geometry import Array, Bearing, Race
-from ..material import Material
+from ..geometry import Array, Bearing, Race, ring_material
 from .contact import BearingContact
 from .traction import ContactTraction
 
@@ -40,24 +39,6 @@ class SurfaceTension:
     uncertainty: float  # by the mesh, of the worse of both [Pa]
     x: float  # place in the ring's surface, along the rolling direction [m]
     y: float  # and across it [m]
-
-
-def ring_material(bearing: Bearing, race: Race) -> Material:
-    """Material of a ring.
-
-    Parameters
-    ----------
-    bearing : Bearing
-        materials of the rings
-    race : Race
-        raceway of the ring
-
-    Returns
-    -------
-    Material
-        its material
-    """
-    return bearing.inner_ring_material if race is Race.INNER else bearing.outer_ring_material
 
 
 def edge_tension(bearing: Bearing, contact: BearingContact) -> float | None:

@@ -279,26 +279,12 @@ def simulation(bearing: Bearing, operation: Operation, model: DynamicsModel) -> 
 
     Examples
     --------
-    >>> from bearing import Bearing, Operation, load_material
+    >>> from bearing import Operation, load_bearing
     >>> from bearing.dynamics.bodies import ring_body
     >>> from bearing.dynamics.friction import RaceFriction
     >>> from bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
     >>> from bearing.dynamics.simulation import simulation
-    >>> steel = load_material("bearing steel")
-    >>> bearing = Bearing(
-    ...     name="6208",
-    ...     ball_diameter=12e-3,
-    ...     pitch_diameter=60e-3,
-    ...     balls=9,
-    ...     inner_groove_radius=6.17e-3,
-    ...     outer_groove_radius=6.29e-3,
-    ...     diametral_clearance=13e-6,
-    ...     ball_material=steel,
-    ...     inner_ring_material=steel,
-    ...     outer_ring_material=steel,
-    ...     bore=40e-3,
-    ...     width=18e-3,
-    ... )
+    >>> bearing = load_bearing("6208")
     >>> model = DynamicsModel(
     ...     options=DynamicsOptions(end_time=1e-4, sample_interval=1e-5),
     ...     ring=ring_body(bearing),

@@ -27,7 +27,7 @@ from math import expm1, gamma, pi
 import numpy as np
 from numpy.typing import NDArray
 
-from ..geometry import Array, Bearing, Race
+from ..geometry import Array, Bearing, Race, ring_material
 from ..material import Material
 from ..operation import Operation
 from .clearance import ClearanceBudget, Fit, TemperatureRise, clearance_budget, groove_diameters
@@ -283,7 +283,7 @@ def _wall(
         inner=0.5 * diameters[0],
         outer=0.5 * diameters[1],
         width=bearing.width,
-        material=bearing.inner_ring_material if inside else bearing.outer_ring_material,
+        material=ring_material(bearing, race),
         pressure=0.0 if budget is None else getattr(budget, f"{name}_pressure"),
         inside=inside,
         speed=operation.inner_speed if inside else operation.outer_speed,

@@ -100,6 +100,15 @@ def heat_balance(torque: Callable[[float], float], speed: float, cooling: Coolin
     -------
     HeatBalance
         temperature, torque and power
+
+    Examples
+    --------
+    >>> from math import exp
+    >>> from bearing.heating.heat_balance import Cooling, heat_balance
+    >>> cooling = Cooling(conductance=0.5, ambient=293.15)
+    >>> balance = heat_balance(lambda t: 0.1 * exp(-0.02 * (t - 293.15)), 300.0, cooling)
+    >>> balance.converged, f"{balance.temperature - 273.15:.1f} C"
+    (True, '? C')
     """
     torques: dict[float, float] = {}
 

@@ -13,7 +13,7 @@ from ehl.oil.lubricant import Lubricant
 from ehl.solid.bodies.conduction import ring_conductances
 from ehl.solid.bodies.ring_profile import RingProfile, Seat
 
-from ..geometry import Bearing, Race
+from ..geometry import Bearing, Race, ring_material
 from ..material import Material
 from ..rings.elastic_ring import elastic_ring
 from ..shoulder_diameter import shoulder_diameter
@@ -340,8 +340,7 @@ def ring_conductance(bearing: Bearing, race: Race, width: float) -> float:
     float
         conductance [W/K]
     """
-    material = bearing.inner_ring_material if race is Race.INNER else bearing.outer_ring_material
-    k = solid_thermal(material).conductivity
+    k = solid_thermal(ring_material(bearing, race)).conductivity
     bore, outside = diameters(bearing)
     inner = race is Race.INNER
     ball = bearing.ball_diameter

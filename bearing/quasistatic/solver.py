@@ -67,26 +67,11 @@ def solve_quasistatic(
 
     Examples
     --------
-    >>> from bearing import Bearing, Operation, load_material, solve_quasistatic
-    >>> steel = load_material("bearing steel")
-    >>> bearing = Bearing(
-    ...     name="6208",
-    ...     ball_diameter=12e-3,
-    ...     pitch_diameter=60e-3,
-    ...     balls=9,
-    ...     inner_groove_radius=6.17e-3,
-    ...     outer_groove_radius=6.29e-3,
-    ...     diametral_clearance=13e-6,
-    ...     ball_material=steel,
-    ...     inner_ring_material=steel,
-    ...     outer_ring_material=steel,
-    ... )
+    >>> from bearing import Operation, load_bearing, solve_quasistatic
     >>> operation = Operation(inner_speed=300.0, force=(0.0, 1000.0, 0.0))
-    >>> solution = solve_quasistatic(bearing, operation)
-    >>> solution.converged
-    True
-    >>> f"{solution.inner_load.max():.0f} N"
-    '555 N'
+    >>> solution = solve_quasistatic(load_bearing("6208"), operation)
+    >>> solution.converged, f"{solution.inner_load.max():.0f} N"
+    (True, '555 N')
     """
     model = model or QuasistaticModel()
     if model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:

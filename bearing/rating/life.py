@@ -120,6 +120,17 @@ def bearing_life(
     LifeRating
         lives [revolutions], ratings [N] and static safety, each None with a message if it does not
         apply
+
+    Examples
+    --------
+    >>> from bearing import Operation, RatingInput, bearing_life, library_lubricant
+    >>> from bearing import load_bearing, solve_quasistatic
+    >>> operation = Operation(inner_speed=300.0, force=(0.0, 1000.0, 0.0))
+    >>> solution = solve_quasistatic(load_bearing("6208"), operation)
+    >>> oil = library_lubricant("iso vg 32", operation.temperature)
+    >>> life = bearing_life(solution, oil, RatingInput(contamination_factor=0.5))
+    >>> f"{life.basic_life / 1e6:.0f} million revolutions, a_ISO {life.life_factor:.1f}"
+    '?'
     """
     bearing = solution.bearing
     reason = _not_covered(bearing) or ("" if solution.converged else "there is no equilibrium")

@@ -6,7 +6,7 @@ from math import degrees, pi, radians
 
 from ehl.solid.bodies.ring_profile import Elasticity, RingCells, RingProfile, Seat
 
-from ..geometry import Bearing, Race
+from ..geometry import Bearing, Race, ring_material
 from ..material import Material
 
 # contact angle at which the axial compliance is taken: at least this, from the free angle rounded,
@@ -104,7 +104,7 @@ def elastic_ring(
     track_diameter = bearing.pitch_diameter + (-ball if inner else ball)
     if (track_diameter - seat_diameter) * (1 if inner else -1) <= 0.0:
         raise ValueError(f"{name} leaves no wall under the groove of the {race.value} ring")
-    material = bearing.inner_ring_material if inner else bearing.outer_ring_material
+    material = ring_material(bearing, race)
     radius, body_material = (None, None) if body is None else body
     if radius is not None:
         radius *= 0.5

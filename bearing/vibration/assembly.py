@@ -23,6 +23,7 @@ from .laws import (
     film_law,
     heaviest,
     linear_law,
+    mean_angle,
     solved_films,
     stiffness_factor,
 )
@@ -63,27 +64,6 @@ def track_radius(bearing: Bearing, race: Race, contact_angle: float) -> float:
     """
     side = -1.0 if race is Race.INNER else 1.0
     return 0.5 * (bearing.pitch_diameter + side * bearing.ball_diameter * np.cos(contact_angle))
-
-
-def mean_angle(solution: QuasistaticSolution, race: Race) -> float:
-    """Contact angle of a race, mean over the balls by their loads.
-
-    Parameters
-    ----------
-    solution : QuasistaticSolution
-        equilibrium of the bearing
-    race : Race
-        raceway
-
-    Returns
-    -------
-    float
-        mean angle [rad]
-    """
-    inner = race is Race.INNER
-    load = solution.inner_load if inner else solution.outer_load
-    angle = solution.inner_contact_angle if inner else solution.outer_contact_angle
-    return float(np.average(angle, weights=load)) if load.sum() > 0.0 else float(np.mean(angle))
 
 
 def assembled(

@@ -41,6 +41,27 @@ class SolvedFilms:
     film_share: float = 1.0  # of the load; the rest is on asperities, which damp nothing [-]
 
 
+def mean_angle(solution: QuasistaticSolution, race: Race) -> float:
+    """Contact angle of a race, mean over the balls by their loads.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        equilibrium of the bearing
+    race : Race
+        raceway
+
+    Returns
+    -------
+    float
+        mean angle [rad]
+    """
+    inner = race is Race.INNER
+    load = solution.inner_load if inner else solution.outer_load
+    angle = solution.inner_contact_angle if inner else solution.outer_contact_angle
+    return float(np.average(angle, weights=load)) if load.sum() > 0.0 else float(np.mean(angle))
+
+
 def stiffness_factor(solution: QuasistaticSolution, race: Race) -> float:
     """K of Hertz' law Q = K d^1.5 at the load-weighted mean contact angle.
 
@@ -57,11 +78,7 @@ def stiffness_factor(solution: QuasistaticSolution, race: Race) -> float:
         K [N/m^1.5]
     """
     bearing = solution.bearing
-    inner = race is Race.INNER
-    load = solution.inner_load if inner else solution.outer_load
-    angle = solution.inner_contact_angle if inner else solution.outer_contact_angle
-    mean = float(np.average(angle, weights=load)) if load.sum() > 0.0 else float(np.mean(angle))
-    radii = reduced_radii(bearing, race, mean)
+    radii = reduced_radii(bearing, race, mean_angle(solution, race))
     return contact_stiffness(*radii, contact_modulus(bearing, race))
 
 
