@@ -1,3 +1,4 @@
+from .catalogue import load_bearing
 from .contacts.contact import BearingContact
 from .contacts.contacts import contact_conditions
 from .contacts.stress import ContactStress, Truncation, contact_stress
@@ -12,7 +13,7 @@ from .geometry import (
     contact_angle_to_clearance,
     reduced_radii,
 )
-from .library.bearings import list_bearings, load_bearing, load_catalogue_entry
+from .library.bearings import list_bearings, load_catalogue_entry
 from .library.greases import Grease, list_greases, load_grease
 from .library.lubricants import library_lubricant, list_lubricants
 from .library.typical_geometry import typical_geometry

@@ -108,7 +108,7 @@ def heat_balance(torque: Callable[[float], float], speed: float, cooling: Coolin
     >>> cooling = Cooling(conductance=0.5, ambient=293.15)
     >>> balance = heat_balance(lambda t: 0.1 * exp(-0.02 * (t - 293.15)), 300.0, cooling)
     >>> balance.converged, f"{balance.temperature - 273.15:.1f} C"
-    (True, '? C')
+    (True, '51.8 C')
     """
     torques: dict[float, float] = {}
 

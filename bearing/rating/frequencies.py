@@ -45,7 +45,7 @@ def bearing_frequencies(solution: QuasistaticSolution) -> Frequencies:
     >>> operation = Operation(inner_speed=300.0, force=(0.0, 1000.0, 0.0))
     >>> solution = solve_quasistatic(load_bearing("6208"), operation)
     >>> f"{bearing_frequencies(solution).ball_pass_outer:.1f} Hz"
-    '? Hz'
+    '171.9 Hz'
     """
     operation = solution.operation
     loaded = solution.inner_load > 0.0
