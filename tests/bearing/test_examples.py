@@ -25,11 +25,10 @@ from bearing import (
     solve_quasistatic,
 )
 from bearing.dynamics.simulation import simulation
-from bearing.heating.heat_balance import heat_balance
 from bearing.library.designation import read_designation
 
 OBJECTS = [
-    *(Bearing, Material, Operation, bearing_frequencies, bearing_life, heat_balance, library_lubricant),
+    *(Bearing, Material, Operation, bearing_frequencies, bearing_life, library_lubricant),
     *(list_bearings, list_greases, list_lubricants, list_materials, load_bearing, load_catalogue_entry),
     *(load_material, read_designation, reduced_modulus, simulation, solve_quasistatic),
 ]

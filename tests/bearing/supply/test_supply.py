@@ -13,13 +13,15 @@ from bearing import Operation, contact_conditions, solve_quasistatic
 from bearing.contacts.film_heat import film_heat
 from bearing.contacts.film_numbers import film_numbers
 from bearing.friction.asperities import asperity_share
-from bearing.heating.heat_balance import HIGHEST_TEMPERATURE, Cooling, heat_balance
+from bearing.heating.heat_balance import HIGHEST_TEMPERATURE
 from bearing.supply.starved_films import least_lambda, mean_share, of_driven_balls, starved_films
 from bearing.supply.supply import InletFilm, Supply, cavity_volume, compression, oil_fraction, supplied_shares
 from bearing.supply.track import Track, steady_share
 from ehl import Lubricant, ViscosityLaw
 from ehl.closed_form.starvation import FLOODED, starvation_exponent, starvation_shares, starved_share
 from ehl.conditions import moes_groups
+
+from ...reference.heat_balance import Cooling, heat_balance
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
 ML_MIN = 1e-6 / 60.0  # [m^3/s]
