@@ -50,7 +50,7 @@ class ContactColumns(NamedTuple):
     """Columns of `race_out`, the first three also of `pocket_out` and `land_out`."""
 
     load: int  # [N]
-    # of the elastic bodies, over the film where the contact is lubricated [m]; negative: gap
+    # approach of the elastic bodies, over the film if the contact is lubricated [m]; negative: gap
     approach: int
     approach_speed: int  # [m/s]
     contact_angle: int  # [rad]
@@ -60,7 +60,7 @@ class ContactColumns(NamedTuple):
     spin: int  # [rad/s]
     friction_x: int  # on the ball [N]
     friction_y: int  # [N]
-    # of a traction table, central [m]; 0: without a table, in the record of an open contact too
+    # central film of a traction table [m]; 0: without a table, or in the record of an open one
     film: int
 
 

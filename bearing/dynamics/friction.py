@@ -41,7 +41,7 @@ class RaceFriction:
 
     @property
     def kind(self) -> int:
-        """Of the friction, as the kernel takes it."""
+        """Code of the friction for the kernels."""
         if self.inner is None:
             return FRICTIONLESS
         return TABLE if isinstance(self.inner, TractionTable) else COEFFICIENT
@@ -54,12 +54,23 @@ class RaceFriction:
 
     @property
     def follows_entrainment(self) -> bool:
-        """Whether what counts is the sliding over the entrainment."""
+        """True if friction depends on the sliding over the entrainment."""
         return self.inner is not None and self.ramp == inf
 
     def data(self, race: Race, rest: float = 0.0) -> FrictionData:
-        """Arrays of one race for the kernel [SI]; where friction follows the entrainment it
-        reverses over a sliding speed `rest` at least [m/s].
+        """Arrays of one race for the kernel.
+
+        Parameters
+        ----------
+        race : Race
+            raceway
+        rest : float, default 0.0
+            least sliding speed over which friction that follows the entrainment reverses [m/s]
+
+        Returns
+        -------
+        FrictionData
+            arrays [SI]
         """
         law = self.inner if race is Race.INNER else self.outer
         disc = CENTRE if self.at_centre else ellipse_nodes(EllipseRule.TIME_STEPS)
@@ -79,18 +90,46 @@ class RaceFriction:
 def race_friction(
     source: RaceTraction, bearing: Bearing, angles: tuple[float, float], *, at_centre: bool = False
 ) -> RaceFriction:
-    """A law of torque and traction equilibrium on both races; contact angles, inner and outer
-    [rad]; `at_centre`: see `RaceFriction`.
+    """A law of torque and traction equilibrium on both races.
+
+    Parameters
+    ----------
+    source : RaceTraction
+        law of friction of the bearing model
+    bearing : Bearing
+        geometry and materials
+    angles : tuple[float, float]
+        contact angles, inner and outer [rad]
+    at_centre : bool, default False
+        see `RaceFriction`
+
+    Returns
+    -------
+    RaceFriction
+        friction of both races
     """
     inner, outer = (source.race_law(bearing, *at) for at in zip(Race, angles, strict=True))
     return RaceFriction(inner=inner, outer=outer, at_centre=at_centre)
 
 
 def check_film(data: FrictionData, law: Array, name: str) -> None:
-    """ValueError unless the load rises with the approach over the whole table of a race: no film
-    may thicken faster than the bodies give way.
+    """Check that the load rises with the approach over the whole table of a race.
 
-    `law`, shape (3,): K [N/m^n], n [-], chi [-]; `name`: of the race.
+    No film may thicken faster than the bodies give way.
+
+    Parameters
+    ----------
+    data : FrictionData
+        table of the race
+    law : Array
+        K [N/m^n], n [-], chi [-], shape (3,)
+    name : str
+        name of the race, for the message
+
+    Raises
+    ------
+    ValueError
+        if the load falls at some load and speed
     """
     first, density, nodes = data.axes[:2].T
     last = first + (nodes - 1) / density

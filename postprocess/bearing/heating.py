@@ -5,7 +5,7 @@ from typing import Any
 
 from bearing.geometry import Array
 from bearing.heating.network import NODES
-from bearing.heating.remedy import least_heat_transfer, least_oil_flow
+from bearing.heating.required_cooling import required_heat_transfer, required_oil_flow
 from bearing.heating.self_heating import SelfHeatingSolution
 from ehl.units import from_si
 
@@ -55,7 +55,7 @@ def network_blocks(results: BearingResults) -> dict[str, Any]:
         keys[3]: {path.name: flow for path, flow in named},
         "heat_sources_W": dict(zip(NODES, state.sources.tolist(), strict=True)),
         "heat_paths": [
-            {"path": path.name, "what": path.what, **values_of(path.conductance, PATH)}
+            {"path": path.name, "what": path.description, **values_of(path.conductance, PATH)}
             for path in network.paths
         ],
         **values_of(heating, STABILITY),
@@ -92,7 +92,7 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
     if heating is None:
         yield "self_heating: null, the case gives no friction.heat_transfer_W_K, or nothing turns"
     elif heating.balance is None or not heating.converged:
-        yield f"self_heating: null, not converged: {heating.note}; {_remedy(results, heating)}"
+        yield f"self_heating: null, not converged: {heating.note}; {_advice(results, heating)}"
     else:
         balanced = from_si("temperature_C", heating.balance.temperature)
         given = from_si("temperature_C", results.quasistatic.operation.temperature)
@@ -117,17 +117,17 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
             yield f"self_heating: {heating.note}"
 
 
-def _remedy(results: BearingResults, heating: SelfHeatingSolution) -> str:
+def _advice(results: BearingResults, heating: SelfHeatingSolution) -> str:
     """What to change of a bearing that is heated more than it is cooled."""
     state = heating.state
     oil = results.lubricant
     if state is None or state.found_temperature <= state.film_temperature:
         return "try another friction.heat_transfer_W_K or heating_torque"
     ways = []
-    transfer = least_heat_transfer(state)
+    transfer = required_heat_transfer(state)
     if transfer is not None:
         ways.append(f"heat_transfer_W_K above {transfer:.3g}")
-    flow = None if oil.thermal is None else least_oil_flow(state)
+    flow = None if oil.thermal is None else required_oil_flow(state)
     if flow is not None and oil.thermal is not None:
         volume = flow / (oil.density * oil.thermal.specific_heat)
         ways.append(f"cooling_oil_mL_min above {from_si('flow_mL_min', volume):.2g}")

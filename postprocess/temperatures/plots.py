@@ -7,7 +7,7 @@ from typing import Any
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from bearing.heating.limiting_speed import TURNED
+from bearing.heating.limiting_speed import SpeedLimit
 
 from ..plot_style import PAGE_WIDTH, write_figure
 from .results import TemperatureResults
@@ -46,7 +46,9 @@ def draw_temperatures(figure: Figure, results: TemperatureResults) -> None:
     limit = LIMIT.value(results)
     if limit is not None:
         fastest = results.branch.fastest
-        word = "turns back" if results.branch.limited_by == TURNED else "end of the range"
+        word = (
+            "turns back" if results.branch.limited_by is SpeedLimit.RUNAWAY else "end of the range"
+        )
         over_speed.plot([limit], [FILM.value(fastest.state)], "kx", label=f"limit: {word}")
     over_speed.set_xlabel(SPEED.label)
     over_speed.set_ylabel("temperature [°C]")

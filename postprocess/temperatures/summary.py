@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from bearing.heating.limiting_speed import FAST_ENOUGH, NO_STATE, TOO_WARM, TURNED
+from bearing.heating.limiting_speed import SpeedLimit
 from bearing.heating.network import NODES
 from ehl.units import from_si
 
@@ -25,8 +25,12 @@ TIME_CONSTANT = Quantity(
     "thermal_time_constant_s", "longest time constant", "heating.stability.longest_time"
 )
 ENDS = {
-    TURNED: "above it friction grows faster with the temperature than the cooling: no balance",
-    TOO_WARM: "there the films reach the highest temperature of lubricants that is reckoned with",
+    SpeedLimit.RUNAWAY: (
+        "above it friction grows faster with the temperature than the cooling: no balance"
+    ),
+    SpeedLimit.TEMPERATURE: (
+        "there the films reach the highest temperature of lubricants that is reckoned with"
+    ),
 }
 
 
@@ -38,7 +42,7 @@ def temperatures_summary(results: TemperatureResults) -> dict[str, Any]:
     least = int(np.argmin(warm.clearance))
     document = {
         **values_of(results, (SPEED, LIMIT)),
-        "limited_by": results.branch.limited_by,
+        "limited_by": results.branch.limited_by.value,
         **values_of(results, (MARGIN, TIME_CONSTANT)),
         "balances": rows_of(balance_columns(results)),
         "warm_up": {
@@ -77,20 +81,21 @@ def temperature_study_messages(results: TemperatureResults) -> Iterator[str]:
     """What bounds the speed, and what the course does."""
     branch = results.branch
     limit = LIMIT.value(results)
-    if branch.limited_by in (TURNED, TOO_WARM):
+    if branch.limited_by in ENDS:
         film = FILM.value(branch.fastest.state)
         yield (
             f"limiting speed {limit:.0f} r/min by heat, films at {film:.0f} C: "
             f"{ENDS[branch.limited_by]}; material, cage and oil may allow less"
         )
-    elif branch.limited_by == FAST_ENOUGH:
+    elif branch.limited_by is SpeedLimit.NOT_REACHED:
         fastest = SPEED.in_unit(branch.fastest.speed)
         yield f"limiting speed null: none up to {fastest:.0f} r/min, where the search ends"
     else:
         last = branch.balances[-1]
+        reason = branch.message or SpeedLimit.NO_STATE.value
         yield (
             f"limiting speed null: not converged beyond {SPEED.in_unit(last.speed):.0f} r/min, "
-            f"films at {FILM.value(last.state):.0f} C: {branch.message or NO_STATE}"
+            f"films at {FILM.value(last.state):.0f} C: {reason}"
         )
     if not results.heating.converged:
         yield (

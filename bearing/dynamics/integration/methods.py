@@ -30,9 +30,27 @@ LOOK = 10000
 def advance_explicit(
     state: SimulationState, motion: SolvedMotion, times: Array, control: StepControl, scale: Array
 ) -> tuple[int, Record]:
-    """Move a state on to the given times [s]; the kernel's status, and the rows reached.
+    """Move a state on to the given times by compiled explicit steps.
 
-    `scale`, shape (mechanical,): errors that count as one [SI].
+    Parameters
+    ----------
+    state : SimulationState
+        state of the simulation, changed
+    motion : SolvedMotion
+        equations in use
+    times : Array
+        times of the samples, rising [s]
+    control : StepControl
+        limits of the steps
+    scale : Array
+        errors that count as one, shape (mechanical,) [SI]
+
+    Returns
+    -------
+    status
+        status of the kernel
+    record
+        the rows reached
     """
     y, history = motion.begin(state)
     record = empty_record(times, motion.solved)
@@ -46,11 +64,11 @@ def advance_explicit(
 
 
 @dataclass(slots=True)
-class _Pace:
-    """Whether steps lead on."""
+class _Progress:
+    """Progress of the steps over time."""
 
     before: float  # time LOOK steps ago [s]
-    least: float  # mean of LOOK steps [s]
+    shortest: float  # mean of LOOK steps [s]
     steps: int = 0
 
     def crawls(self, time: float) -> bool:
@@ -66,19 +84,39 @@ class _Pace:
 def advance_implicit(
     state: SimulationState, motion: SolvedMotion, times: Array, control: StepControl, scale: Array
 ) -> tuple[int, Record]:
-    """`advance_explicit` by LSODA; status DONE or TOO_SMALL, and the rows reached [SI].
+    """Move a state on to the given times by LSODA.
 
     Its systems of a hundred unknowns are solved by one thread: several took twelve times as long.
+
+    Parameters
+    ----------
+    state : SimulationState
+        state of the simulation, changed
+    motion : SolvedMotion
+        equations in use
+    times : Array
+        times of the samples, rising [s]
+    control : StepControl
+        limits of the steps
+    scale : Array
+        errors that count as one, shape (mechanical,) [SI]
+
+    Returns
+    -------
+    status
+        DONE or TOO_SMALL
+    record
+        the rows reached
     """
     y, history = motion.begin(state)
     record = empty_record(times, motion.solved)
     state.counters[[STIFF_SEEN, SOFT_SEEN]] = 0  # the test begins anew when explicit steps do
     reached = 0
-    pace = _Pace(state.time, CRAWL * control.stiff)
+    progress = _Progress(state.time, CRAWL * control.stiff)
     with threadpool_limits(1, user_api="blas"):
         for row, time in enumerate(times):
             limits = (float(time), control, motion.scale(scale))
-            if not _advance_to(state, motion, (y, history), limits, pace):
+            if not _advance_to(state, motion, (y, history), limits, progress):
                 break
             _kernels.sample(y, motion.data, history, record, row)
             reached = row + 1
@@ -90,14 +128,14 @@ def advance_implicit(
 def _advance_to(
     state: SimulationState,
     motion: SolvedMotion,
-    moved: tuple[Array, ContactHistory],
+    unknowns: tuple[Array, ContactHistory],
     limits: tuple[float, StepControl, Array],
-    pace: "_Pace",
+    progress: "_Progress",
 ) -> bool:
     """Steps of LSODA up to the time of `limits` [s], impacts remembered after each; whether it was
-    reached. `moved`: what is solved and what its contacts remember, brought up to date.
+    reached. `unknowns`: what is solved and what its contacts remember, brought up to date.
     """
-    y, history = moved
+    y, history = unknowns
     data = motion.data
     rates = np.zeros_like(y)
     data.linear[:] = 0.0  # each evaluation asks the laws of friction and films
@@ -121,7 +159,7 @@ def _advance_to(
         state.counters[STEPS] += 1
         state.time = solver.t
         state.step = step
-        if pace.crawls(solver.t):
+        if progress.crawls(solver.t):
             return False
     state.counters[EVALUATIONS] += solver.nfev
     return True
