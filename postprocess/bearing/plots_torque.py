@@ -4,9 +4,13 @@ every ball; of the film after the supply of oil has stopped.
 
 from collections.abc import Callable, Iterable, Iterator
 from functools import partial
+from io import StringIO
 from typing import Any
+from xml.etree import ElementTree
 
+import matplotlib
 import numpy as np
+from markupsafe import Markup
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
@@ -18,6 +22,7 @@ from ..plot_style import (
     INNER_COLOUR,
     OUTER_COLOUR,
     PAGE_WIDTH,
+    RC,
     REFERENCE,
 )
 from ..quantities import by_key
@@ -52,6 +57,8 @@ KINDS = (  # what one colour stands for, and the components of the models that a
     ("churning", DRAG, ("drag",)),
     ("seals", SEAL, ("seal",)),
 )
+SVG = "http://www.w3.org/2000/svg"
+METADATA = ("Creator", "Date", "Format", "Type")  # of SVG, left out
 VISIBLE = 1.0e-4  # of the largest torque: smaller parts are not drawn
 
 
@@ -112,6 +119,31 @@ def draw_models(axes: Axes, models: dict[str, ModelTorque], chosen: str | None =
     axes.legend(handles=handles, ncols=4, loc="lower center", bbox_to_anchor=(0.42, 1.0))
 
 
+def torque_svg(models: dict[str, ModelTorque]) -> Markup:
+    """The bars of models [N mm] as an SVG element, which names each part below the mouse."""
+    content = StringIO()
+    with matplotlib.rc_context(RC | {"svg.fonttype": "none"}):
+        figure = Figure(figsize=(PAGE_WIDTH, 0.8 + 0.24 * len(models)))
+        axes = figure.subplots()
+        draw_models(axes, models)
+        bars = {f"part{n}": bar for n, bar in enumerate(axes.patches) if bar.get_width()}
+        for bar in axes.patches:
+            bar.set_clip_on(False)
+        for name, bar in bars.items():
+            bar.set_gid(name)
+        figure.savefig(content, format="svg", metadata=dict.fromkeys(METADATA))
+    ElementTree.register_namespace("", SVG)
+    fonts = content.getvalue().replace("'DejaVu Sans'", "system-ui, 'DejaVu Sans', sans-serif")
+    svg = ElementTree.fromstring(fonts.replace("xlink:href", "href"))
+    for group in svg.iter(f"{{{SVG}}}g"):
+        if (name := group.get("id", "")) in bars:
+            title = ElementTree.SubElement(group, f"{{{SVG}}}title")
+            title.text = str(bars[name].get_label())
+    svg.attrib |= {"role": "img", "aria-label": "bars of the friction torque", "width": "860"}
+    del svg.attrib["height"]
+    return Markup(ElementTree.tostring(svg, encoding="unicode"))
+
+
 def _others(components: Iterable[str]) -> tuple[str, str, tuple[str, ...]]:
     """Components of plug-ins, which are of no kind here."""
     known = {part for _, _, members in KINDS for part in members}
@@ -120,12 +152,13 @@ def _others(components: Iterable[str]) -> tuple[str, str, tuple[str, ...]]:
 
 def _draw_bar(axes: Axes, row: int, model: ModelTorque, visible: float) -> None:
     right = left = 0.0
-    for _, colour, members in [*KINDS, _others(model.components)]:
+    for kind, colour, members in [*KINDS, _others(model.components)]:
         value = TORQUE.in_unit(sum(model.components.get(part, 0.0) for part in members))
         if abs(value) <= TORQUE.in_unit(visible):
             continue
         start = right if value > 0.0 else left
-        axes.barh(row, value, left=start, color=colour, height=0.72)
+        label = f"{kind} {value:.4g}".replace("-", "\N{MINUS SIGN}")
+        axes.barh(row, value, left=start, color=colour, height=0.72, label=[label])
         right, left = (right + value, left) if value > 0.0 else (right, left + value)
     total = f" {TORQUE.in_unit(model.total or 0.0):.4g}"
     axes.text(max(right, 0.0), row, total, va="center", fontsize=7)

@@ -1,14 +1,20 @@
-"""Pieces of an HTML page: tables, facts, pictures; every text is escaped here and nowhere else."""
+"""Values as text of an HTML page, and the templates that hold all of its markup.
+
+The templates escape every value that is not `Markup` (jinja2, autoescape).
+"""
 
 import base64
 import platform
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from html import escape
-from importlib import metadata
+from functools import cache
+from importlib import metadata, resources
 from math import isfinite
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
+
+from jinja2 import Environment, FunctionLoader, StrictUndefined
+from markupsafe import Markup, escape
 
 from ehl.units import unit_symbol, without_unit
 
@@ -40,32 +46,63 @@ LIVES = ("_h", "_Mrev")  # ends of keys whose numbers are read without a power o
 LIBRARIES = ("numpy", "scipy", "numba", "xarray", "vtk")
 
 
+class Table(NamedTuple):
+    """Content of a table of the page.
+
+    `head`: name and unit of each column; `rows`: CSS class and cells of each row; `words`: numbers
+    of the columns that hold words and are set left, counted from 0.
+    """
+
+    head: Sequence[tuple[str, str]]
+    rows: Sequence[tuple[str, Sequence[str]]]
+    words: Sequence[int] = ()
+
+
+@cache
+def environment() -> Environment:
+    """The templates of this package; an unknown name in them is an error."""
+    folder = resources.files(__package__).joinpath("templates")
+    found = Environment(
+        loader=FunctionLoader(lambda name: folder.joinpath(name).read_text(encoding="utf-8")),
+        autoescape=True,
+        trim_blocks=True,
+        undefined=StrictUndefined,
+    )
+    found.globals["longest"] = MAX_UNBROKEN
+    return found
+
+
+def render(template: str, macro: str, *values: Any) -> Markup:
+    """Markup of a macro of a template."""
+    found: Markup = getattr(environment().get_template(f"{template}.html").module, macro)(*values)
+    return found
+
+
 def text(value: Any) -> str:
     """A value as text of the page; numbers to five figures, a dash for null."""
     if value is None:
         return NOTHING
     if isinstance(value, bool):
         return "yes" if value else "no"
-    if isinstance(value, int):
-        return str(value)
     if isinstance(value, float):
         return number(value)
     if isinstance(value, list | tuple):
-        return ", ".join(text(item) for item in without_noise(value))
+        return Markup(", ").join(text(item) for item in without_noise(value))
     if isinstance(value, dict):
-        return "; ".join(f"{escape(str(key))}: {text(item)}" for key, item in value.items())
-    return escape(str(value))
+        items = (Markup("{}: {}").format(key, text(item)) for key, item in value.items())
+        return Markup("; ").join(items)
+    return escape(value)
 
 
 def number(value: float, digits: int = DIGITS) -> str:
     """A number to some figures [-], with a true minus and powers of ten that are read as such."""
     if not isfinite(value):
         return NOTHING
-    plain = f"{value + 0.0:.{digits}g}"
-    if "e" in plain:
-        mantissa, _, exponent = plain.partition("e")
-        plain = f"{mantissa}·10<sup>{int(exponent)}</sup>".replace("<sup>-", "<sup>−")
-    return plain.replace("-", "−")
+    mantissa, _, exponent = f"{value + 0.0:.{digits}g}".replace("-", "−").partition("e")
+    if not exponent:
+        return mantissa
+    power = str(int(exponent.replace("−", "-"))).replace("-", "−")
+    return Markup("{}·10<sup>{}</sup>").format(mantissa, power)
 
 
 def figure(value: Any) -> str:
@@ -73,7 +110,7 @@ def figure(value: Any) -> str:
     return number(float(value), 4) if isinstance(value, int | float) else text(value)
 
 
-def with_error(row: dict[str, Any], key: str) -> str:
+def with_error(row: Mapping[str, Any], key: str) -> str:
     """A film with its uncertainty, to the figures that it supports."""
     value = row.get(key)
     head, _, unit = key.rpartition("_")
@@ -83,7 +120,7 @@ def with_error(row: dict[str, Any], key: str) -> str:
     return value_with_error(value, error)
 
 
-def result(row: dict[str, Any], key: str) -> str:
+def result(row: Mapping[str, Any], key: str) -> str:
     """A result of a row, a film with its uncertainty, a life without a power of ten."""
     if key.startswith("film_"):
         return with_error(row, key)
@@ -113,24 +150,21 @@ def vector(value: Any) -> Any:
 
 def name_text(key: str) -> str:
     """A key in words, abbreviations as they are written."""
-    words = without_unit(key).split(" ")
-    return escape(" ".join(ABBREVIATIONS.get(word, word) for word in words))
+    return " ".join(ABBREVIATIONS.get(word, word) for word in without_unit(key).split(" "))
 
 
 def _keys_in_words(source: Any) -> str:
     """A source whose parts begin with the key that they are of, each key in words."""
-    parts = re.split(r"((?:^|; )[a-z]+(?:_[A-Za-z0-9]+)+(?=: ))", text(source))
-    return "".join(
-        f"{part[: -len(part.lstrip('; '))]}{name_text(part.lstrip('; '))}" if odd % 2 else part
-        for odd, part in enumerate(parts)
+    return re.sub(
+        r"(^|; )([a-z]+(?:_[A-Za-z0-9]+)+)(?=: )",
+        lambda found: found[1] + name_text(found[2]),
+        source if isinstance(source, str) else Markup(text(source)).unescape(),
     )
 
 
 def title_text(key: str, quantities: Mapping[str, Quantity]) -> str:
-    """Title and symbol of a quantity, or its key in words where none is known."""
-    if key not in quantities:
-        return name_text(key)
-    return escape(quantities[key].name)
+    """Title and symbol of a quantity, or its key in words where it is no quantity."""
+    return quantities[key].name if key in quantities else name_text(key)
 
 
 def key_head(keys: Iterable[str]) -> list[tuple[str, str]]:
@@ -138,76 +172,35 @@ def key_head(keys: Iterable[str]) -> list[tuple[str, str]]:
     return [(name_text(key), unit_symbol(key)) for key in keys]
 
 
-def table(
-    head: Sequence[tuple[str, str]],
-    rows: Iterable[tuple[str, Sequence[str]]],
-    texts: Sequence[int] = (),
-) -> str:
-    """A table that can be scrolled sideways, all its texts HTML.
-
-    From name and unit of each column, and class and cells of each row; `texts` are the columns
-    that hold words and are set left.
-    """
-    heads = "".join(
-        f"<th{_text_class(i in texts)}>{name}{f'<small>{unit}</small>' if unit else ''}</th>"
-        for i, (name, unit) in enumerate(head)
-    )
-    lines = []
-    for style, cells in rows:
-        content = "".join(
-            f"<td{_text_class(i in texts, len(cell))}>{cell}</td>" for i, cell in enumerate(cells)
-        )
-        lines.append(f'<tr class="{style}">{content}</tr>' if style else f"<tr>{content}</tr>")
-    body = f"<thead><tr>{heads}</tr></thead><tbody>{''.join(lines)}</tbody>"
-    return f'<div class="scroll"><table>{body}</table></div>'
-
-
-def _text_class(is_text: bool, length: int = 0) -> str:
-    if not is_text:
-        return ""
-    return ' class="text long"' if length > MAX_UNBROKEN else ' class="text"'
-
-
 def facts(
     title: str,
-    values: dict[str, Any],
+    values: Mapping[str, Any],
     assumed: frozenset[str] = frozenset(),
     path: str = "",
     names: Mapping[str, str] | None = None,
-) -> str:
+) -> Markup:
     """Key or its name, value and unit, one below the other; `assumed` keys are marked, null is a
     dash.
     """
     rows = []
     for key, value in values.items():
-        is_assumed = f"{path}.{key}" in assumed
-        name = escape(names[key]) if names and key in names else name_text(key)
-        name += ' <span class="mark">*</span>' if is_assumed else ""
-        unit = unit_symbol(key) if value is not None else ""
         shown = _keys_in_words(value) if key == "source" else _shown(key, value, text)
-        content = f"{shown}&nbsp;{escape(unit)}" if unit else shown
-        cells = f"<td>{name}</td><td>{content}</td>"
-        if len(content) > MAX_BESIDE_KEY:  # words, such as a source
-            cells = f'<td colspan="2" class="small">{name}: {content}</td>'
-        row = '<tr class="assumed">' if is_assumed else "<tr>"
-        rows.append(f"{row}{cells}</tr>")
-    heading = f"<h3>{escape(title)}</h3>" if title else ""
-    return f"<div>{heading}<table><tbody>{''.join(rows)}</tbody></table></div>"
+        unit = unit_symbol(key) if value is not None else ""
+        content = Markup("{}&nbsp;{}").format(shown, unit) if unit else escape(shown)
+        rows.append(
+            {
+                "name": (names or {}).get(key) or name_text(key),
+                "assumed": f"{path}.{key}" in assumed,
+                "content": content,
+                "wide": len(content) > MAX_BESIDE_KEY,  # words, such as a source
+            }
+        )
+    return render("pieces", "facts", title, rows)
 
 
-def side_by_side(*blocks: str, kind: str = "facts") -> str:
+def side_by_side(*blocks: str, kind: str = "facts") -> Markup:
     """Blocks of facts, cards or pictures side by side; nothing without a block."""
-    return f'<div class="{kind}">{"".join(blocks)}</div>' if any(blocks) else ""
-
-
-def note(explanation: str) -> str:
-    """A line of explanation in HTML."""
-    return f'<p class="quiet small">{explanation}</p>'
-
-
-def unfolding(title: str, body: str, state: str = "") -> str:
-    """A part that unfolds, or is `open` and folds."""
-    return f"<details{state and f' {state}'}><summary>{title}</summary>{body}</details>"
+    return render("pieces", "side_by_side", blocks, kind)
 
 
 def is_large(value: Any) -> bool:
@@ -218,40 +211,20 @@ def is_large(value: Any) -> bool:
     )
 
 
-def card(name: str, value: str, unit: str = "") -> str:
-    """One number that is looked at first."""
-    content = f"<b>{value} <small>{escape(unit)}</small></b><span>{escape(name)}</span>"
-    return f'<div class="card">{content}</div>'
-
-
-def picture(path: Path, caption: str, *, wide: bool = False) -> str:
+def picture(path: Path, caption: str, *, wide: bool = False) -> Markup:
     """A PNG file inside the page, nothing if there is none; a wide one is scrolled on a phone."""
     if not path.is_file():
-        return ""
+        return Markup()
     data = base64.b64encode(path.read_bytes()).decode("ascii")
-    source = f"data:image/png;base64,{data}"
-    image = f'<img alt="{escape(caption)}" src="{source}">'
-    image = f'<div class="scroll wide">{image}</div>' if wide else image
-    return f"<figure>{image}<figcaption>{escape(caption)}</figcaption></figure>"
+    return render("pieces", "picture", f"data:image/png;base64,{data}", caption, wide)
 
 
-def items(messages: Iterable[str]) -> str:
-    """Messages as a list."""
-    return "<ul>" + "".join(f"<li>{escape(message)}</li>" for message in messages) + "</ul>"
-
-
-def notes(messages: Iterable[str]) -> str:
+def notes(messages: Iterable[Any]) -> Markup:
     """The messages that are no warnings; nothing if there are none."""
-    texts = [str(message) for message in messages]
-    return f'<div class="notes small">{items(texts)}</div>' if texts else ""
+    return render("pieces", "notes", [str(message) for message in messages])
 
 
-def section(anchor: str, title: str, body: str) -> str:
-    """A part of the page; empty if it has nothing to say."""
-    return f'<section id="{anchor}"><h2>{escape(title)}</h2>\n{body}\n</section>' if body else ""
-
-
-def versions(summary: dict[str, Any]) -> str:
+def versions(summary: Mapping[str, Any]) -> Markup:
     """Program, libraries of the machine that wrote the page, wall times [s]."""
     programs = {
         "oilfilm, of the results": summary["oilfilm"],
