@@ -1,4 +1,4 @@
-"""netCDF-4 files of results, written and opened as `reader` reads them, without xarray.
+"""netCDF-4 files of results, written as `reader` reads them, without xarray.
 
 Loading xarray and its libraries takes longer than writing the fields of a bearing.
 """
@@ -181,46 +181,3 @@ def root_attributes(document: dict[str, Any], kind: str) -> dict[str, Any]:
         "case": json.dumps(case, ensure_ascii=False),
         "messages": json.dumps(document["messages"], ensure_ascii=False),
     }
-
-
-class _OpenedOnce(h5py.File):
-    """An HDF5 file for reading that keeps what it has opened, by its path.
-
-    h5netcdf (1.8) opens a dataset anew for each of its properties, and xarray asks for 17 of each
-    variable: results of 189 variables are open in half the time.
-    """
-
-    def __init__(self, path: Path) -> None:
-        self._opened: dict[str, Any] = {}
-        super().__init__(path, "r")
-
-    def __getitem__(self, name: Any) -> Any:
-        """The group or dataset at a path, or that a reference leads to."""
-        if not isinstance(name, str):
-            return super().__getitem__(name)
-        if name not in self._opened:
-            self._opened[name] = super().__getitem__(name)
-        return self._opened[name]
-
-
-class _Groups(h5netcdf.File):
-    """The groups of a file that is opened once, and closed with them."""
-
-    def __init__(self, opened: _OpenedOnce) -> None:
-        self._opened_once = opened
-        super().__init__(opened, "r", decode_vlen_strings=True)
-
-    def close(self) -> None:
-        """Close the groups and their file."""
-        super().close()
-        self._opened_once.close()
-
-
-def open_file(path: Path) -> h5netcdf.File:
-    """A netCDF-4 file to read, open until it is closed or nothing refers to it any more.
-
-    Files that cannot be opened are closed without a complaint: h5netcdf (1.8) asks for
-    `_writable` when it closes a file, and sets it late in its opening.
-    """
-    h5netcdf.File._writable = False
-    return _Groups(_OpenedOnce(path))

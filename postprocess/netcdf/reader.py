@@ -3,18 +3,15 @@ transient, dynamics.
 """
 
 import json
-from contextlib import ExitStack
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import xarray
-from xarray.backends import H5NetCDFStore
 
 from ..dynamics.history import FORMAT as HISTORY_FORMAT
 from ..dynamics.history import HISTORY_FILE
 from ..files import SUMMARY_FILE
-from .groups import FIELDS_FILE, FORMAT, open_file
+from .groups import FIELDS_FILE, FORMAT
 
 # that a file names
 KINDS = (
@@ -66,23 +63,9 @@ def _data_file(path: Path) -> Path:
 def _open_tree(path: Path) -> xarray.DataTree:
     """The groups of a netCDF-4 file, read when they are used; ValueError if it is damaged."""
     try:
-        groups = open_file(path)
-        with ExitStack() as failed:
-            failed.callback(groups.close)
-            tree = xarray.DataTree.from_dict(_datasets(groups))
-            failed.pop_all()
-        tree.set_close(groups.close)
-        return tree
+        return xarray.open_datatree(path, engine="h5netcdf")
     except (OSError, KeyError, ValueError, TypeError, RuntimeError) as error:
         raise ValueError(f"{path} is damaged or not a netCDF-4 file: {error}") from error
-
-
-def _datasets(group: Any, path: str = "/") -> dict[str, xarray.Dataset]:
-    """A group and those below it, by their paths."""
-    found = {path: xarray.open_dataset(H5NetCDFStore(group))}
-    for name, below in group.groups.items():
-        found |= _datasets(below, f"{path.rstrip('/')}/{name}")
-    return found
 
 
 def _of_simulation(tree: xarray.DataTree, path: Path) -> xarray.DataTree:
