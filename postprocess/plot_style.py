@@ -114,6 +114,34 @@ def colour_stops(quantity: str, count: int) -> Array:
     return np.asarray(colours[:, :3])
 
 
+def titled_panels(
+    figure: Figure, title: str, height: float, rows: int = 1, columns: int = 1, **options: Any
+) -> Any:
+    """Panels of a page-wide picture below its title, as `Figure.subplots` gives them.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    title : str
+        Title of the picture.
+    height : float
+        Height of the picture [in].
+    rows, columns : int, default 1
+        Panels one below the other and side by side [-].
+    **options : Any
+        Further options of `Figure.subplots`.
+
+    Returns
+    -------
+    Any
+        Axes, or an array of them.
+    """
+    figure.set_size_inches(PAGE_WIDTH, height)
+    figure.suptitle(title, fontsize=8.5)
+    return figure.subplots(rows, columns, **options)
+
+
 def save(figure: Figure, path: Path) -> None:
     """Write a figure as PNG, PDF or SVG under its final name when it is complete.
 

@@ -17,7 +17,7 @@ from ehl.solution import Array
 from ehl.units import unit_of, unit_symbol, without_unit
 
 from ..bearing.quantities import TORQUE_PARTS, torque_model
-from ..plot_style import INK, PAGE_WIDTH, REFERENCE, write_figure
+from ..plot_style import INK, REFERENCE, titled_panels, write_figure
 from ..text import evenly_chosen
 from .keys import Varied, are_told_apart, families, varied_keys
 from .main_results import BATCH_PANELS, MAIN_QUANTITY
@@ -107,9 +107,7 @@ def draw_batch(
     """
     every = keys
     keys = families(keys)
-    figure.set_size_inches(PAGE_WIDTH, 2.9)
-    figure.suptitle(results.title, fontsize=8.5)
-    panels: Any = figure.subplots(1, len(shown), squeeze=False)[0]
+    panels: Any = titled_panels(figure, results.title, 2.9, 1, len(shown), squeeze=False)[0]
     mapped = None
     for axes, name in zip(panels, shown, strict=True):
         data = _data(results, keys, name)
@@ -159,9 +157,9 @@ def draw_together(
     if len(keys) > 1:
         values = np.unique([v for v in keys[1].values if v is not None])
         values = values[evenly_chosen(len(values), MOST_TOGETHER)]
-    figure.set_size_inches(PAGE_WIDTH, 3.0)
-    figure.suptitle(results.title, fontsize=8.5)
-    panels: Any = figure.subplots(1, len(values), squeeze=False, sharey=True)[0]
+    panels: Any = titled_panels(
+        figure, results.title, 3.0, 1, len(values), squeeze=False, sharey=True
+    )[0]
     model = common_model(shown)
     least = np.inf
     for axes, value in zip(panels, values, strict=True):

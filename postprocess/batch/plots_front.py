@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from ehl.arrays import Array
 from ehl.units import unit_symbol, without_unit
 
-from ..plot_style import INK, PAGE_WIDTH, REFERENCE, write_figure
+from ..plot_style import INK, REFERENCE, titled_panels, write_figure
 from .main_results import MAIN_QUANTITY
 
 FRONT = "#b23a3a"
@@ -41,9 +41,7 @@ def write_front(designs: Designs, path: Path) -> None:
 
 def draw_front(figure: Figure, designs: Designs) -> None:
     """One goal over the other: all designs, those that meet the constraints, the front."""
-    figure.set_size_inches(PAGE_WIDTH, 3.4)
-    figure.suptitle(designs.title, fontsize=8.5)
-    axes = figure.subplots()
+    axes = titled_panels(figure, designs.title, 3.4)
     met, front = np.array(designs.feasible), np.array(designs.front)
     x, y = designs.goals[:, 0], designs.goals[:, 1]
     axes.scatter(x[~met], y[~met], s=14, marker="x", color=REFERENCE, label="limits not met")
@@ -62,9 +60,7 @@ def draw_front(figure: Figure, designs: Designs) -> None:
 
 def draw_progress(figure: Figure, designs: Designs) -> None:
     """The goal of each design in the order in which they were computed, and the best so far."""
-    figure.set_size_inches(PAGE_WIDTH, 3.0)
-    figure.suptitle(designs.title, fontsize=8.5)
-    axes = figure.subplots()
+    axes = titled_panels(figure, designs.title, 3.0)
     met = np.array(designs.feasible)
     number = np.arange(1, len(met) + 1)
     goal, error = designs.goals[:, 0], designs.errors[:, 0]

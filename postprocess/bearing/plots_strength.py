@@ -10,7 +10,7 @@ from bearing.geometry import Race
 from ehl.solution import Array
 from ehl.units import from_si
 
-from ..plot_style import INK, PAGE_WIDTH, REFERENCE
+from ..plot_style import INK, REFERENCE, titled_panels
 from .results import BearingResults
 
 SMALLEST = 1e-15  # probability at the lower end of the axis [-]
@@ -24,9 +24,9 @@ def draw_strength(figure: Figure, results: BearingResults) -> None:
         raise ValueError("no strength to draw")
     found = strength.inner_map
     ring = next(ring for ring in strength.rings if ring.race is Race.INNER)
-    figure.set_size_inches(PAGE_WIDTH, HEIGHT)
-    figure.suptitle(f"{results.title}\ninner ring of {ring.material.name}", fontsize=8.5)
-    left, right = figure.subplots(1, 2)
+    left, right = titled_panels(
+        figure, f"{results.title}\ninner ring of {ring.material.name}", HEIGHT, 1, 2
+    )
     _lines(left, found, from_si("tension_MPa", found.hoop_tension))
     left.set_ylabel("hoop tension [MPa]")
     if ring.material.bending_strength is not None:

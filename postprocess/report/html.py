@@ -59,9 +59,9 @@ class Table(NamedTuple):
 
 
 @cache
-def environment() -> Environment:
-    """The templates of this package; an unknown name in them is an error."""
-    folder = resources.files(__package__).joinpath("templates")
+def environment(package: str = __package__) -> Environment:
+    """The templates of a package; an unknown name in them is an error."""
+    folder = resources.files(package).joinpath("templates")
     found = Environment(
         loader=FunctionLoader(lambda name: folder.joinpath(name).read_text(encoding="utf-8")),
         autoescape=True,

@@ -6,7 +6,7 @@ from typing import Any
 
 from matplotlib.figure import Figure
 
-from ..plot_style import PAGE_WIDTH, write_figure
+from ..plot_style import titled_panels, write_figure
 from ..results import STIFFNESS_ORDER
 from .results import StiffnessResults
 from .summary import SPEED, STIFFNESS, TILTING_STIFFNESS
@@ -22,9 +22,7 @@ def write_stiffness_plot(results: StiffnessResults, directory: Path) -> None:
 
 def draw_stiffness(figure: Figure, results: StiffnessResults) -> None:
     """Diagonal, largest couplings of translation, and tilts, over the inner ring's speed."""
-    figure.set_size_inches(PAGE_WIDTH, 3.4)
-    figure.suptitle(results.title, fontsize=8.5)
-    left, right = figure.subplots(1, 2)
+    left, right = titled_panels(figure, results.title, 3.4, 1, 2)
     speeds = SPEED.value(results.study)
     matrices = results.study.matrices
     translation = STIFFNESS.in_unit(matrices[:, :3, :3])

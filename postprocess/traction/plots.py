@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from ehl.traction.table.table import TractionTable
 
-from ..plot_style import PAGE_WIDTH, write_figure
+from ..plot_style import titled_panels, write_figure
 from .results import TractionResults
 
 COLOURS = ("#1f4e8c", "#3a7d44", "#8a6d1d", "#c1440e")
@@ -28,9 +28,9 @@ def write_traction_plots(results: TractionResults, path: Path) -> tuple[Path, Pa
 
 def draw_traction_curves(figure: Figure, results: TractionResults) -> None:
     """Traction coefficient along the entrainment over the slide-roll ratio, by race and load."""
-    figure.set_size_inches(PAGE_WIDTH, 3.2)
-    figure.suptitle(results.title, fontsize=8.5)
-    panels = figure.subplots(1, len(results.tables), sharey=True, squeeze=False)[0]
+    panels = titled_panels(
+        figure, results.title, 3.2, 1, len(results.tables), sharey=True, squeeze=False
+    )[0]
     for axes, (race, table) in zip(panels, results.tables.items(), strict=True):
         speed = sqrt(table.range.speed[0] * table.range.speed[1])
         limit = table.range.slide_x
@@ -54,9 +54,7 @@ def draw_traction_curves(figure: Figure, results: TractionResults) -> None:
 
 def draw_traction_map(figure: Figure, results: TractionResults) -> None:
     """Traction coefficient over sliding along and across, and over sliding and spin, by race."""
-    figure.set_size_inches(PAGE_WIDTH, 5.4)
-    figure.suptitle(results.title, fontsize=8.5)
-    panels = figure.subplots(len(results.tables), 2, squeeze=False)
+    panels = titled_panels(figure, results.title, 5.4, len(results.tables), 2, squeeze=False)
     for row, (race, table) in zip(panels, results.tables.items(), strict=True):
         load = sqrt(table.range.load[0] * table.range.load[1])
         speed = sqrt(table.range.speed[0] * table.range.speed[1])

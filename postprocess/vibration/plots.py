@@ -18,6 +18,7 @@ from ..plot_style import (
     OUTER_COLOUR,
     PAGE_WIDTH,
     REFERENCE,
+    titled_panels,
     write_figures,
 )
 from .measured import Measured, envelope_band, shaft_frequency
@@ -62,9 +63,9 @@ def write_vibration_plots(
 
 def draw_time(figure: Figure, results: VibrationResults, seen: Measured, document: Any) -> None:
     """Acceleration [m/s^2], velocity [um/s] and displacement [um] over the last turns [ms]."""
-    figure.set_size_inches(PAGE_WIDTH, 4.6)
-    figure.suptitle(f"{results.title}: {document['vibration']['measured']}", fontsize=8.5)
-    rows = figure.subplots(3, 1, sharex=True)
+    rows = titled_panels(
+        figure, f"{results.title}: {document['vibration']['measured']}", 4.6, 3, 1, sharex=True
+    )
     span = SHOWN_TURNS / shaft_frequency(results.run)
     shown = seen.time >= seen.time[-1] - span
     time = from_si("x_ms", seen.time[shown])
@@ -84,9 +85,7 @@ def draw_spectrum(
     figure: Figure, results: VibrationResults, seen: Measured, document: Any
 ) -> None:
     """Velocity [um/s] over frequency [Hz], with bands and the lines that are expected."""
-    figure.set_size_inches(PAGE_WIDTH, 3.4)
-    figure.suptitle(f"{results.title}: {document['vibration']['measured']}", fontsize=8.5)
-    axes = figure.subplots()
+    axes = titled_panels(figure, f"{results.title}: {document['vibration']['measured']}", 3.4)
     found = spectrum(seen.velocity, seen.rate)
     top = _decades(axes, found, "x_um_s")
     axes.set_xscale("log")
@@ -109,9 +108,7 @@ def draw_spectrum(
 
 def draw_orders(figure: Figure, results: VibrationResults, seen: Measured, document: Any) -> None:
     """Velocity [um/s] over the order of the shaft, with the passing balls."""
-    figure.set_size_inches(PAGE_WIDTH, 3.2)
-    figure.suptitle(f"{results.title}: orders of the shaft", fontsize=8.5)
-    axes = figure.subplots()
+    axes = titled_panels(figure, f"{results.title}: orders of the shaft", 3.2)
     found = by_order(seen.velocity, seen.turned, results.run.solution.operation.shaft_speed)
     _decades(axes, found, "x_um_s")
     shaft = shaft_frequency(results.run)
@@ -149,9 +146,7 @@ def draw_waterfall(
     figure: Figure, results: VibrationResults, seen: Measured, document: Any
 ) -> None:
     """Acceleration [dB] over time [s], in a run-up over speed [r/min], and frequency [Hz]."""
-    figure.set_size_inches(PAGE_WIDTH, 3.8)
-    figure.suptitle(f"{results.title}: {document['vibration']['measured']}", fontsize=8.5)
-    axes = figure.subplots()
+    axes = titled_panels(figure, f"{results.title}: {document['vibration']['measured']}", 3.8)
     time, frequency, size = waterfall(seen.acceleration, seen.rate)
     options = results.run.model.options
     levels = 20.0 * np.log10(np.maximum(size, 1e-300) / results.reference)
@@ -172,9 +167,7 @@ def draw_waterfall(
 
 def draw_loads(figure: Figure, results: VibrationResults, seen: Measured, document: Any) -> None:
     """Loads of all balls at the outer race [N] over the last turns [ms]."""
-    figure.set_size_inches(PAGE_WIDTH, 3.2)
-    figure.suptitle(f"{results.title}: loads of the balls", fontsize=8.5)
-    axes = figure.subplots()
+    axes = titled_panels(figure, f"{results.title}: loads of the balls", 3.2)
     run = results.run
     balls = run.assembled.arrays.balls
     time = np.arange(len(run.loads)) * (run.model.options.duration / len(run.loads))
