@@ -63,6 +63,18 @@ def film_range(central: float, minimum: float) -> tuple[float, float]:
     """Ends of a film's colour scale in the unit of the films, as [um]; the inlet is beyond.
 
     Chosen by eye, so that plateau and horseshoe of most contacts take most of the colours.
+
+    Parameters
+    ----------
+    central : float
+        Central film in the unit of the map.
+    minimum : float
+        Minimum film, in that unit.
+
+    Returns
+    -------
+    tuple[float, float]
+        Lower and upper end.
     """
     spread = central - minimum
     if not central > 0.0:  # a failed solution
@@ -73,14 +85,40 @@ def film_range(central: float, minimum: float) -> tuple[float, float]:
 
 
 def common_film_range(central: Sequence[float], minimum: Sequence[float]) -> tuple[float, float]:
-    """Ends of the logarithmic scale that many contacts share, in the unit of films, as [um]."""
+    """Ends of the logarithmic scale that many contacts share, in the unit of films, as [um].
+
+    Parameters
+    ----------
+    central : Sequence[float]
+        Central films, all in one unit.
+    minimum : Sequence[float]
+        Minimum films, in that unit.
+
+    Returns
+    -------
+    tuple[float, float]
+        Lower and upper end.
+    """
     low = min((h for h in minimum if h > 0.0), default=0.5)
     high = max((h for h in central if h > 0.0), default=1.0)
     return low, max(1.3 * high, 1.1 * low)
 
 
 def film_ticks(low: float, high: float) -> list[float]:
-    """About eight round values on a scale from `low` to `high` [any unit]."""
+    """About eight round values on a scale from `low` to `high` [any unit].
+
+    Parameters
+    ----------
+    low : float
+        Lower end [any unit].
+    high : float
+        Upper end, in that unit.
+
+    Returns
+    -------
+    list[float]
+        Values of the ticks.
+    """
     step = 10.0 ** np.floor(np.log10((high - low) / 4.0))
     step *= 5.0 if (high - low) / step > 30.0 else 2.0 if (high - low) / step > 12.0 else 1.0
     numbers = np.arange(np.ceil(low / step), np.floor(high / step) + 1.0)
@@ -88,7 +126,22 @@ def film_ticks(low: float, high: float) -> list[float]:
 
 
 def few_ticks(low: float, high: float, most: float) -> list[float]:
-    """Multiples of a round step, at most so many steps (2 or more), and two ticks at least."""
+    """Multiples of a round step, at most so many steps (2 or more), and two ticks at least.
+
+    Parameters
+    ----------
+    low : float
+        Lower end [any unit].
+    high : float
+        Upper end, in that unit.
+    most : float
+        Steps at most, 2 or more [-].
+
+    Returns
+    -------
+    list[float]
+        Values of the ticks.
+    """
     size = 10.0 ** np.floor(np.log10(high - low))
     steps = [factor * size for factor in (5.0, 2.5, 2.0, 1.0, 0.5, 0.2, 0.1)]
     fitting = [step for step in steps if (high - low) / step <= most]
@@ -100,7 +153,20 @@ def few_ticks(low: float, high: float, most: float) -> list[float]:
 
 
 def logarithmic_ticks(low: float, high: float) -> list[float]:
-    """Round values on a logarithmic scale from `low` to `high`, none too near to another."""
+    """Round values on a logarithmic scale from `low` to `high`, none too near to another.
+
+    Parameters
+    ----------
+    low : float
+        Lower end, positive [any unit].
+    high : float
+        Upper end, in that unit.
+
+    Returns
+    -------
+    list[float]
+        Values of the ticks.
+    """
     ticks: list[float] = []
     for tick in film_ticks(low, high):
         if not ticks or np.log(tick / ticks[-1]) > TICK_GAP * np.log(high / low):
@@ -109,7 +175,20 @@ def logarithmic_ticks(low: float, high: float) -> list[float]:
 
 
 def colour_stops(quantity: str, count: int) -> Array:
-    """Even colours of a quantity's map, red, green, blue from 0 to 1 [-], shape (count, 3)."""
+    """Even colours of a quantity's map, red, green, blue from 0 to 1 [-], shape (count, 3).
+
+    Parameters
+    ----------
+    quantity : str
+        "film", "pressure" or "displacement".
+    count : int
+        Colours [-].
+
+    Returns
+    -------
+    Array
+        Red, green and blue from 0 to 1, shape (count, 3) [-].
+    """
     colours = matplotlib.colormaps[COLOUR_MAPS[quantity]](np.linspace(0.0, 1.0, count))
     return np.asarray(colours[:, :3])
 
@@ -146,6 +225,18 @@ def save(figure: Figure, path: Path) -> None:
     """Write a figure as PNG, PDF or SVG under its final name when it is complete.
 
     The canvas draws a PNG once; `Figure.savefig` gives the same pixels, but draws twice.
+
+    Parameters
+    ----------
+    figure : Figure
+        Drawn figure.
+    path : Path
+        File that ends in .png, .pdf or .svg.
+
+    Raises
+    ------
+    ValueError
+        If the file has another suffix.
     """
     kind = path.suffix.lower()
     if kind not in FORMATS:
@@ -160,7 +251,15 @@ def save(figure: Figure, path: Path) -> None:
 
 
 def write_figure(path: Path, draw: Callable[[Figure], object]) -> None:
-    """Draw into an empty figure and write it."""
+    """Draw into an empty figure and write it.
+
+    Parameters
+    ----------
+    path : Path
+        File that ends in .png, .pdf or .svg.
+    draw : Callable[[Figure], object]
+        Draws into an empty figure.
+    """
     with matplotlib.rc_context(RC):
         figure = Figure(dpi=DPI)
         draw(figure)
@@ -175,6 +274,20 @@ def write_figures(
     """Write PNG pictures by their paths without suffix; what cannot be drawn is a message.
 
     None is begun any more when one is `hurried`.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the pictures.
+    figures : Iterable[tuple[str, Callable[[Figure], object]]]
+        Path without suffix and function that draws, of each picture.
+    hurried : Callable[[], bool], default lambda: False
+        Asked before each picture; once it is true no further one is drawn.
+
+    Returns
+    -------
+    tuple[str, ...]
+        What could not be drawn, and why.
     """
     problems: list[str] = []
     for name, draw in figures:

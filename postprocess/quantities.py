@@ -55,11 +55,33 @@ class Quantity:
         return {"units": si_unit_of(self.key) or "1"}
 
     def in_unit(self, value: Any) -> Any:
-        """A number or an array in SI, in the unit of the key; None stays None."""
+        """A number or an array in SI, in the unit of the key; None stays None.
+
+        Parameters
+        ----------
+        value : Any
+            Number or array in SI, or None.
+
+        Returns
+        -------
+        Any
+            The value in the unit of the key.
+        """
         return from_si(self.key, value)
 
     def value(self, record: Any) -> Any:
-        """The value of a record, in the unit of the key; None where a part of its path is None."""
+        """Value of a record, in the unit of the key.
+
+        Parameters
+        ----------
+        record : Any
+            Object that has the attributes of `source`, SI.
+
+        Returns
+        -------
+        Any
+            The value in the unit of the key; None where a part of its path is None.
+        """
         return from_si(self.key, _attribute(record, self.source))
 
 
@@ -91,6 +113,22 @@ def quantities(
 
     Each row is a key or key, title, attribute of the part, symbol and short title; where title or
     attribute are left out, they are the words of the key.
+
+    Parameters
+    ----------
+    source : str
+        Path of the part in a record, with its dot at the end.
+    null : str
+        Reason for a value of null.
+    *rows : str | tuple[str, ...]
+        Key, or key, title, attribute, symbol and short title.
+    words : bool, default False
+        The values have no unit.
+
+    Returns
+    -------
+    tuple[Quantity, ...]
+        The quantities in the order of the rows.
     """
     declared = []
     for row in rows:
@@ -103,12 +141,36 @@ def quantities(
 
 
 def by_key(declared: Iterable[Quantity]) -> dict[str, Quantity]:
-    """Quantities by their keys."""
+    """Quantities by their keys.
+
+    Parameters
+    ----------
+    declared : Iterable[Quantity]
+        Quantities.
+
+    Returns
+    -------
+    dict[str, Quantity]
+        The quantities by key.
+    """
     return {quantity.key: quantity for quantity in declared}
 
 
 def values_of(record: Any, declared: Iterable[Quantity]) -> dict[str, Any]:
-    """Values of a record by key, in the units of the keys."""
+    """Values of a record by key, in the units of the keys.
+
+    Parameters
+    ----------
+    record : Any
+        Object that has the attributes, SI; None gives None for each key.
+    declared : Iterable[Quantity]
+        Quantities.
+
+    Returns
+    -------
+    dict[str, Any]
+        Value by key; None where a part of the record is None.
+    """
     known: dict[str, Any] = {}
     keys, parts = _parts(tuple(declared))
     values: dict[str, Any] = dict.fromkeys(keys)
@@ -149,7 +211,18 @@ def _getter(names: Sequence[str]) -> Callable[[Any], tuple[Any, ...]]:
 
 
 def rows_of(columns: Mapping[str, Iterable[Any]]) -> list[dict[str, Any]]:
-    """A dictionary for each row of columns of equal length."""
+    """A dictionary for each row of columns of equal length.
+
+    Parameters
+    ----------
+    columns : Mapping[str, Iterable[Any]]
+        Values by key, all of one length.
+
+    Returns
+    -------
+    list[dict[str, Any]]
+        A dictionary a row.
+    """
     return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
 
 

@@ -49,7 +49,20 @@ class Results:
         return facts | {f"note {k + 1}": note for k, note in enumerate(self.messages)}
 
     def head(self, converged: bool, messages: Iterable[str]) -> dict[str, Any]:
-        """First keys of a summary; the messages of the run stand before those given."""
+        """First keys of a summary; the messages of the run stand before those given.
+
+        Parameters
+        ----------
+        converged : bool
+            State of the results.
+        messages : Iterable[str]
+            Further messages.
+
+        Returns
+        -------
+        dict[str, Any]
+            Version, case, converged, messages.
+        """
         return {
             "oilfilm": self.version,
             "case": self.case,

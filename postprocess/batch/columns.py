@@ -88,7 +88,13 @@ class Layouts:
         self._names: dict[str, tuple[list[str], list[str]]] = {}
 
     def add(self, layout: str) -> None:
-        """Columns of one more layout; in the order in which they come, main results first."""
+        """Add the columns of one more layout, main results first.
+
+        Parameters
+        ----------
+        layout : str
+            Names of the numbers of a point, JSON.
+        """
         if layout not in self._names:
             main, others = json.loads(layout) or ([], [])
             self._names[layout] = (main, others)
@@ -96,12 +102,34 @@ class Layouts:
             self.others |= dict.fromkeys(others)
 
     def names(self, layout: str) -> list[str]:
-        """Names of the numbers of a layout, in their order."""
+        """Names of the numbers of a layout, in their order.
+
+        Parameters
+        ----------
+        layout : str
+            Names of the numbers of a point, JSON.
+
+        Returns
+        -------
+        list[str]
+            Names of the numbers.
+        """
         main, others = self._names[layout]
         return [*main, *others]
 
     def columns(self, without: Sequence[str]) -> list[str]:
-        """All names but some."""
+        """All names but some.
+
+        Parameters
+        ----------
+        without : Sequence[str]
+            Names to leave out.
+
+        Returns
+        -------
+        list[str]
+            Names of the columns.
+        """
         names = dict.fromkeys([*self.main, *self.others])
         return [name for name in names if name not in without]
 
@@ -145,7 +173,18 @@ def _way(names: list[str], places: dict[str, int]) -> tuple[Any, Any]:
 
 
 def columns_of(source: Source) -> Columns:
-    """The columns of a batch, in one pass over its points."""
+    """The columns of a batch, in one pass over its points.
+
+    Parameters
+    ----------
+    source : Source
+        Points of the batch.
+
+    Returns
+    -------
+    Columns
+        Columns with the kinds of their values.
+    """
     layouts = Layouts()
     seen: dict[str, Any] = {}  # kinds by layout: a truth value for each byte and number
     counts: dict[str, int] = {}

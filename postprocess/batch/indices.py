@@ -19,8 +19,21 @@ MORRIS = "morris"
 
 
 def main_values(columns: Columns) -> tuple[list[str], Array, list[str]]:
-    """Names of the main results, their values, shape (points, results), NaN where a point did not
-    converge, and the blocks of the points.
+    """Names and values of the main results, and the blocks of the points.
+
+    Parameters
+    ----------
+    columns : Columns
+        Numbers of all points as columns.
+
+    Returns
+    -------
+    value
+        Names of the main results.
+    value
+        Values, shape (points, results), NaN where a point did not converge.
+    value
+        Block of each point.
     """
     names = [n for n in columns.names if n in columns.layouts.main and "_uncertainty_" not in n]
     places = [columns.names.index(name) for name in names]
@@ -41,15 +54,22 @@ def sobol_indices(values: Array, keys: int, samples: int) -> tuple[Any, Any, Any
 
     Parameters
     ----------
-    values : ndarray, shape (samples (keys + 2),)
-        Results at the points of Saltelli's design: A, B, A with one column from B after the other.
+    values : Array
+        Results at the points of Saltelli's design, shape (samples (keys + 2),): A, B, A with one
+        column from B after the other.
+    keys : int
+        Varied keys [-].
+    samples : int
+        Rows of A [-].
 
     Returns
     -------
-    first, total : ndarray, shape (keys,)
-        Indices [-].
-    intervals : ndarray, shape (2, keys, 2)
-        Ends of the intervals of 95 % of the first and of the total indices [-].
+    first
+        First indices, shape (keys,) [-].
+    total
+        Total indices, shape (keys,) [-].
+    intervals
+        Ends of the intervals of 95 % of both, shape (2, keys, 2) [-].
     """
     from scipy.stats import DegenerateDataWarning
     from scipy.stats import sobol_indices as of_scipy
@@ -68,7 +88,18 @@ def sobol_indices(values: Array, keys: int, samples: int) -> tuple[Any, Any, Any
 
 
 def known(value: float) -> float | None:
-    """A number that is finite, else null."""
+    """A finite number; None of another one.
+
+    Parameters
+    ----------
+    value : float
+        Number in any unit.
+
+    Returns
+    -------
+    float | None
+        The number, or None.
+    """
     return float(value) if np.isfinite(value) else None
 
 
@@ -77,6 +108,20 @@ def sobol_document(names: list[str], values: Array, design: Design) -> dict[str,
     of their intervals of 95 %; a reason in place of them where points have no result.
 
     `names`, `values`: of the main results of all points of the batch.
+
+    Parameters
+    ----------
+    names : list[str]
+        Names of the main results.
+    values : Array
+        Main results of all points of the batch, shape (points, results).
+    design : Design
+        Block of points that belong together.
+
+    Returns
+    -------
+    dict[str, Any]
+        `samples`, `points` and `results`.
     """
     count = design.samples * (len(design.keys) + 2)
     block = values[design.start : design.start + count]
@@ -139,6 +184,22 @@ def morris_document(
     unit of the result for the whole range of the key; `trajectories` that are complete.
 
     `places`: values of the keys over their ranges [-], shape (points, keys).
+
+    Parameters
+    ----------
+    names : list[str]
+        Names of the main results.
+    values : Array
+        Main results of all points of the batch, shape (points, results).
+    design : Design
+        Block of points that belong together.
+    places : Array
+        Keys over their ranges, shape (points, keys) [-].
+
+    Returns
+    -------
+    dict[str, Any]
+        `trajectories`, `points` and `results`.
     """
     keys = len(design.keys)
     shape = (design.samples, keys + 1)
@@ -169,7 +230,20 @@ def morris_document(
 
 
 def design_documents(columns: Columns, designs: Sequence[Design]) -> dict[str, Any]:
-    """What the designs of a batch tell, under `sobol_indices` and `morris`; null without one."""
+    """Results of the designs of a batch: Sobol indices and Morris' effects.
+
+    Parameters
+    ----------
+    columns : Columns
+        Numbers of all points as columns.
+    designs : Sequence[Design]
+        Designs of the batch.
+
+    Returns
+    -------
+    dict[str, Any]
+        Documents under `sobol_indices` and `morris`; null without such a design.
+    """
     document: dict[str, Any] = {SOBOL: None, MORRIS: None}
     if not any(design.block in document for design in designs):
         return document

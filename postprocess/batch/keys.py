@@ -35,7 +35,18 @@ class Varied:
         return len(self.known)
 
     def text(self, value: float) -> str:
-        """A value in words."""
+        """A value in words.
+
+        Parameters
+        ----------
+        value : float
+            Number of the key.
+
+        Returns
+        -------
+        str
+            The words.
+        """
         return self.words[int(value)] if self.words else f"{value:g}"
 
 
@@ -43,6 +54,16 @@ def varied_keys(results: BatchResults) -> dict[str, Varied]:
     """Keys of at least two numbers by their names: speed, load, then those of most values.
 
     Without a speed one of most values is first; keys of words are one, last.
+
+    Parameters
+    ----------
+    results : BatchResults
+        Results of the batch.
+
+    Returns
+    -------
+    dict[str, Varied]
+        Keys by their names.
     """
     numbers: dict[str, Varied] = {}
     wordy = []
@@ -76,6 +97,16 @@ def families(keys: list[Varied]) -> list[Varied]:
     Those after the second as one, or all after the first as one, as far as so many lines can be
     told apart; else the keys as they are. Where there are too many styles for them, those after
     the second have the colours.
+
+    Parameters
+    ----------
+    keys : list[Varied]
+        Varied keys, the one along the axis first.
+
+    Returns
+    -------
+    list[Varied]
+        One to three keys, or all.
     """
     if len(keys) < 3 or any(value is None for key in keys for value in key.values):
         return keys
@@ -88,7 +119,18 @@ def families(keys: list[Varied]) -> list[Varied]:
 
 
 def are_told_apart(keys: list[Varied]) -> bool:
-    """Whether a line for each value of the keys after the first can be told from the others."""
+    """True if a line for each value of the keys after the first can be told from the others.
+
+    Parameters
+    ----------
+    keys : list[Varied]
+        Varied keys, the one along the axis first.
+
+    Returns
+    -------
+    bool
+        True if colours and styles suffice.
+    """
     styles = keys[2].count if len(keys) > 2 else 1
     return len(keys) <= 3 and keys[1].count <= MOST_LINES and styles <= MOST_STYLES
 
@@ -125,6 +167,17 @@ def _words(results: BatchResults, keys: list[str]) -> Varied:
 
 
 def axis_label(key: str) -> str:
-    """A key in words, its unit in brackets."""
+    """A key in words, its unit in brackets.
+
+    Parameters
+    ----------
+    key : str
+        Dotted key with its unit.
+
+    Returns
+    -------
+    str
+        Label of the axis.
+    """
     last = key.rpartition(".")[2]
     return f"{without_unit(last)} [{unit_symbol(last)}]" if unit_of(last) else without_unit(last)

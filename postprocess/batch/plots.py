@@ -39,7 +39,20 @@ LOGARITHMIC = ("film_", "rating")  # in the names of what may have a logarithmic
 
 
 def write_batch_plots(results: BatchResults, directory: Path) -> tuple[str, ...]:
-    """Draw the figure of a batch into its folder `plots`; what could not be drawn, and why."""
+    """Draw the figure of a batch into its folder `plots`.
+
+    Parameters
+    ----------
+    results : BatchResults
+        Results of the batch.
+    directory : Path
+        Folder of the batch.
+
+    Returns
+    -------
+    tuple[str, ...]
+        What could not be drawn, and why.
+    """
     keys = list(varied_keys(results).values())
     shown = quantities(results)
     if not keys or not shown:
@@ -61,6 +74,28 @@ def write_diagram(
 
     The keys in `over` come first: axis, colours, styles; a key is named by its last part, too.
     ValueError for a key that does not vary, or a number that no point has.
+
+    Parameters
+    ----------
+    results : BatchResults
+        Results of the batch.
+    path : Path
+        File that ends in .png, .pdf or .svg.
+    over : tuple[str, ...], default ()
+        Keys that come first: along the axis, by colour, by style; the last part of a key names it,
+        too.
+    numbers : tuple[str, ...], default ()
+        Names of the numbers to draw; main results if empty.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    ValueError
+        For a key that does not vary, or a number that no point has.
     """
     keys = varied_keys(results)
     chosen = [_one_named(name, keys, "varied key") for name in over]
@@ -90,7 +125,18 @@ def _one_named(name: str, known: Iterable[str], kind: str) -> str:
 
 
 def quantities(results: BatchResults) -> list[str]:
-    """Numbers that the sweep file wants drawn; else as many main results, not all zero, as fit."""
+    """Numbers that the sweep file wants drawn; else as many main results, not all zero, as fit.
+
+    Parameters
+    ----------
+    results : BatchResults
+        Results of the batch.
+
+    Returns
+    -------
+    list[str]
+        Names of the numbers.
+    """
     rows = [point_numbers(point) for point in results.points]
     if results.plot:
         return [name for name in results.plot if any(row.get(name) is not None for row in rows)]
@@ -104,6 +150,17 @@ def draw_batch(
 
     Where lines are too many, points have colours by the second. Keys as `varied_keys` orders
     them; units [um], [GPa], [N mm] as the names of the numbers say.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : BatchResults
+        Results of the batch.
+    keys : list[Varied]
+        Varied keys in the order of `varied_keys`.
+    shown : list[str]
+        Names of the numbers to draw.
     """
     every = keys
     keys = families(keys)
@@ -152,6 +209,17 @@ def draw_together(
     """Numbers of one unit as lines over the first key, a panel for each value of the second one.
 
     Keys as `varied_keys` orders them; units [N mm] ... as the names of the numbers say.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : BatchResults
+        Results of the batch.
+    keys : list[Varied]
+        Varied keys in the order of `varied_keys`.
+    shown : list[str]
+        Names of the numbers to draw.
     """
     values = np.zeros(1)
     if len(keys) > 1:
@@ -212,7 +280,20 @@ def _first_key(axes: Axes, key: Varied) -> None:
 
 
 def quantity_label(name: str, model: str | None = None) -> str:
-    """A number in words; of a torque its model and part, without the `model` of all numbers."""
+    """A number in words; of a torque its model and part, without the `model` of all numbers.
+
+    Parameters
+    ----------
+    name : str
+        Dotted name of the number.
+    model : str | None, optional
+        Torque model that all numbers of the figure are of.
+
+    Returns
+    -------
+    str
+        The words.
+    """
     if name.startswith(MODELS):
         own, part = name.removeprefix(MODELS).split(".")
         part_title = TORQUE_PARTS.get(part, part)
@@ -224,14 +305,36 @@ def quantity_label(name: str, model: str | None = None) -> str:
 
 
 def common_model(names: list[str]) -> str | None:
-    """The torque model that all numbers are of, if there is one."""
+    """The torque model that all numbers are of, if there is one.
+
+    Parameters
+    ----------
+    names : list[str]
+        Dotted names of the numbers.
+
+    Returns
+    -------
+    str | None
+        Name of the model.
+    """
     models = {name.removeprefix(MODELS).split(".")[0] for name in names}
     of_models = all(name.startswith(MODELS) for name in names)
     return models.pop() if of_models and len(models) == 1 else None
 
 
 def quantity_unit(name: str) -> str:
-    """Unit of a quantity for a label."""
+    """Unit of a quantity for a label.
+
+    Parameters
+    ----------
+    name : str
+        Dotted name of the number.
+
+    Returns
+    -------
+    str
+        Unit as in labels.
+    """
     return "a²/Rx" if name.endswith("_dimensionless") else unit_symbol(name) or "-"
 
 

@@ -34,13 +34,29 @@ class Designs:
 
 
 def write_front(designs: Designs, path: Path) -> None:
-    """Draw the designs into a PNG, PDF or SVG."""
+    """Draw the designs into a PNG, PDF or SVG.
+
+    Parameters
+    ----------
+    designs : Designs
+        Designs of an optimisation.
+    path : Path
+        File that ends in .png, .pdf or .svg.
+    """
     draw = draw_front if len(designs.names) > 1 else draw_progress
     write_figure(path, lambda figure: draw(figure, designs))
 
 
 def draw_front(figure: Figure, designs: Designs) -> None:
-    """One goal over the other: all designs, those that meet the constraints, the front."""
+    """One goal over the other: all designs, those that meet the constraints, the front.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    designs : Designs
+        Designs of an optimisation with two goals.
+    """
     axes = titled_panels(figure, designs.title, 3.4)
     met, front = np.array(designs.feasible), np.array(designs.front)
     x, y = designs.goals[:, 0], designs.goals[:, 1]
@@ -59,7 +75,15 @@ def draw_front(figure: Figure, designs: Designs) -> None:
 
 
 def draw_progress(figure: Figure, designs: Designs) -> None:
-    """The goal of each design in the order in which they were computed, and the best so far."""
+    """The goal of each design in the order in which they were computed, and the best so far.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    designs : Designs
+        Designs of an optimisation.
+    """
     axes = titled_panels(figure, designs.title, 3.0)
     met = np.array(designs.feasible)
     number = np.arange(1, len(met) + 1)

@@ -24,6 +24,16 @@ def sensitivities(results: BatchResults) -> list[dict[str, Any]]:
     [-], and under `results` for every main result its `value`, the `sensitivity` [-] and whether
     it is `resolved`: whether the change is larger than the error bars of the two films, None for
     results without one. Empty without such points.
+
+    Parameters
+    ----------
+    results : BatchResults
+        Results of the batch.
+
+    Returns
+    -------
+    list[dict[str, Any]]
+        A row for each key.
     """
     block = [point for point in results.points if point.block == "sensitivity"]
     points = [point for point in block if point.summary is not None]
@@ -70,6 +80,16 @@ def bands(columns: Columns) -> dict[str, dict[str, Any]]:
     For every one `points` [-], and in its unit `mean`, `standard_deviation` and the quantiles
     `q05`, `q50`, `q95`, each with the ends of its interval of 95 % (`q05_low`, `q05_high`), null
     where so few points do not bound it; empty with fewer than five points.
+
+    Parameters
+    ----------
+    columns : Columns
+        Numbers of all points as columns.
+
+    Returns
+    -------
+    dict[str, dict[str, Any]]
+        Spread by main result.
     """
     names, values, blocks = main_values(columns)
     sampled = values[np.isin(blocks, SAMPLED)]

@@ -23,6 +23,18 @@ def batch_summary(results: BatchResults, columns: Columns | None = None) -> dict
 
     Of a batch too large to list, `points` is null; `columns` are those of all points, made of
     `results` if left out.
+
+    Parameters
+    ----------
+    results : BatchResults
+        Results of the batch.
+    columns : Columns | None, optional
+        Numbers of all points; computed from `results` if None.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
     """
     columns = columns or columns_of(InMemory(results))
     counts = results.counts or counts_of(results)
@@ -62,7 +74,18 @@ def _entry(results: BatchResults, point: BatchPoint) -> dict[str, Any]:
 
 
 def counts_of(results: BatchResults) -> Counts:
-    """How the points of results in memory ended."""
+    """How the points of results in memory ended.
+
+    Parameters
+    ----------
+    results : BatchResults
+        Results of the batch.
+
+    Returns
+    -------
+    Counts
+        Numbers of points by their end.
+    """
     points = results.points
     done = sum(point.summary is not None for point in points)
     failed, lost = (sum(point.status == own for point in points) for own in (FAILED, LOST))
@@ -112,5 +135,16 @@ def _is_outside(point: BatchPoint) -> bool:
 
 
 def point_numbers(point: BatchPoint) -> dict[str, Any]:
-    """Every single number of a point by the name that it has in the table of the batch."""
+    """Every single number of a point by the name that it has in the table of the batch.
+
+    Parameters
+    ----------
+    point : BatchPoint
+        Point of a batch.
+
+    Returns
+    -------
+    dict[str, Any]
+        Numbers by name.
+    """
     return scalar_numbers(point.summary or {}) | main_results(point.summary)

@@ -24,8 +24,19 @@ CELL = 10  # characters of a column of results
 
 
 def batch_table(results: BatchResults, columns: Columns | None = None) -> Group:
-    """The points of a batch, the ends of many, with the results that fit beside the keys; of one
-    too large to list, how many there are, and the bands over its `columns`.
+    """The points of a batch, the ends of many, with the results that fit beside the keys.
+
+    Parameters
+    ----------
+    results : BatchResults
+        Results of the batch.
+    columns : Columns | None, optional
+        Numbers of all points; computed from `results` if None.
+
+    Returns
+    -------
+    Group
+        The table.
     """
     columns = columns or columns_of(InMemory(results))
     if results.counts is not None:

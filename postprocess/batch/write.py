@@ -22,7 +22,15 @@ TYPES = {"bool": np.int8, "int": np.int64}
 
 
 def write_batch_csv(columns: Columns, path: Path) -> None:
-    """Write one line for every point, units in the header, nothing for null."""
+    """Write one line for every point, units in the header, nothing for null.
+
+    Parameters
+    ----------
+    columns : Columns
+        Numbers of all points as columns.
+    path : Path
+        File to write.
+    """
     names = (*STATE, *columns.source.keys, *columns.names)
     units = {name: column_unit(name, columns) for name in names}
     header = [f"{name} [{unit}]" if unit else name for name, unit in units.items()]
@@ -59,7 +67,20 @@ def _replaced(values: list[Any], places: Any, convert: Callable[[Any], Any]) -> 
 
 
 def column_unit(name: str, columns: Columns) -> str:
-    """Unit of a column; words and truth values have none."""
+    """Unit of a column.
+
+    Parameters
+    ----------
+    name : str
+        Name of the column.
+    columns : Columns
+        Numbers of all points as columns.
+
+    Returns
+    -------
+    str
+        The unit; empty of words and truth values.
+    """
     kind = columns.kinds.get(name) or STATE_KINDS[name]
     return "" if kind in ("bool", "word") else unit_of(name)
 
@@ -71,6 +92,17 @@ def write_batch_netcdf(
 
     Units are attributes, the input of every point is the variable `case`; NaN for no value.
     `whole`: with the numbers of balls and contacts and the input, of the points in `results`.
+
+    Parameters
+    ----------
+    columns : Columns
+        Numbers of all points as columns.
+    path : Path
+        File to write.
+    results : BatchResults
+        Results of the batch.
+    whole : bool, default True
+        With the numbers of balls and contacts and the input, of the points in `results`.
     """
     keys = columns.source.keys
     # netCDF lists them with spaces between

@@ -38,14 +38,34 @@ class Group:
 def write_dataset(
     variables: Variables, attributes: dict[str, Any], path: Path, coordinates: Collection[str] = ()
 ) -> None:
-    """Write a file of one group; coordinates are those of `Group` and of `coordinates`."""
+    """Write a file of one group; coordinates are those of `Group` and of `coordinates`.
+
+    Parameters
+    ----------
+    variables : Variables
+        Dimensions, values and attributes of each variable by name.
+    attributes : dict[str, Any]
+        Attributes of the file.
+    path : Path
+        File to write.
+    coordinates : Collection[str], default ()
+        Names of variables that are coordinates beside those named as their dimension.
+    """
     named = " ".join(name for name in coordinates if name in variables)
     known = {"oilfilm_format": FORMAT} | ({"coordinates": named} if named else {})
     write_groups({"/": Group(variables=variables, attributes=attributes | known)}, path)
 
 
 def write_groups(groups: dict[str, Group], path: Path) -> None:
-    """Write the groups of one file by their paths, parents first."""
+    """Write the groups of one file by their paths, parents first.
+
+    Parameters
+    ----------
+    groups : dict[str, Group]
+        Groups by their paths, parents first.
+    path : Path
+        File to write.
+    """
     content = io.BytesIO()  # what HDF5 cannot write to a full disk may end the program
     with h5netcdf.File(content, "w") as file:
         for name, group in groups.items():
@@ -77,7 +97,23 @@ def write_dataset_in_parts(
 ) -> None:
     """Write a file of one group, as `write_dataset`, whose large variables come in parts.
 
-    OSError before anything is written where the disk has no room for them.
+    Parameters
+    ----------
+    parts : DatasetParts
+        Variables that come in parts.
+    variables : Variables
+        Variables that are in memory.
+    attributes : dict[str, Any]
+        Attributes of the file.
+    path : Path
+        File to write.
+    coordinates : Collection[str], default ()
+        Names of coordinates among the parts.
+
+    Raises
+    ------
+    OSError
+        Before anything is written, if the disk has no room.
     """
     named = " ".join(name for name in coordinates if name in parts.types)
     known = {"oilfilm_format": FORMAT} | ({"coordinates": named} if named else {})
@@ -169,7 +205,20 @@ def _write_variable(
 
 
 def root_attributes(document: dict[str, Any], kind: str) -> dict[str, Any]:
-    """Attributes of every file, from a summary: version, format, kind, input, messages."""
+    """Attributes of every file, from a summary: version, format, kind, input, messages.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Summary of the results in named units.
+    kind : str
+        Kind of the results, such as "bearing".
+
+    Returns
+    -------
+    dict[str, Any]
+        Attributes of the root group.
+    """
     case = document["case"]
     return {
         "title": str(case.get("title", "")),

@@ -34,6 +34,21 @@ def open_results(directory: str | Path) -> xarray.DataTree:
     first used. `tree.attrs` has the `kind`, the program's version (`oilfilm`) and the input as
     JSON (`case`); groups of a bearing as in `write_bearing_netcdf`. Close it when done.
     ValueError without results, or if the file is damaged, not ours, or of a newer program.
+
+    Parameters
+    ----------
+    directory : str | Path
+        Folder of the results or their netCDF file.
+
+    Returns
+    -------
+    xarray.DataTree
+        Groups of the file; to be closed.
+
+    Raises
+    ------
+    ValueError
+        Without results, or if the file is damaged, not of oilfilm, or of a newer program.
     """
     path = _data_file(Path(directory))
     tree = _open_tree(path)

@@ -19,6 +19,25 @@ def write_numbers(
 
     The summary comes last: where it stands, all files are complete. OSError if they cannot be
     written: disk full, no permission.
+
+    Parameters
+    ----------
+    results : BearingResults | ContactResults
+        Results of a bearing or of a single contact.
+    folder : Path
+        Folder to write into.
+    extras : Callable[[], tuple[str, ...]]
+        Waits for pictures and VTK files, and returns the messages on what failed.
+
+    Returns
+    -------
+    tuple[str, ...]
+        What `extras` returned.
+
+    Raises
+    ------
+    OSError
+        If the disk does not take the files.
     """
     document = summary(results)
     if isinstance(results, ContactResults):
