@@ -63,7 +63,18 @@ class AtlasBearingResults(Results):
 
 
 def atlas_bearing_summary(results: AtlasBearingResults) -> dict[str, Any]:
-    """The document of a bearing: films of each contact, null with the reason in its note."""
+    """The document of a bearing: films of each contact, null with the reason in its note.
+
+    Parameters
+    ----------
+    results : AtlasBearingResults
+        Contacts of a bearing with their films of the atlas.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
+    """
     document = {
         "source": SOURCE,
         "contacts": [_values(record) for record in results.records],
@@ -94,7 +105,18 @@ def _messages(results: AtlasBearingResults) -> Iterator[str]:
 
 
 def atlas_bearing_table(results: AtlasBearingResults) -> Group:
-    """A line for each loaded contact, units in the head; below it why films are missing."""
+    """A line for each loaded contact, units in the head; below it why films are missing.
+
+    Parameters
+    ----------
+    results : AtlasBearingResults
+        Contacts of a bearing with their films of the atlas.
+
+    Returns
+    -------
+    Group
+        The table.
+    """
     rows = []
     for record in results.records:
         if record.loaded:

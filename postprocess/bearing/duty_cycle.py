@@ -19,12 +19,34 @@ BESIDE = (
 
 
 def duty_cycle_block(results: BearingResults) -> dict[str, Any]:
-    """Equivalent load, lives, torque and energy of the cycle; None without load cases."""
+    """Equivalent load, lives, torque and energy of the cycle; None without load cases.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key.
+    """
     return values_of(results.duty_cycle, DUTY_CYCLE)
 
 
 def load_case_blocks(results: BearingResults) -> list[dict[str, Any]]:
-    """Shares, load, life, torque of each load case; empty without them."""
+    """Shares, load, life, torque of each load case; empty without them.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    list[dict[str, Any]]
+        Values by key, a dictionary for each load case.
+    """
     cycle = results.duty_cycle
     return [
         {"load_case": number, **_values(case)}
@@ -44,7 +66,18 @@ def _values(case: LoadCase) -> dict[str, Any]:
 
 
 def duty_cycle_messages(results: BearingResults) -> Iterator[str]:
-    """What the cycle means for the results, and what of it is null."""
+    """Say what the cycle means for the results, and which of its values are null.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     cycle = results.duty_cycle
     if cycle is None:
         yield NO_CYCLE
@@ -54,7 +87,18 @@ def duty_cycle_messages(results: BearingResults) -> Iterator[str]:
 
 
 def duty_cycle_rows(results: BearingResults) -> dict[str, str]:
-    """Lines of the terminal's table: life and power of the cycle."""
+    """Lines of the terminal's table: life and power of the cycle.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, str]
+        Text by title.
+    """
     cycle = results.duty_cycle
     if cycle is None:
         return {}
@@ -76,11 +120,35 @@ def duty_cycle_rows(results: BearingResults) -> dict[str, str]:
 
 
 def hours_text(basic: float, modified: float | None) -> str:
-    """Life in words, from hours."""
+    """Life in words, from hours.
+
+    Parameters
+    ----------
+    basic : float
+        Basic rating life [h].
+    modified : float | None
+        Modified rating life [h], or None.
+
+    Returns
+    -------
+    str
+        The words.
+    """
     text = f"L10h {hours(basic)}"
     return text if modified is None else f"{text}, modified L10mh {hours(modified)}"
 
 
 def hours(life: float) -> str:
-    """Hours to three figures, without a power of ten."""
+    """Hours to three figures, without a power of ten.
+
+    Parameters
+    ----------
+    life : float
+        Life [h].
+
+    Returns
+    -------
+    str
+        Hours with their unit.
+    """
     return f"{in_figures(life, 3)} h"

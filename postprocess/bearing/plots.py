@@ -98,6 +98,16 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
     """Columns of the overview: one per ball, mirrored equal balls together, at most `COLUMNS`.
 
     Azimuths in [deg], ascending; all views show one window.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    tuple[BallColumn, ...]
+        The columns.
     """
     groups: dict[tuple[Any, ...], list[float]] = {}
     pairs: dict[tuple[Any, ...], tuple[ContactSolution | None, ...]] = {}
@@ -160,6 +170,20 @@ def write_bearing_plots(
     """Draw load zone, torque and contacts, equal ones once; figures that failed are messages.
 
     All pictures, or the one of that kind and number from 0, if there is one.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+    directory : Path
+        Folder to write into.
+    picture : tuple[str, int] | None, optional
+        Kind of a picture and its number from 0; all if None.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Messages on figures that failed.
     """
     if picture is None:
         return write_figures(directory, chain(*(figures(results) for figures in FIGURES.values())))
@@ -190,6 +214,15 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
     """Maps of both races on one colour scale, above the values over the azimuth.
 
     Film in [um] or pressure in [GPa], as `quantity` says: "film" or "pressure".
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : BearingResults
+        Results of the bearing.
+    quantity : str
+        "film" [um] or "pressure" [GPa].
     """
     columns = ball_columns(results)
     # fixed boxes: the layout engine takes as long as the drawing
@@ -367,7 +400,15 @@ def _pressure_points(
 
 
 def draw_load_zone(figure: Figure, results: BearingResults) -> None:
-    """Contact loads [N] over the azimuth, seen against the axis x: load line upwards."""
+    """Contact loads [N] over the azimuth, seen against the axis x: load line upwards.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : BearingResults
+        Results of the bearing.
+    """
     state = results.quasistatic
     rows = len(state.rows)
     figure.set_size_inches(min(0.5 * rows, 1.0) * PAGE_WIDTH, 3.9 if rows == 1 else 4.3)

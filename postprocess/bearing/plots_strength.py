@@ -18,7 +18,20 @@ HEIGHT = 3.0  # [in]
 
 
 def draw_strength(figure: Figure, results: BearingResults) -> None:
-    """Hoop tension and probability of failure over the temperature, a line for each speed."""
+    """Hoop tension and probability of failure over the temperature, a line for each speed.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : BearingResults
+        Results of the bearing.
+
+    Raises
+    ------
+    ValueError
+        If the results have no map of the strength.
+    """
     strength = results.strength
     if strength is None or strength.inner_map is None:
         raise ValueError("no strength to draw")

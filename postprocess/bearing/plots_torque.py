@@ -63,8 +63,18 @@ VISIBLE = 1.0e-4  # of the largest torque: smaller parts are not drawn
 
 
 def other_figures(results: BearingResults) -> Iterator[tuple[str, Callable[[Figure], None]]]:
-    """Names without suffix and drawings of all that is not of the films: torque, strength of the
-    rings, film after the supply has stopped, as far as there are any.
+    """Figures beside those of the films: torque, strength of the rings, film after the supply
+    stops.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[tuple[str, Callable[[Figure], None]]]
+        Name without suffix and function that draws.
     """
     if results.torque is not None and results.torque.total is not None:
         yield "plots/torque", partial(draw_torque, results=results)
@@ -75,7 +85,20 @@ def other_figures(results: BearingResults) -> Iterator[tuple[str, Callable[[Figu
 
 
 def draw_torque(figure: Figure, results: BearingResults) -> None:
-    """Stacked bars of the models [N mm], and below the torque of each ball over its azimuth."""
+    """Stacked bars of the models [N mm], and below the torque of each ball over its azimuth.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : BearingResults
+        Results of the bearing.
+
+    Raises
+    ------
+    ValueError
+        If the results have no torque.
+    """
     torque = results.torque
     if torque is None:
         raise ValueError("no torque to draw")
@@ -93,7 +116,17 @@ def draw_torque(figure: Figure, results: BearingResults) -> None:
 
 
 def draw_models(axes: Axes, models: dict[str, ModelTorque], chosen: str | None = None) -> None:
-    """Horizontal stacked bars of models [N mm], the chosen one in bold."""
+    """Horizontal stacked bars of models [N mm], the chosen one in bold.
+
+    Parameters
+    ----------
+    axes : Axes
+        Axes to draw into.
+    models : dict[str, ModelTorque]
+        Torque of each model by its name.
+    chosen : str | None, optional
+        Name of the model of the total.
+    """
     sizes = [sum(map(abs, model.components.values())) for model in models.values()]
     visible = VISIBLE * max(sizes, default=0.0)
     own = [name for name in TORQUE_MODELS if name in models]
@@ -120,7 +153,18 @@ def draw_models(axes: Axes, models: dict[str, ModelTorque], chosen: str | None =
 
 
 def torque_svg(models: dict[str, ModelTorque]) -> Markup:
-    """The bars of models [N mm] as an SVG element, which names each part below the mouse."""
+    """The bars of models [N mm] as an SVG element, which names each part below the mouse.
+
+    Parameters
+    ----------
+    models : dict[str, ModelTorque]
+        Torque of each model by its name.
+
+    Returns
+    -------
+    Markup
+        The SVG element.
+    """
     content = StringIO()
     with matplotlib.rc_context(RC | {"svg.fonttype": "none"}):
         figure = Figure(figsize=(PAGE_WIDTH, 0.8 + 0.24 * len(models)))
@@ -184,7 +228,20 @@ def _draw_balls(axes: Axes, results: BearingResults, shares: np.ndarray) -> None
 
 
 def draw_decay(figure: Figure, results: BearingResults) -> None:
-    """Central film [um] over the time [s] after the supply stops, both logarithmic."""
+    """Central film [um] over the time [s] after the supply stops, both logarithmic.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : BearingResults
+        Results of the bearing.
+
+    Raises
+    ------
+    ValueError
+        If the results have no decay.
+    """
     decay = results.decay
     if decay is None:
         raise ValueError("no decay to draw")

@@ -21,7 +21,18 @@ RELUBRICATION = "relubrication_interval_h"
 
 
 def life_block(results: BearingResults) -> dict[str, Any]:
-    """Rating life, loads and the factors that led to it; None where it does not apply."""
+    """Rating life, loads and the factors that led to it; None where it does not apply.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key.
+    """
     life = results.life
     loads = () if life is None else LOAD_RATING
     films = values_of(life_by_films(results), FILM_LIFE)
@@ -30,7 +41,18 @@ def life_block(results: BearingResults) -> dict[str, Any]:
 
 
 def interval_of(results: BearingResults) -> float | None:
-    """Time after which grease is to be renewed [s]; None without grease or bore."""
+    """Time after which grease is to be renewed [s]; None without grease or bore.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    float | None
+        Interval [s].
+    """
     bore = results.quasistatic.bearing.bore
     grease = (results.case.get("friction") or {}).get("lubrication") == "grease"
     if not grease or bore is None:
@@ -47,7 +69,18 @@ def _sealed(results: BearingResults) -> bool:
 
 
 def life_by_films(results: BearingResults) -> FilmLife | None:
-    """Life from the solved films in place of the viscosity; None without films or roughness."""
+    """Life from the solved films in place of the viscosity; None without films or roughness.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    FilmLife | None
+        The life.
+    """
     life = results.life
     solved = any(film is not None for film in results.solutions)
     if life is None or life.viscosity_ratio is None or not (solved and "surface" in results.case):
@@ -64,7 +97,18 @@ def _kappa(values: list[float | None]) -> ContactKappa:
 
 
 def clearance_block(results: BearingResults) -> dict[str, float | None]:
-    """Clearance, its changes, pressures of the seats; without a budget the operating one alone."""
+    """Clearance, its changes, pressures of the seats; without a budget the operating one alone.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, float | None]
+        Values by key.
+    """
     values = values_of(results.clearance, CLEARANCE)
     if results.clearance is None:
         clearance = results.quasistatic.bearing.diametral_clearance
@@ -73,7 +117,18 @@ def clearance_block(results: BearingResults) -> dict[str, float | None]:
 
 
 def rating_messages(results: BearingResults) -> Iterator[str]:
-    """What the two blocks leave out, and why."""
+    """Name the values of the blocks `life` and `clearance` that are null, with the reason.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     life = results.life
     yield from ("life: null, no rating was asked for",) if life is None else life.messages
     if interval_of(results) is None:
@@ -135,7 +190,18 @@ def _cage_messages(results: BearingResults) -> Iterator[str]:
 
 
 def rating_rows(results: BearingResults) -> dict[str, str]:
-    """Lines of the terminal's table: clearance where it was computed, life where there is one."""
+    """Lines of the terminal's table: clearance, rating life, static safety, viscosity ratio.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, str]
+        Text by title.
+    """
     budget = results.clearance
     life = results.life
     rows = {}
@@ -192,8 +258,17 @@ def _why_none(messages: Iterable[str]) -> str:
 
 
 def film_row(known: dict[str, Any]) -> dict[str, str]:
-    """A line of the terminal's table: the life with the film of each contact, and its ends; or
-    that ISO 281 has none for so thin a film.
+    """Line of the terminal's table on the life with the film of each contact.
+
+    Parameters
+    ----------
+    known : dict[str, Any]
+        Values of `FILM_LIFE` by key.
+
+    Returns
+    -------
+    dict[str, str]
+        Text by title.
     """
     thinnest = known["kappa_film"]
     if thinnest is not None and thinnest < SMALLEST_KAPPA:

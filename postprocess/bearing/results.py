@@ -119,7 +119,18 @@ class BearingResults(Results):
         return extent.scaled(rolling / extent.within_extent)
 
     def conductance(self, index: int) -> Conductance | None:
-        """Of heat through one film [W/K]; None without a film or heat properties."""
+        """Heat conductance of one film.
+
+        Parameters
+        ----------
+        index : int
+            Number of the contact, from 0.
+
+        Returns
+        -------
+        Conductance | None
+            Conductance with its ends [W/K]; None without a film or heat properties.
+        """
         if self.conductances is None:
             return None
         ends = self.conductances.reshape(3, -1)[:, index]
@@ -192,12 +203,34 @@ class DistinctContact:
 
 
 def balls_text(numbers: list[str]) -> str:
-    """Numbers of balls in words."""
+    """Numbers of balls in words.
+
+    Parameters
+    ----------
+    numbers : list[str]
+        Numbers of the balls as text.
+
+    Returns
+    -------
+    str
+        The words.
+    """
     return f"ball{'s' if len(numbers) > 1 else ''} {listed(numbers)}"
 
 
 def distinct_contacts(results: BearingResults) -> tuple[DistinctContact, ...]:
-    """The solved contacts grouped by solution, inner race first, in the order of the balls."""
+    """The solved contacts grouped by solution, inner race first, in the order of the balls.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    tuple[DistinctContact, ...]
+        The groups.
+    """
     groups: dict[tuple[str, int], list[tuple[BearingContact, ContactSolution]]] = {}
     for contact, solution in zip(results.contacts, results.solutions, strict=True):
         if solution is not None:

@@ -32,8 +32,17 @@ LOOSE = (
 
 
 def strength_block(results: BearingResults) -> dict[str, Any]:
-    """Hoop tension, strength and probability of failure of both rings, and the map of the inner
-    one over temperature and speed.
+    """Tension, strength and failure probability of both rings, and the map of the inner ring.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any]
+        The block.
     """
     strength = results.strength
     rings = {} if strength is None else {ring.race: ring for ring in strength.rings}
@@ -73,7 +82,18 @@ def _map(found: StrengthMap) -> dict[str, Any]:
 
 
 def strength_messages(results: BearingResults) -> Iterator[str]:
-    """What the numbers mean, which rings are at risk, and why values are null."""
+    """Explain the numbers, name rings at risk, and give reasons for null.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     strength = results.strength
     if strength is None:
         return
@@ -105,7 +125,18 @@ def _assumed(ring: RingStrength) -> bool:
 
 
 def strength_rows(results: BearingResults) -> dict[str, str]:
-    """Lines of the terminal's table, one for each brittle ring."""
+    """Lines of the terminal's table, one for each brittle ring.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, str]
+        Text by title.
+    """
     rows = {}
     for ring in () if results.strength is None else results.strength.rings:
         if ring.failure_probability is None:
@@ -122,7 +153,18 @@ def strength_rows(results: BearingResults) -> dict[str, str]:
 
 
 def probability_text(value: float | None) -> str:
-    """A probability of failure in words of the table; what is next to none is not spelt out."""
+    """A probability of failure in words of the table.
+
+    Parameters
+    ----------
+    value : float | None
+        Probability of failure [-], or None.
+
+    Returns
+    -------
+    str
+        The words.
+    """
     if value is None:
         return NOTHING
     return (

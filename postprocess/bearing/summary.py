@@ -31,7 +31,18 @@ from .torque import rolling_messages, torque_block, torque_messages
 
 
 def bearing_summary(results: BearingResults) -> dict[str, Any]:
-    """The document of a bearing in named units."""
+    """The document of a bearing in named units.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
+    """
     state = results.quasistatic
     torque = torque_block(results)
     document = {

@@ -39,7 +39,18 @@ DECIMALS = 4  # of films [um], fewer where the table is wider than that
 
 
 def bearing_table(results: BearingResults) -> Group:
-    """A few lines on the whole, then one line per contact, units as the headers say."""
+    """A few lines on the whole, then one line per contact, units as the headers say.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    Group
+        The table.
+    """
     title = Text(results.title, style="bold")
     return Group(title, _bearing_table(results), _contacts_table(results), *_legend(results))
 

@@ -30,10 +30,24 @@ ASSUMED = "assumed"  # list of keys of the input, in any order
 
 
 def compare(first: str | Path, second: str | Path) -> Comparison:
-    """Compare two result folders of the same kind: signed differences, second less first, relative
-    to the magnitude of the quantity and to the error bars [-].
+    """Compare two result folders: signed differences, second less first.
 
-    Raises ValueError if one holds no readable results, or they are of different kinds.
+    Parameters
+    ----------
+    first : str | Path
+        Folder of results.
+    second : str | Path
+        Folder of results of the same kind.
+
+    Returns
+    -------
+    Comparison
+        Differences of inputs, main results and all results.
+
+    Raises
+    ------
+    ValueError
+        If one holds no readable results, or they are of different kinds.
     """
     documents = [read_summary(Path(folder)) for folder in (first, second)]
     kinds = [_kind(document) for document in documents]
@@ -97,7 +111,20 @@ def _point_name(keys: dict[str, Any]) -> str:
 
 
 def flat(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:
-    """Every single value of a document by its dotted path."""
+    """Every single value of a document by its dotted path.
+
+    Parameters
+    ----------
+    value : Any
+        Part of a document.
+    path : str, default ''
+        Dotted path of that part.
+
+    Yields
+    ------
+    Iterator[tuple[str, Any]]
+        Path and value.
+    """
     if isinstance(value, dict):
         for key, item in value.items():
             if key not in NOT_COMPARED or not path:
@@ -158,8 +185,21 @@ def _group(path: str) -> tuple[str, str]:
 
 
 def relative(a: Any, b: Any, scale: float = 0.0) -> float | None:
-    """Second less first over the larger magnitude [-], which counts as at least `LEAST` of that
-    of the quantity anywhere; None where they are not two numbers.
+    """Second less first over the larger magnitude; None where they are not two numbers.
+
+    Parameters
+    ----------
+    a : Any
+        Value of the first result.
+    b : Any
+        Value of the second result.
+    scale : float, default 0.0
+        Largest magnitude of the quantity, in its unit.
+
+    Returns
+    -------
+    float | None
+        Relative difference [-].
     """
     if a == b:
         return 0.0

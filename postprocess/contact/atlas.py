@@ -66,7 +66,18 @@ class AtlasRecord:
         return self.films if isinstance(self.conditions, ContactConditions) else None
 
     def in_groups(self, name: str) -> AtlasValue | None:
-        """A film in units of a^2/Rx [-]."""
+        """A film in units of a^2/Rx [-].
+
+        Parameters
+        ----------
+        name : str
+            "central", "minimum" or "approach".
+
+        Returns
+        -------
+        AtlasValue | None
+            Value with its error bar; None without films.
+        """
         if self.films is None or self.scaled is None:
             return None
         scale = self.scaled.film_scale or 1.0
@@ -75,7 +86,18 @@ class AtlasRecord:
 
 
 def atlas_values(record: AtlasRecord) -> dict[str, Any]:
-    """Groups [-], films and bars of one contact, in the units of the keys; null without films."""
+    """Groups [-], films and bars of one contact, in the units of the keys; null without films.
+
+    Parameters
+    ----------
+    record : AtlasRecord
+        Contact with its film.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key; null without films.
+    """
     scaled = record.scaled
     values: dict[str, Any] = {
         "moes_M": None if scaled is None else scaled.moes_load,
@@ -98,7 +120,18 @@ class AtlasContactResults(Results):
 
 
 def atlas_contact_summary(results: AtlasContactResults) -> dict[str, Any]:
-    """The document of a contact, the keys of a solved one."""
+    """The document of a contact, the keys of a solved one.
+
+    Parameters
+    ----------
+    results : AtlasContactResults
+        Contact with its films of the atlas.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
+    """
     record = results.record
     given = record.conditions if isinstance(record.conditions, ContactConditions) else None
     pressure = None if record.scaled is None else record.scaled.hertz_pressure
@@ -125,7 +158,18 @@ def _messages(record: AtlasRecord, pressure: float | None) -> Iterator[str]:
 
 
 def atlas_contact_table(results: AtlasContactResults) -> Group:
-    """Groups, films, moment and stiffness with their bars, units beside the numbers."""
+    """Groups, films, moment and stiffness with their bars, units beside the numbers.
+
+    Parameters
+    ----------
+    results : AtlasContactResults
+        Contact with its films of the atlas.
+
+    Returns
+    -------
+    Group
+        The table.
+    """
     values = atlas_values(results.record)
     rows = {"M, L": f"{values['moes_M']:.4g}, {values['moes_L']:.4g}"}
     for name in ("central", "minimum"):

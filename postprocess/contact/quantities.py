@@ -150,17 +150,50 @@ ALL_FILM_QUANTITIES = (*FILM_QUANTITIES, *FURTHER_QUANTITIES, *SUPPLY_QUANTITIES
 
 
 def film_values(record: FilmRecord) -> dict[str, Any]:
-    """Values of the film's quantities by key, in the units of the keys."""
+    """Values of the film's quantities by key, in the units of the keys.
+
+    Parameters
+    ----------
+    record : FilmRecord
+        Film of a contact and what is derived of it.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key.
+    """
     return values_of(record, ALL_FILM_QUANTITIES)
 
 
 def oil_permittivity(case: dict[str, Any]) -> float:
-    """Relative permittivity of a case's oil [-]."""
+    """Relative permittivity of a case's oil [-].
+
+    Parameters
+    ----------
+    case : dict[str, Any]
+        Case as run, plain JSON.
+
+    Returns
+    -------
+    float
+        Relative permittivity [-].
+    """
     return case.get("lubricant", {}).get("relative_permittivity") or OIL_PERMITTIVITY
 
 
 def formula_films(conditions: object) -> dict[str, float | None]:
-    """Films of formulas [um]; None without dimensions, oblique, or for an isoviscous oil."""
+    """Films of formulas [um]; None without dimensions, oblique, or for an isoviscous oil.
+
+    Parameters
+    ----------
+    conditions : object
+        Conditions of the contact.
+
+    Returns
+    -------
+    dict[str, float | None]
+        Film by the name of the formula [um].
+    """
     if (
         not isinstance(conditions, ContactConditions)
         or abs(sin(conditions.entrainment_angle)) > ALIGNED

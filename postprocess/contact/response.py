@@ -24,6 +24,16 @@ RESPONSE_QUANTITIES = quantities(
 def response_values(response: NormalResponse | None) -> dict[str, Any]:
     """Values by key in the units of the keys; over frequency in `response`, None where no
     frequency was asked for.
+
+    Parameters
+    ----------
+    response : NormalResponse | None
+        Stiffness and damping along the normal, or None.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key.
     """
     known = response if response is not None and response.converged and response.resolved else None
     over: dict[str, Any] | None = None
@@ -39,7 +49,18 @@ def response_values(response: NormalResponse | None) -> dict[str, Any]:
 
 
 def response_messages(results: ContactResults) -> Iterator[str]:
-    """Why stiffness and damping are null, or what is said of them."""
+    """Give the reason why stiffness and damping are null, or remarks on them.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     response = results.response
     keys = "stiffness_N_um, damping_N_s_m, response"
     if response is None:
@@ -62,7 +83,18 @@ def response_messages(results: ContactResults) -> Iterator[str]:
 
 
 def response_row(response: NormalResponse | None) -> str:
-    """Stiffness and damping with their error bars; empty where there are none."""
+    """Stiffness and damping with their error bars; empty where there are none.
+
+    Parameters
+    ----------
+    response : NormalResponse | None
+        Stiffness and damping along the normal, or None.
+
+    Returns
+    -------
+    str
+        The words.
+    """
     values = response_values(response)
     stiffness, bar, damping, other = (values[quantity.key] for quantity in RESPONSE_QUANTITIES)
     if stiffness is None:

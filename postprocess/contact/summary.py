@@ -29,7 +29,20 @@ WIDE_ERROR = 0.1  # error bar over the film that leaves one digit, and is report
 
 
 def solution_messages(name: str, solution: ContactSolution) -> Iterator[str]:
-    """What the solver says of a film but that it converged, and a wide error bar."""
+    """Remarks of the solver on a film, a wide error bar, and a difference from the film atlas.
+
+    Parameters
+    ----------
+    name : str
+        Name of the contact in messages.
+    solution : ContactSolution
+        Solved film of the contact.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     if solution.message != "converged":
         yield f"{name}: {solution.message}"
     film = solution.film_minimum_dimensionless
@@ -50,7 +63,18 @@ def solution_messages(name: str, solution: ContactSolution) -> Iterator[str]:
 
 
 def contact_summary(results: ContactResults) -> dict[str, Any]:
-    """The document of a single contact in named units."""
+    """The document of a single contact in named units.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
+    """
     solution = results.solution
     conditions = solution.conditions
     given = conditions if isinstance(conditions, ContactConditions) else None

@@ -15,7 +15,18 @@ DECIMALS = 4  # of films [um]
 
 
 def contact_table(results: ContactResults) -> Group:
-    """Title, films, pressure, traction, box and work, units beside the numbers."""
+    """Title, films, pressure, traction, box and work, units beside the numbers.
+
+    Parameters
+    ----------
+    results : ContactResults
+        Results of the contact.
+
+    Returns
+    -------
+    Group
+        The table.
+    """
     solution = results.solution
     rows = {"M, L": f"{solution.moes_load:.4g}, {solution.moes_lubricant:.4g}"}
     rows |= {f"{name} film": _film(solution, f"film_{name}") for name in ("central", "minimum")}
