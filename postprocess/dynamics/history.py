@@ -29,7 +29,20 @@ COMPRESSION: dict[str, Any] = {"compression": "gzip", "compression_opts": 1}
 
 
 def variables(record: Record, balls: int) -> dict[str, tuple[tuple[str, ...], Any, str]]:
-    """Dimensions, values and unit of every quantity of a record, by name; SI."""
+    """Dimensions, values and unit of every quantity of a record, by name; SI.
+
+    Parameters
+    ----------
+    record : Record
+        Samples of a simulation.
+    balls : int
+        Number of balls [-].
+
+    Returns
+    -------
+    dict[str, tuple[tuple[str, ...], Any, str]]
+        Dimensions, values and unit by name.
+    """
     layout = Layout(balls)
     state = record.state
     ring, cage = ("time", "ring_coordinate"), ("time", "cage_coordinate")
@@ -100,7 +113,18 @@ class HistoryWriter:
         self._created = False
 
     def add(self, record: Record) -> None:
-        """Append the rows of a record; OSError where the disk does not take them."""
+        """Append the samples of a record.
+
+        Parameters
+        ----------
+        record : Record
+            Samples of a simulation.
+
+        Raises
+        ------
+        OSError
+            If the disk does not take them.
+        """
         m = record.time.size
         parts = {"time": (("time",), record.time, "s"), **variables(record, self.balls)}
         row = sum(values[0].nbytes for _, values, _ in parts.values())

@@ -49,8 +49,21 @@ FEWEST_SAMPLES = 8  # of the half that a spectrum is of [-]
 def write_dynamics_plots(
     directory: Path, document: dict[str, Any], hurried: Callable[[], bool] = lambda: False
 ) -> tuple[str, ...]:
-    """Write pictures beside the history, by it and the summary, no further ones when one is
-    `hurried`; those that failed are messages.
+    """Write the pictures of a simulation beside its history.
+
+    Parameters
+    ----------
+    directory : Path
+        Folder of the history.
+    document : dict[str, Any]
+        Summary of the results in named units.
+    hurried : Callable[[], bool], default lambda: False
+        Asked before each picture; once it is true no further one is drawn.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Messages on pictures that failed.
     """
     with open_history(directory).load() as data:
         given = {"data": data, "document": document}
@@ -59,8 +72,16 @@ def write_dynamics_plots(
 
 
 def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Cage and balls about the axis [r/min] over time [ms], and their slip [%] over all of it and
-    over the part that is averaged.
+    """Cage and balls about the axis [r/min] over time [ms], and their slip [%].
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    data : xarray.Dataset
+        History of a simulation, SI.
+    document : dict[str, Any]
+        Summary of the results in named units.
     """
     found = simulated_speeds(data, document)
     panels = _three_panels(figure, document)
@@ -87,8 +108,16 @@ def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
 
 
 def draw_spin(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Balls about their own axes [r/min] over time [ms], and what they lack of rolling [%], over
-    all of it and over the part that is averaged.
+    """Balls about their own axes [r/min] over time [ms], and their slip against rolling [%].
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    data : xarray.Dataset
+        History of a simulation, SI.
+    document : dict[str, Any]
+        Summary of the results in named units.
     """
     spin = simulated_speeds(data, document).spin
     panels = _three_panels(figure, document)
@@ -170,7 +199,17 @@ def _plain(value: float) -> str:
 
 
 def draw_forces(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Normal and friction force of ball 1 [N] over time [ms], the last turns of the cage."""
+    """Normal and friction force of ball 1 [N] over time [ms], the last turns of the cage.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    data : xarray.Dataset
+        History of a simulation, SI.
+    document : dict[str, Any]
+        Summary of the results in named units.
+    """
     top, bottom = _over_time(figure, document)
     part = last_turns(data).sel(ball=1)
     time = TIME.in_unit(part["time"].to_numpy())
@@ -186,7 +225,17 @@ def draw_forces(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
 
 
 def draw_sliding(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Sliding speed [m/s] and traction factor [-] of ball 1 over its azimuth [deg]."""
+    """Sliding speed [m/s] and traction factor [-] of ball 1 over its azimuth [deg].
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    data : xarray.Dataset
+        History of a simulation, SI.
+    document : dict[str, Any]
+        Summary of the results in named units.
+    """
     top, bottom = _over_time(figure, document)
     part = last_turns(data).sel(ball=1)
     azimuth = PLOTTED["azimuth_deg"].in_unit(_turned(part)) % 360.0
@@ -216,7 +265,17 @@ def draw_sliding(figure: Figure, data: xarray.Dataset, document: dict[str, Any])
 
 
 def draw_states(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Free, contact, impact of each ball at both races over time [ms], the last turns."""
+    """Free, contact, impact of each ball at both races over time [ms], the last turns.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    data : xarray.Dataset
+        History of a simulation, SI.
+    document : dict[str, Any]
+        Summary of the results in named units.
+    """
     axes = _over_time(figure, document, 4.2)
     data = last_turns(data)
     time = TIME.in_unit(data["time"].to_numpy())
@@ -238,7 +297,17 @@ def draw_states(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
 
 
 def draw_orbits(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Orbits of the centres of ring and cage across the axis [um]; the load line points up."""
+    """Orbits of the centres of ring and cage across the axis [um]; the load line points up.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    data : xarray.Dataset
+        History of a simulation, SI.
+    document : dict[str, Any]
+        Summary of the results in named units.
+    """
     axes = _start(figure, document, (1, 2), 3.6)
     late = data.isel(time=slice(-ORBIT_POINTS, None))
     vertical, across = PLOTTED["y_um"], PLOTTED["z_um"]
@@ -262,7 +331,17 @@ def draw_orbits(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
 
 
 def draw_spectrum(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Spectrum of the ring along y, or x where y is fixed [um], and defect frequencies [Hz]."""
+    """Spectrum of the ring along y, or x where y is fixed [um], and defect frequencies [Hz].
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    data : xarray.Dataset
+        History of a simulation, SI.
+    document : dict[str, Any]
+        Summary of the results in named units.
+    """
     (ax,) = _start(figure, document, (1, 1), 3.4)
     defects = document["frequencies_Hz"]["with_slip"]
     if data.sizes["time"] < 2 * FEWEST_SAMPLES:
@@ -286,7 +365,17 @@ def draw_spectrum(figure: Figure, data: xarray.Dataset, document: dict[str, Any]
 
 
 def draw_energy(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Work put in, energy stored and lost by mechanism over time [J], and what is left over."""
+    """Work put in, energy stored and lost by mechanism over time [J], and the residual.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    data : xarray.Dataset
+        History of a simulation, SI.
+    document : dict[str, Any]
+        Summary of the results in named units.
+    """
     top, bottom = _over_time(figure, document, 4.8, height_ratios=(3, 1))
     time = TIME.in_unit(data["time"].to_numpy())
     work = data["work"].to_numpy().astype(np.float64)
@@ -311,16 +400,39 @@ def draw_energy(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
 
 
 def last_turns(data: xarray.Dataset) -> xarray.Dataset:
-    """The end of a history: `SHOWN_TURNS` turns of ball 1, or all of it."""
+    """The end of a history: `SHOWN_TURNS` turns of ball 1, or all of it.
+
+    Parameters
+    ----------
+    data : xarray.Dataset
+        History of a simulation, SI.
+
+    Returns
+    -------
+    xarray.Dataset
+        The end of the history.
+    """
     turned = _turned(data.sel(ball=1))
     first = int(np.searchsorted(np.abs(turned - turned[-1]) < 2.0 * np.pi * SHOWN_TURNS, True))
     return data.isel(time=slice(first, None))
 
 
 def ring_spectrum(data: xarray.Dataset) -> tuple[Any, Any, str]:
-    """Frequencies [Hz], amplitudes [m], direction of the ring in the second half; Hann window.
+    """Spectrum of the ring in the second half of a history; Hann window.
 
-    Of at least two times `FEWEST_SAMPLES`.
+    Parameters
+    ----------
+    data : xarray.Dataset
+        History of at least two times `FEWEST_SAMPLES`, SI.
+
+    Returns
+    -------
+    value
+        Frequencies, shape (n,) [Hz].
+    value
+        Amplitudes, shape (n,) [m].
+    value
+        Direction, "x" or "y".
     """
     late = data.isel(time=slice(data.sizes["time"] // 2, None))
     place = late["ring_position"]

@@ -13,7 +13,18 @@ TITLE = "share of the time at the inner race, and at the outer race; largest loa
 
 
 def dynamics_table(document: dict[str, Any]) -> Group:
-    """A summary: speeds [r/min], energies [J], contact states [-] and largest loads [N]."""
+    """A summary: speeds [r/min], energies [J], contact states [-] and largest loads [N].
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    Group
+        The tables.
+    """
     rows = []
     for ball in document["balls"]:
         cells = [str(ball["ball"])]

@@ -32,7 +32,18 @@ BANDS = {
 
 
 def cards(summary: dict[str, Any]) -> str:
-    """How many points there are, and the ends of the main results."""
+    """How many points there are, and the ends of the main results.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    str
+        Markup.
+    """
     points = summary["points"] or []
     entries = [("points", str(_count(summary)), "")]
     if summary["failed"]:
@@ -51,7 +62,20 @@ def _count(summary: dict[str, Any]) -> int:
 
 
 def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, str]]:
-    """Anchor, title and content of every part."""
+    """Anchor, title and content of every part.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+    folder : Path
+        Folder of the results.
+
+    Yields
+    ------
+    Iterator[tuple[str, str, str]]
+        Anchor, title and content of a part.
+    """
     pictures = [
         html.picture(path, path.stem.replace("_", " ").capitalize(), wide=True)
         for path in sorted(folder.glob("plots/*.png"))
@@ -69,7 +93,18 @@ def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, 
 
 
 def listed_points(summary: dict[str, Any]) -> str:
-    """One line for each point: varied keys, main results, state; nothing of a batch too large."""
+    """One line for each point: varied keys, main results, state; nothing of a batch too large.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    str
+        Markup.
+    """
     points = summary["points"] or []
     if not points:
         return ""
@@ -100,7 +135,18 @@ def listed_points(summary: dict[str, Any]) -> str:
 
 
 def uncertainty(summary: dict[str, Any]) -> str:
-    """Differences, bands and indices, as far as there are any."""
+    """Differences, bands and indices, as far as there are any.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    str
+        Markup.
+    """
     others = (_bands(summary), _sobol(summary), _morris(summary))
     return html.render("batch", "uncertainty", _sensitivity(summary), others)
 

@@ -50,7 +50,18 @@ NAMES = {
 
 
 def input_tables(case: dict[str, Any]) -> str:
-    """Every table of the case as run; what the case marks as assumed stands out."""
+    """Every table of the case as run; assumed values are marked.
+
+    Parameters
+    ----------
+    case : dict[str, Any]
+        Case as run, plain JSON.
+
+    Returns
+    -------
+    str
+        Markup.
+    """
     assumed = frozenset(str(key) for key in case.get("assumed", ())) | estimated_keys(case)
     blocks = [html.facts(title, values, assumed, path) for title, values, path in _tables(case)]
     return html.render("bearing", "input", blocks, bool(assumed))
@@ -74,7 +85,20 @@ def _tables(case: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any], str]]:
 
 
 def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, str]]:
-    """Anchor, title and content of the parts that a bearing or a contact has."""
+    """Anchor, title and content of the parts that a bearing or a contact has.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+    folder : Path
+        Folder of the results.
+
+    Yields
+    ------
+    Iterator[tuple[str, str, str]]
+        Anchor, title and content of a part.
+    """
     plots = folder / "plots"
     if "contacts" in summary:
         yield "loads", "Load zone and equilibrium", _loads(summary, plots)
@@ -161,7 +185,18 @@ def _column_title(key: str) -> str:
 
 
 def known_pictures(summary: dict[str, Any]) -> set[str]:
-    """Names of the pictures that the parts of the page place themselves."""
+    """Names of the pictures that the parts of the page place themselves.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    set[str]
+        Names of PNG files.
+    """
     names = {"load_zone", "contact", "torque", *FILM_PICTURES}
     for contact in summary.get("contacts") or ():
         names |= {f"{race}_ball{contact['ball']:02d}" for race in ("inner", "outer")}
@@ -169,7 +204,18 @@ def known_pictures(summary: dict[str, Any]) -> set[str]:
 
 
 def is_single_contact(summary: dict[str, Any]) -> bool:
-    """Whether a summary is that of `oilfilm contact`."""
+    """True of a summary of `oilfilm contact`.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    bool
+        True if it is.
+    """
     return "film_central_dimensionless" in summary
 
 

@@ -24,7 +24,18 @@ LIVES = (  # blocks and titles of the lives that have a card, where there are an
 
 
 def cards(summary: dict[str, Any]) -> Markup:
-    """The cards side by side, and below them what they rest on."""
+    """Main numbers side by side, and below them a remark on estimates.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    Markup
+        Markup.
+    """
     contacts = [contact for contact in summary.get("contacts") or () if contact.get("loaded")]
     is_bearing = "contacts" in summary
     entries = _film_card(contacts) if is_bearing else _single_film_card(summary)
@@ -73,7 +84,18 @@ def _rests_on_estimates(case: dict[str, Any]) -> bool:
 
 
 def estimated_keys(case: dict[str, Any]) -> frozenset[str]:
-    """Dotted keys of the case whose values are estimates of the catalogue."""
+    """Dotted keys of the case whose values are estimates of the catalogue.
+
+    Parameters
+    ----------
+    case : dict[str, Any]
+        Case as run, plain JSON.
+
+    Returns
+    -------
+    frozenset[str]
+        Dotted keys.
+    """
     values = case.get("bearing")
     if not isinstance(values, dict):
         return frozenset()

@@ -35,17 +35,52 @@ PLACED = frozenset(
 
 
 def is_simulation(summary: dict[str, Any]) -> bool:
-    """Whether a summary is that of `oilfilm dynamics`."""
+    """True of a summary of `oilfilm dynamics`.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    bool
+        True if it is.
+    """
     return "equation_counts" in summary
 
 
 def pictures(summary: dict[str, Any]) -> set[str]:
-    """Names of the pictures that this part places."""
+    """Pictures that this part of the page shows.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    set[str]
+        Names of PNG files.
+    """
     return {f"{name}.png" for name in PICTURES} if is_simulation(summary) else set()
 
 
 def dynamics_section(summary: dict[str, Any], folder: Path) -> str:
-    """Speeds and slip, energies, balls, the ends of several starts, pictures."""
+    """Speeds and slip, energies, balls, the ends of several starts, pictures.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+    folder : Path
+        Folder of the results.
+
+    Returns
+    -------
+    str
+        Markup.
+    """
     if not is_simulation(summary):
         return ""
     speeds = {key: summary.get(key) for key in by_key(SPEEDS)}

@@ -60,7 +60,18 @@ class Table(NamedTuple):
 
 @cache
 def environment(package: str = __package__) -> Environment:
-    """The templates of a package; an unknown name in them is an error."""
+    """Templates of a package; an unknown name in them is an error.
+
+    Parameters
+    ----------
+    package : str, default __package__
+        Package with a folder `templates`.
+
+    Returns
+    -------
+    Environment
+        The templates.
+    """
     folder = resources.files(package).joinpath("templates")
     found = Environment(
         loader=FunctionLoader(lambda name: folder.joinpath(name).read_text(encoding="utf-8")),
@@ -73,13 +84,39 @@ def environment(package: str = __package__) -> Environment:
 
 
 def render(template: str, macro: str, *values: Any) -> Markup:
-    """Markup of a macro of a template."""
+    """Markup of a macro of a template.
+
+    Parameters
+    ----------
+    template : str
+        Name of the template without its suffix.
+    macro : str
+        Name of the macro.
+    *values : Any
+        Its arguments.
+
+    Returns
+    -------
+    Markup
+        Markup.
+    """
     found: Markup = getattr(environment().get_template(f"{template}.html").module, macro)(*values)
     return found
 
 
 def text(value: Any) -> str:
-    """A value as text of the page; numbers to five figures, a dash for null."""
+    """A value as text of the page; numbers to five figures, a dash for null.
+
+    Parameters
+    ----------
+    value : Any
+        Value of a summary.
+
+    Returns
+    -------
+    str
+        Text or markup.
+    """
     if value is None:
         return NOTHING
     if isinstance(value, bool):
@@ -95,7 +132,20 @@ def text(value: Any) -> str:
 
 
 def number(value: float, digits: int = DIGITS) -> str:
-    """A number to some figures [-], with a true minus and powers of ten that are read as such."""
+    """A number to some figures [-], with a true minus and powers of ten that are read as such.
+
+    Parameters
+    ----------
+    value : float
+        Number in any unit.
+    digits : int, default DIGITS
+        Significant figures [-].
+
+    Returns
+    -------
+    str
+        Text or markup.
+    """
     if not isfinite(value):
         return NOTHING
     mantissa, _, exponent = f"{value + 0.0:.{digits}g}".replace("-", "−").partition("e")
@@ -106,12 +156,36 @@ def number(value: float, digits: int = DIGITS) -> str:
 
 
 def figure(value: Any) -> str:
-    """A result to four figures, a dash for null."""
+    """A result to four figures, a dash for null.
+
+    Parameters
+    ----------
+    value : Any
+        Value of a summary.
+
+    Returns
+    -------
+    str
+        Text or markup.
+    """
     return number(float(value), 4) if isinstance(value, int | float) else text(value)
 
 
 def with_error(row: Mapping[str, Any], key: str) -> str:
-    """A film with its uncertainty, to the figures that it supports."""
+    """A film with its uncertainty, to the figures that it supports.
+
+    Parameters
+    ----------
+    row : Mapping[str, Any]
+        Values by key, with the error bars.
+    key : str
+        Key of the film.
+
+    Returns
+    -------
+    str
+        Text or markup.
+    """
     value = row.get(key)
     head, _, unit = key.rpartition("_")
     error = row.get(f"{head}_uncertainty_{unit}")
@@ -121,7 +195,20 @@ def with_error(row: Mapping[str, Any], key: str) -> str:
 
 
 def result(row: Mapping[str, Any], key: str) -> str:
-    """A result of a row, a film with its uncertainty, a life without a power of ten."""
+    """A result of a row, a film with its uncertainty, a life without a power of ten.
+
+    Parameters
+    ----------
+    row : Mapping[str, Any]
+        Values by key, with the error bars.
+    key : str
+        Key with its unit.
+
+    Returns
+    -------
+    str
+        Text or markup.
+    """
     if key.startswith("film_"):
         return with_error(row, key)
     return _shown(key, row.get(key), figure)
@@ -133,14 +220,36 @@ def _shown(key: str, value: Any, plain: Callable[[Any], str]) -> str:
 
 
 def without_noise(values: Sequence[Any]) -> list[Any]:
-    """Components of one vector [any unit]; round-off beside the largest of them is 0."""
+    """Components of one vector; round-off against the largest of them is 0.
+
+    Parameters
+    ----------
+    values : Sequence[Any]
+        Components [any unit].
+
+    Returns
+    -------
+    list[Any]
+        The components.
+    """
     numbers = [abs(v) for v in values if isinstance(v, float) and isfinite(v)]
     level = ROUND_OFF * max(numbers, default=0.0)
     return [0.0 if isinstance(v, float) and abs(v) < level else v for v in values]
 
 
 def vector(value: Any) -> Any:
-    """A vector of the bearing with the names of its components; other values as they are."""
+    """A vector of the bearing with the names of its components; other values as they are.
+
+    Parameters
+    ----------
+    value : Any
+        Value of a summary.
+
+    Returns
+    -------
+    Any
+        The words, or the value.
+    """
     names = {3: "xyz", 2: "yz"}.get(len(value) if isinstance(value, list) else 0)
     if names is None or not all(isinstance(part, int | float) for part in value):
         return value
@@ -149,7 +258,18 @@ def vector(value: Any) -> Any:
 
 
 def name_text(key: str) -> str:
-    """A key in words, abbreviations as they are written."""
+    """A key in words, abbreviations as they are written.
+
+    Parameters
+    ----------
+    key : str
+        Key with its unit.
+
+    Returns
+    -------
+    str
+        The words.
+    """
     return " ".join(ABBREVIATIONS.get(word, word) for word in without_unit(key).split(" "))
 
 
@@ -163,12 +283,36 @@ def _keys_in_words(source: Any) -> str:
 
 
 def title_text(key: str, quantities: Mapping[str, Quantity]) -> str:
-    """Title and symbol of a quantity, or its key in words where it is no quantity."""
+    """Title and symbol of a quantity, or its key in words where it is no quantity.
+
+    Parameters
+    ----------
+    key : str
+        Key with its unit.
+    quantities : Mapping[str, Quantity]
+        Quantities by key.
+
+    Returns
+    -------
+    str
+        The words.
+    """
     return quantities[key].name if key in quantities else name_text(key)
 
 
 def key_head(keys: Iterable[str]) -> list[tuple[str, str]]:
-    """Names and units of columns, by the keys of their values."""
+    """Names and units of columns, by the keys of their values.
+
+    Parameters
+    ----------
+    keys : Iterable[str]
+        Keys of the columns.
+
+    Returns
+    -------
+    list[tuple[str, str]]
+        Name and unit of each column.
+    """
     return [(name_text(key), unit_symbol(key)) for key in keys]
 
 
@@ -179,8 +323,25 @@ def facts(
     path: str = "",
     names: Mapping[str, str] | None = None,
 ) -> Markup:
-    """Key or its name, value and unit, one below the other; `assumed` keys are marked, null is a
-    dash.
+    """Names, values and units, one below the other; null is a dash.
+
+    Parameters
+    ----------
+    title : str
+        Heading, none if empty.
+    values : Mapping[str, Any]
+        Value by key.
+    assumed : frozenset[str], default frozenset()
+        Dotted keys to be marked.
+    path : str, default ''
+        Path of the values in the case.
+    names : Mapping[str, str] | None, optional
+        Names in place of the keys in words.
+
+    Returns
+    -------
+    Markup
+        Markup.
     """
     rows = []
     for key, value in values.items():
@@ -199,12 +360,36 @@ def facts(
 
 
 def side_by_side(*blocks: str, kind: str = "facts") -> Markup:
-    """Blocks of facts, cards or pictures side by side; nothing without a block."""
+    """Blocks of facts, cards or pictures side by side; nothing without a block.
+
+    Parameters
+    ----------
+    *blocks : str
+        Markup of each block.
+    kind : str, default 'facts'
+        CSS class, "facts", "cards" or "gallery".
+
+    Returns
+    -------
+    Markup
+        Markup; empty without a block.
+    """
     return render("pieces", "side_by_side", blocks, kind)
 
 
 def is_large(value: Any) -> bool:
-    """Whether a value is too much for one line: a table, a long list, a list of tables."""
+    """True of a value too large for one line: a table, a long list, a list of tables.
+
+    Parameters
+    ----------
+    value : Any
+        Value of a summary.
+
+    Returns
+    -------
+    bool
+        True if it is.
+    """
     return isinstance(value, dict) or (
         isinstance(value, list)
         and (len(value) > MAX_LISTED or any(isinstance(item, list | dict) for item in value))
@@ -212,7 +397,22 @@ def is_large(value: Any) -> bool:
 
 
 def picture(path: Path, caption: str, *, wide: bool = False) -> Markup:
-    """A PNG file inside the page, nothing if there is none; a wide one is scrolled on a phone."""
+    """A PNG file inside the page.
+
+    Parameters
+    ----------
+    path : Path
+        PNG file.
+    caption : str
+        Words below the picture.
+    wide : bool, default False
+        Scrolled sideways on a phone.
+
+    Returns
+    -------
+    Markup
+        Markup; empty if there is no file.
+    """
     if not path.is_file():
         return Markup()
     data = base64.b64encode(path.read_bytes()).decode("ascii")
@@ -220,12 +420,34 @@ def picture(path: Path, caption: str, *, wide: bool = False) -> Markup:
 
 
 def notes(messages: Iterable[Any]) -> Markup:
-    """The messages that are no warnings; nothing if there are none."""
+    """The messages that are no warnings.
+
+    Parameters
+    ----------
+    messages : Iterable[Any]
+        Messages of the summary.
+
+    Returns
+    -------
+    Markup
+        Markup; empty without messages.
+    """
     return render("pieces", "notes", [str(message) for message in messages])
 
 
 def versions(summary: Mapping[str, Any]) -> Markup:
-    """Program, libraries of the machine that wrote the page, wall times [s]."""
+    """Program, libraries of the machine that wrote the page, wall times [s].
+
+    Parameters
+    ----------
+    summary : Mapping[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    Markup
+        Markup.
+    """
     programs = {
         "oilfilm, of the results": summary["oilfilm"],
         "python, of this page": platform.python_version(),

@@ -29,8 +29,22 @@ DOUBTS = (
 
 
 def write_report(directory: str | Path) -> Path:
-    """Write `report.html` into a result folder and return its path; ValueError if the folder holds
-    no readable results, or a page of that name which is not ours.
+    """Write `report.html` into a result folder.
+
+    Parameters
+    ----------
+    directory : str | Path
+        Folder of the results.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    ValueError
+        If the folder holds no readable results, or a page of that name that is not of oilfilm.
     """
     folder = Path(directory)
     path = folder / REPORT_FILE
@@ -44,7 +58,18 @@ def write_report(directory: str | Path) -> Path:
 
 
 def report_page(folder: Path) -> str:
-    """The page as text."""
+    """The page of a result folder as text.
+
+    Parameters
+    ----------
+    folder : Path
+        Folder of the results.
+
+    Returns
+    -------
+    str
+        The page.
+    """
     summary = read_summary(folder)
     case = summary["case"]
     if summary.get("kind") == "batch":
@@ -70,7 +95,18 @@ def report_page(folder: Path) -> str:
 
 
 def is_urgent(message: str) -> bool:
-    """Whether a message states a doubt about a result, and not only why a value is null."""
+    """True of a message that states a doubt about a result, and not only why a value is null.
+
+    Parameters
+    ----------
+    message : str
+        Message of a summary.
+
+    Returns
+    -------
+    bool
+        True if it does.
+    """
     doubtful = any(word in message for word in DOUBTS)
     return doubtful and ("not converged" in message or not re.search(r"\bnull\b", message))
 
@@ -91,7 +127,18 @@ def _sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str,
 
 
 def further_results(summary: dict[str, Any]) -> str:
-    """Blocks that no part of the page places: whatever numbers they hold; notes say why not."""
+    """Blocks that no other part of the page shows: their numbers and lists.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    str
+        Markup.
+    """
     is_simulation = dynamics.is_simulation(summary)
     placed = bearing.PLACED | (dynamics.PLACED if is_simulation else frozenset())
     blocks = {

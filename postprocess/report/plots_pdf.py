@@ -34,6 +34,23 @@ def write_pdf(directory: str | Path, file: str | Path) -> Path:
     """Write main results, input, tables, messages and pictures as a PDF, made in memory.
 
     ValueError without readable results.
+
+    Parameters
+    ----------
+    directory : str | Path
+        Folder of the results.
+    file : str | Path
+        PDF file.
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    ValueError
+        Without readable results.
     """
     folder = Path(directory)
     path = Path(file)

@@ -17,7 +17,20 @@ KIND_OF_PART = {part: kind for kind, _, parts in KINDS for part in parts}
 
 
 def torque_section(torque: dict[str, Any], plots: Path) -> str:
-    """The models side by side: bars of their parts, and the numbers; the picture unfolds."""
+    """The models side by side: bars of their parts, and the numbers; the picture unfolds.
+
+    Parameters
+    ----------
+    torque : dict[str, Any]
+        Block `torque_N_mm` of a summary.
+    plots : Path
+        Folder of the pictures.
+
+    Returns
+    -------
+    str
+        Markup.
+    """
     known = {
         name: {part: float(v) for part, v in model.items() if isinstance(v, int | float)}
         for name, model in (torque.get("models") or {}).items()

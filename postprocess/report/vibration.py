@@ -19,7 +19,20 @@ LINES = (
 
 
 def vibration_section(summary: dict[str, Any], folder: Path) -> str:
-    """Levels with their reference, bands, lines, pictures."""
+    """Levels with their reference, bands, lines, pictures.
+
+    Parameters
+    ----------
+    summary : dict[str, Any]
+        Summary of the results in named units.
+    folder : Path
+        Folder of the results.
+
+    Returns
+    -------
+    str
+        Markup.
+    """
     found = summary.get("vibration")
     if not isinstance(found, dict):
         return ""

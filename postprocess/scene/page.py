@@ -43,6 +43,19 @@ def add_overlay(
     """Lay title, note, colour scale and the numbers of a clicked contact over an exported page.
 
     It loads nothing from a network.
+
+    Parameters
+    ----------
+    file : Path
+        Exported page.
+    title : str
+        Title of the scene.
+    note : str
+        Magnification of the patches.
+    colours : ColourScale | None
+        Colour scale, or None.
+    spots : Sequence[Spot], default ()
+        Contacts that can be clicked.
     """
     over = overlay_html(title, note, colours, spots)
     # inserted after the body, which the page's own script empties
@@ -65,7 +78,24 @@ def add_overlay(
 def overlay_html(
     title: str, note: str, colours: ColourScale | None, spots: Sequence[Spot] = ()
 ) -> str:
-    """Title, note, colour scale with its ticks, and the box of a contact's numbers as HTML."""
+    """Title, note, colour scale with its ticks, and the box of a contact's numbers as HTML.
+
+    Parameters
+    ----------
+    title : str
+        Title of the scene.
+    note : str
+        Magnification of the patches.
+    colours : ColourScale | None
+        Colour scale, or None.
+    spots : Sequence[Spot], default ()
+        Contacts that can be clicked.
+
+    Returns
+    -------
+    str
+        The HTML.
+    """
     shades: Any = ()
     ticks: Any = ()
     if colours is not None:
@@ -87,14 +117,41 @@ def overlay_html(
 
 
 def add_flat_labels(plotter: Any, labels: Sequence[Label], up: Array) -> None:
-    """Labels as flat letters that look along +x, upright where the unit vector `up` [-] is up."""
+    """Labels as flat letters that look along +x.
+
+    Parameters
+    ----------
+    plotter : Any
+        Pyvista plotter of the scene.
+    labels : Sequence[Label]
+        Texts in space.
+    up : Array
+        Unit vector to the top of the picture, shape (3,) [-].
+    """
     for label in labels:
         body = flat_text(label.text, label.place, up, LETTER * label.ball_diameter)
         plotter.add_mesh(body, color=INK, lighting=False)
 
 
 def flat_text(text: str, place: Array, up: Array, size: float) -> Any:
-    """Letters of a height about a place [mm]; the sign of degrees, which they lack, is a ring."""
+    """Letters about a point; the sign of degrees, which the font lacks, is a ring.
+
+    Parameters
+    ----------
+    text : str
+        Letters, with a sign of degrees at the end or not.
+    place : Array
+        Centre, shape (3,) [mm].
+    up : Array
+        Unit vector upwards, shape (3,) [-].
+    size : float
+        Height of the letters [mm].
+
+    Returns
+    -------
+    Any
+        The mesh.
+    """
     centre = (0.0, 0.0, 0.0)
     letters = text.removesuffix("°")
     body = pv.Text3D(letters, depth=0.0, height=size, center=centre, normal=(0.0, 0.0, 1.0))

@@ -26,7 +26,18 @@ COLUMNS = {  # of the balls, with the format of their numbers
 
 
 def slip_table(results: SlipResults) -> Group:
-    """The balls at the case's operation and the minimum loads [N] over speed [r/min]."""
+    """The balls at the case's operation and the minimum loads [N] over speed [r/min].
+
+    Parameters
+    ----------
+    results : SlipResults
+        Slip maps of the case.
+
+    Returns
+    -------
+    Group
+        The tables.
+    """
     fx, fy, _ = results.state.ring_force
     speed = from_si("speed_rpm", results.state.operation.inner_speed)
     own = (

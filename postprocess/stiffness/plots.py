@@ -16,12 +16,28 @@ SMALL_COUPLING = 1e-3  # of the largest stiffness: couplings below are not drawn
 
 
 def write_stiffness_plot(results: StiffnessResults, directory: Path) -> None:
-    """Write `stiffness.png` into a folder; stiffness in [N/um] and [N m/mrad] over speed."""
+    """Write `stiffness.png` into a folder; stiffness in [N/um] and [N m/mrad] over speed.
+
+    Parameters
+    ----------
+    results : StiffnessResults
+        Stiffness over speed of the case.
+    directory : Path
+        Folder to write into.
+    """
     write_figure(directory / "stiffness.png", partial(draw_stiffness, results=results))
 
 
 def draw_stiffness(figure: Figure, results: StiffnessResults) -> None:
-    """Diagonal, largest couplings of translation, and tilts, over the inner ring's speed."""
+    """Diagonal, largest couplings of translation, and tilts, over the inner ring's speed.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : StiffnessResults
+        Stiffness over speed of the case.
+    """
     left, right = titled_panels(figure, results.title, 3.4, 1, 2)
     speeds = SPEED.value(results.study)
     matrices = results.study.matrices

@@ -14,7 +14,18 @@ ENTRIES = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 1))  # of translation
 
 
 def stiffness_table(results: StiffnessResults) -> Group:
-    """Main entries over speed: stiffness [N/um] and [N m/mrad]."""
+    """Main entries over speed: stiffness [N/um] and [N m/mrad].
+
+    Parameters
+    ----------
+    results : StiffnessResults
+        Stiffness over speed of the case.
+
+    Returns
+    -------
+    Group
+        The table.
+    """
     study = results.study
     rows = []
     for speed, matrix in zip(SPEED.value(study), study.matrices, strict=True):

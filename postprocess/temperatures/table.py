@@ -22,7 +22,18 @@ ROWS = 12  # at most, of a course
 
 
 def temperatures_table(document: dict[str, Any]) -> Group:
-    """Balances over the speed, and the course from the start, of a summary; [degrees Celsius]."""
+    """Balances over the speed, and the course from the start, of a summary; [degrees Celsius].
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    Group
+        The tables.
+    """
     titles = [title for title, _ in COLUMNS]
     limit = document["limiting_speed_rpm"]
     text = "none found" if limit is None else f"{limit:.0f} r/min ({document['limited_by']})"

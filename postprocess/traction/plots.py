@@ -19,7 +19,20 @@ MAP_POINTS = 61
 
 
 def write_traction_plots(results: TractionResults, path: Path) -> tuple[Path, Path]:
-    """Write `<name>_curves.png` and `<name>_map.png` beside the tables' file."""
+    """Write `<name>_curves.png` and `<name>_map.png` beside the tables' file.
+
+    Parameters
+    ----------
+    results : TractionResults
+        Traction tables of the case.
+    path : Path
+        File of the tables.
+
+    Returns
+    -------
+    tuple[Path, Path]
+        Both pictures.
+    """
     files = tuple(path.with_name(f"{path.stem}_{kind}.png") for kind in ("curves", "map"))
     for file, draw in zip(files, (draw_traction_curves, draw_traction_map), strict=True):
         write_figure(file, partial(draw, results=results))
@@ -27,7 +40,15 @@ def write_traction_plots(results: TractionResults, path: Path) -> tuple[Path, Pa
 
 
 def draw_traction_curves(figure: Figure, results: TractionResults) -> None:
-    """Traction coefficient along the entrainment over the slide-roll ratio, by race and load."""
+    """Traction coefficient along the entrainment over the slide-roll ratio, by race and load.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : TractionResults
+        Traction tables of the case.
+    """
     panels = titled_panels(
         figure, results.title, 3.2, 1, len(results.tables), sharey=True, squeeze=False
     )[0]
@@ -53,7 +74,15 @@ def draw_traction_curves(figure: Figure, results: TractionResults) -> None:
 
 
 def draw_traction_map(figure: Figure, results: TractionResults) -> None:
-    """Traction coefficient over sliding along and across, and over sliding and spin, by race."""
+    """Traction coefficient over sliding along and across, and over sliding and spin, by race.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : TractionResults
+        Traction tables of the case.
+    """
     panels = titled_panels(figure, results.title, 5.4, len(results.tables), 2, squeeze=False)
     for row, (race, table) in zip(panels, results.tables.items(), strict=True):
         load = sqrt(table.range.load[0] * table.range.load[1])

@@ -45,7 +45,26 @@ def write_vibration_plots(
     directory: Path,
     hurried: Callable[[], bool],
 ) -> tuple[str, ...]:
-    """Write the pictures; those that failed are messages."""
+    """Write the pictures; those that failed are messages.
+
+    Parameters
+    ----------
+    results : VibrationResults
+        Vibration of the case.
+    seen : Measured
+        Measured motion of the body that the case names.
+    document : dict[str, Any]
+        Summary of the results in named units.
+    directory : Path
+        Folder to write into.
+    hurried : Callable[[], bool]
+        Asked before each picture; once it is true no further one is drawn.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Messages on pictures that failed.
+    """
     given: dict[str, Any] = {"results": results, "seen": seen, "document": document}
     pictures = {
         "time": draw_time,
@@ -62,7 +81,19 @@ def write_vibration_plots(
 
 
 def draw_time(figure: Figure, results: VibrationResults, seen: Measured, document: Any) -> None:
-    """Acceleration [m/s^2], velocity [um/s] and displacement [um] over the last turns [ms]."""
+    """Acceleration [m/s^2], velocity [um/s] and displacement [um] over the last turns [ms].
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : VibrationResults
+        Vibration of the case.
+    seen : Measured
+        Measured motion of the body that the case names.
+    document : Any
+        Summary of the results in named units.
+    """
     rows = titled_panels(
         figure, f"{results.title}: {document['vibration']['measured']}", 4.6, 3, 1, sharex=True
     )
@@ -84,7 +115,19 @@ def draw_time(figure: Figure, results: VibrationResults, seen: Measured, documen
 def draw_spectrum(
     figure: Figure, results: VibrationResults, seen: Measured, document: Any
 ) -> None:
-    """Velocity [um/s] over frequency [Hz], with bands and the lines that are expected."""
+    """Velocity [um/s] over frequency [Hz], with bands and the lines that are expected.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : VibrationResults
+        Vibration of the case.
+    seen : Measured
+        Measured motion of the body that the case names.
+    document : Any
+        Summary of the results in named units.
+    """
     axes = titled_panels(figure, f"{results.title}: {document['vibration']['measured']}", 3.4)
     found = spectrum(seen.velocity, seen.rate)
     top = _decades(axes, found, "x_um_s")
@@ -107,7 +150,19 @@ def draw_spectrum(
 
 
 def draw_orders(figure: Figure, results: VibrationResults, seen: Measured, document: Any) -> None:
-    """Velocity [um/s] over the order of the shaft, with the passing balls."""
+    """Velocity [um/s] over the order of the shaft, with the passing balls.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : VibrationResults
+        Vibration of the case.
+    seen : Measured
+        Measured motion of the body that the case names.
+    document : Any
+        Summary of the results in named units.
+    """
     axes = titled_panels(figure, f"{results.title}: orders of the shaft", 3.2)
     found = by_order(seen.velocity, seen.turned, results.run.solution.operation.shaft_speed)
     _decades(axes, found, "x_um_s")
@@ -123,7 +178,19 @@ def draw_orders(figure: Figure, results: VibrationResults, seen: Measured, docum
 def draw_envelope(
     figure: Figure, results: VibrationResults, seen: Measured, document: Any
 ) -> None:
-    """Envelope of the acceleration [m/s^2] over frequency [Hz], marks kinematic and with slip."""
+    """Envelope of the acceleration [m/s^2] over frequency [Hz], marks kinematic and with slip.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : VibrationResults
+        Vibration of the case.
+    seen : Measured
+        Measured motion of the body that the case names.
+    document : Any
+        Summary of the results in named units.
+    """
     figure.set_size_inches(PAGE_WIDTH, 3.2)
     band = envelope_band(results)
     title = f"{results.title}: envelope of {band[0]:.0f} to {band[1]:.0f} Hz"
@@ -145,7 +212,19 @@ def draw_envelope(
 def draw_waterfall(
     figure: Figure, results: VibrationResults, seen: Measured, document: Any
 ) -> None:
-    """Acceleration [dB] over time [s], in a run-up over speed [r/min], and frequency [Hz]."""
+    """Acceleration [dB] over time [s], in a run-up over speed [r/min], and frequency [Hz].
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : VibrationResults
+        Vibration of the case.
+    seen : Measured
+        Measured motion of the body that the case names.
+    document : Any
+        Summary of the results in named units.
+    """
     axes = titled_panels(figure, f"{results.title}: {document['vibration']['measured']}", 3.8)
     time, frequency, size = waterfall(seen.acceleration, seen.rate)
     options = results.run.model.options
@@ -166,7 +245,19 @@ def draw_waterfall(
 
 
 def draw_loads(figure: Figure, results: VibrationResults, seen: Measured, document: Any) -> None:
-    """Loads of all balls at the outer race [N] over the last turns [ms]."""
+    """Loads of all balls at the outer race [N] over the last turns [ms].
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : VibrationResults
+        Vibration of the case.
+    seen : Measured
+        Measured motion of the body that the case names.
+    document : Any
+        Summary of the results in named units.
+    """
     axes = titled_panels(figure, f"{results.title}: loads of the balls", 3.2)
     run = results.run
     balls = run.assembled.arrays.balls

@@ -31,8 +31,17 @@ PEAKS = 12  # largest of a spectrum that are listed
 
 
 def vibration_summary(results: VibrationResults) -> dict[str, Any]:
-    """The vibration as plain JSON: levels, bands, lines; what does not apply is None with the
-    reason in `messages`. Keys end in their units.
+    """Levels, bands and lines of a vibration as plain JSON; null with the reason in `messages`.
+
+    Parameters
+    ----------
+    results : VibrationResults
+        Vibration of the case.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
     """
     run = results.run
     seen = measured(results)

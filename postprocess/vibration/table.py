@@ -13,7 +13,18 @@ HEADERS = ("line", "order", "direction", "Hz", "nm", "µm/s", "m/s²")
 
 
 def vibration_table(document: dict[str, Any]) -> Group:
-    """What of a summary is looked at first: levels with their reference, bands, largest lines."""
+    """Levels with their reference, bands, and the largest lines.
+
+    Parameters
+    ----------
+    document : dict[str, Any]
+        Summary of the results in named units.
+
+    Returns
+    -------
+    Group
+        The tables.
+    """
     found = document["vibration"]
     bands = found["bands_Hz"]
     facts = {

@@ -27,7 +27,22 @@ LINE_KEYS = (
 def write_vibration(
     results: VibrationResults, directory: Path, hurried: Callable[[], bool] = lambda: False
 ) -> tuple[str, ...]:
-    """Write all files into a folder, pictures unless `hurried`; those that failed are messages."""
+    """Write all files of a vibration.
+
+    Parameters
+    ----------
+    results : VibrationResults
+        Vibration of the case.
+    directory : Path
+        Folder to write into.
+    hurried : Callable[[], bool], default lambda: False
+        Once it is true no picture is drawn.
+
+    Returns
+    -------
+    tuple[str, ...]
+        Messages on pictures that failed.
+    """
     document = vibration_summary(results)
     seen = measured(results)
     directory.mkdir(parents=True, exist_ok=True)
