@@ -126,7 +126,7 @@ def plain(value: Any, path: str = "", lost: list[str] | None = None) -> Any:
         The value in dictionaries, lists, text, numbers and None.
     """
     if isinstance(value, dict):
-        # what is of JSON as it is, as nearly all is, costs no call and no path
+        # a value of JSON, as nearly all are, costs no call and no path
         return {
             key: v
             if (kind := type(v)) in PLAIN or (kind is float and -LARGEST <= v <= LARGEST)

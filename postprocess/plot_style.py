@@ -16,7 +16,7 @@ from ehl.solution import Array
 PAGE_WIDTH = 7.1  # two columns, 180 mm [in]
 DPI = 200
 FORMATS = (".png", ".pdf", ".svg")  # of pictures
-# of zlib, 1 to 9; of a contact's picture 1 takes 0.04 s and 0.40 MB, 3 0.04 s and 0.38 MB,
+# level of zlib, 1 to 9; of a contact's picture 1 takes 0.04 s and 0.40 MB, 3 0.04 s and 0.38 MB,
 # the default 6 0.07 s and 0.35 MB, 9 0.33 s and 0.34 MB
 PNG_COMPRESSION = 3
 INNER_COLOUR = "#0b5394"
@@ -43,16 +43,16 @@ RC: Any = {
     "contour.linewidth": 0.4,
     "figure.constrained_layout.use": True,
 }
-# of the part shown, in Hertz semi-axes along and across the entrainment; chosen by eye
+# ends of the part shown, in Hertz semi-axes along and across the entrainment; chosen by eye
 SHOWN_INLET = -2.5
 SHOWN_OUTLET = 1.5
 SHOWN_SIDE = 1.35
 STRETCHED = 2.0  # ellipses longer than this are drawn with stretched axes
-# of the largest pressure: the shown part reaches beyond where the pressure has fallen to this
+# share of the largest pressure [-]: the shown part reaches beyond where the pressure has fallen to this
 QUIET_PRESSURE = 0.1
-# of the central film: with a minimum nearer to it the contact is hydrodynamic, without a horseshoe
+# share of the central film [-]: with a minimum nearer to it the contact is hydrodynamic, without a horseshoe
 FLAT_FILM = 0.03
-# of the largest Hertz pressure, 1/20 of the load: the contacts above it rule colours and window,
+# share of the largest Hertz pressure, 1/20 of the load: the contacts above it rule colours and window,
 # not the balls that carry little more than their centrifugal force [-]
 RULING_PRESSURE = 0.05 ** (1.0 / 3.0)
 TICK_GAP = 0.05  # between ticks of a logarithmic colour bar, of its length [-]
@@ -295,7 +295,7 @@ def write_figures(
             return (*problems, "the other pictures not written: interrupted")
         try:
             write_figure(directory / f"{name}.png", draw)
-        # of a field that nobody thought of
+        # fields may be such that no picture can be drawn
         except (ValueError, ArithmeticError, LookupError, RuntimeError) as error:
             problems.append(f"{name}.png not written: {type(error).__name__}: {error}")
     return tuple(problems)

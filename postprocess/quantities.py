@@ -86,7 +86,7 @@ class Quantity:
 
 
 def _attribute(record: Any, source: str, known: dict[str, Any] | None = None) -> Any:
-    """Of a record by its dotted path; None where a part of it is None; known: parts that were
+    """Attribute of a record by its dotted path; None where a part of it is None; `known`: parts
     looked up before.
     """
     known = {} if known is None else known
@@ -205,7 +205,7 @@ def _parts(declared: tuple[Quantity, ...]) -> tuple[tuple[str, ...], tuple[_Part
 
 
 def _getter(names: Sequence[str]) -> Callable[[Any], tuple[Any, ...]]:
-    """What has the attributes of these names, one, too, in a tuple."""
+    """Function that looks up attributes as a tuple, also of one attribute."""
     get = attrgetter(*names)
     return get if len(names) > 1 else lambda part: (get(part),)
 
@@ -226,7 +226,7 @@ def rows_of(columns: Mapping[str, Iterable[Any]]) -> list[dict[str, Any]]:
     return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
 
 
-# of an equilibrium and of a simulation
+# quantities of an equilibrium and of a simulation
 CAGE_SPEED = Quantity("cage_speed_rpm", "cage speed", "cage_speed", symbol="cage")
 FREQUENCIES = quantities(  # in a block that has the unit
     "",

@@ -87,7 +87,7 @@ def varied_keys(results: BatchResults) -> dict[str, Varied]:
 
 
 def _is_speed(key: str, varied: Varied) -> bool:
-    """Whether a key is a speed with enough values for a curve."""
+    """True of a speed with enough values for a curve."""
     return key.endswith(SPEEDS) and varied.count >= FEW
 
 
@@ -149,7 +149,7 @@ def _together(keys: list[Varied]) -> Varied:
 
 
 def _goes_along(first: Varied, other: Varied) -> bool:
-    """Whether another key rises or falls strictly with the first one, as sizes of a bearing do."""
+    """True if another key rises or falls strictly with the first one, as sizes of a bearing do."""
     both = zip(first.values, other.values, strict=True)
     pairs = sorted({(a, b) for a, b in both if a is not None and b is not None})
     if len(pairs) < FEW or len({a for a, _ in pairs}) < len(pairs):

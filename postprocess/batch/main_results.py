@@ -1,4 +1,4 @@
-"""What is looked at first in a summary of any kind, by keys with their units."""
+"""Main results of a summary of any kind, by keys with their units."""
 
 from operator import itemgetter
 from typing import Any

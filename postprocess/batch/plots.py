@@ -261,7 +261,7 @@ def draw_together(
 
 
 def _note(figure: Figure, results: BatchResults, hidden: list[Varied], notes: list[str]) -> None:
-    """What a figure does not show by itself, below it; `hidden` keys vary and are not told."""
+    """Write below a figure which keys vary unseen, and further remarks."""
     notes = notes + ["crosses: not converged"] * (not results.converged)
     if 0 < len(hidden) <= MOST_PANELS:
         notes.append(f"further keys vary: {', '.join(key.label for key in hidden)}")

@@ -25,7 +25,7 @@ NO_VALUES: Mapping[str, Any] = MappingProxyType({})
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Record:
-    """What is kept of a point, as bytes and text, so that a digest covers all of it."""
+    """A point as bytes and text, so that a digest covers all of it."""
 
     key: str
     status: str

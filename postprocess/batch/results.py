@@ -26,7 +26,7 @@ class BatchPoint:
 
     @property
     def converged(self) -> bool:
-        """Whether the point was computed and everything in it converged."""
+        """True if the point was computed and everything in it converged."""
         return self.summary is not None and bool(self.summary.get("converged"))
 
     @property
@@ -86,7 +86,7 @@ class BatchResults:
 
     @property
     def converged(self) -> bool:
-        """Whether every point converged."""
+        """True if every point converged."""
         if self.counts is not None:
             return self.counts.converged == self.counts.points
         return all(point.converged for point in self.points)

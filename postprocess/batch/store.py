@@ -219,7 +219,7 @@ def _for_reading(path: Path) -> sqlite3.Connection:
 
 
 def _is_whole(row: tuple[Any, ...]) -> bool:
-    """Whether a row is as it was written."""
+    """True if a row is as it was written."""
     _, digest, layout, key, status, message, values, numbers, summary, files = row
     try:
         content = ((key, status, message, values, files), layout or "[]", numbers, summary)

@@ -11,7 +11,7 @@ from .records import FAILED, LOST
 from .results import BatchPoint, BatchResults, Counts
 from .sensitivity import bands, sensitivities
 
-# of a point: name in the summary and in the table, attribute
+# state of a point: name in the summary and in the table, attribute
 STATE = {"point": "number", "block": "block", "status": "status", "converged": "converged"}
 COUNTS = ("points", "done", "failed", "lost", "missing", "converged")
 MOST_NAMED = 10  # points listed in a message
@@ -101,7 +101,7 @@ def counts_of(results: BatchResults) -> Counts:
 
 
 def _counted(counts: Counts) -> Iterator[str]:
-    """What a batch says whose points are too many to be listed."""
+    """Messages of a batch whose points are too many to be listed."""
     yield f"points: null, {counts.points} points are listed in the other files only"
     off = counts.done - counts.converged
     if off:
@@ -130,7 +130,7 @@ def _messages(results: BatchResults) -> Iterator[str]:
 
 
 def _is_outside(point: BatchPoint) -> bool:
-    """Whether contacts of a point lie outside its traction tables."""
+    """True if contacts of a point lie outside its traction tables."""
     return any(OUTSIDE in message for message in (point.summary or {}).get("messages", ()))
 
 

@@ -155,7 +155,7 @@ def _parts(columns: Columns, types: dict[str, type]) -> Iterator[dict[str, Any]]
 
 
 def _state(rows: Sequence[Row]) -> dict[str, Any]:
-    """What became of the points."""
+    """State of the points as columns."""
     return {
         "point": _array([row.number for row in rows], np.int64),
         "block": _array([row.block for row in rows], object),
@@ -222,7 +222,7 @@ def _filled(
 
 
 def _are_numbers(name: str, values: Sequence[Any]) -> bool:
-    """Whether a key holds a number or null in every entry."""
+    """True if a key holds a number or null in every entry."""
     return name != "note" and all(issubclass(kind, NUMBERS) for kind in set(map(type, values)))
 
 

@@ -35,7 +35,7 @@ class BearingAtlasRecord(AtlasRecord):
 
     @property
     def loaded(self) -> bool:
-        """Whether it carries a load."""
+        """True if it carries a load."""
         return self.contact.load > 0.0
 
     @property
@@ -91,7 +91,7 @@ def _values(record: BearingAtlasRecord) -> dict[str, Any]:
 
 
 def _messages(results: AtlasBearingResults) -> Iterator[str]:
-    """What the films are, and why some are null."""
+    """Describe the films, and name reasons for null."""
     yield MODEL.replace("isothermal, ", "")
     yield from heat_messages([record.heated for record in results.records])
     if any(not record.loaded for record in results.records):

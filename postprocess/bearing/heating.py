@@ -161,7 +161,7 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
 
 
 def _remedy(results: BearingResults, heating: SelfHeatingSolution) -> str:
-    """What to change of a bearing that is heated more than it is cooled."""
+    """Advice for a bearing that is heated more than it is cooled."""
     state = heating.state
     oil = results.lubricant
     if state is None or state.found_temperature <= state.film_temperature:

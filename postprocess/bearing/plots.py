@@ -44,7 +44,7 @@ from .results import BearingResults, distinct_contacts
 
 DODGE = 2.0  # points of the two races stand this far beside their azimuth [deg]
 ROW_DODGE = 5.0  # and those of rows side by side this far apart [deg]
-# of the central film, contour lines of small maps
+# contour lines of small maps over the central film [-]
 FILM_LEVELS = np.array([0.8, 0.85, 0.9, 0.95, 1.05, 1.1, 1.2, 1.5])
 PRESSURE_LEVELS = np.array([0.1, 0.3, 0.5, 0.7, 0.9])  # of the largest pressure, likewise
 WIDE_LABEL = 8  # characters of azimuths that fit above a map

@@ -62,7 +62,7 @@ def interval_of(results: BearingResults) -> float | None:
 
 
 def _sealed(results: BearingResults) -> bool:
-    """Whether seals or shields on both sides keep the first grease in, and any other out."""
+    """True if seals or shields on both sides keep the first grease in, and any other out."""
     designation = named_designation(results.quasistatic.bearing.name or "")
     seals = (results.case.get("friction") or {}).get("sealed")
     return bool(seals) or (designation is not None and designation.greased)
@@ -168,7 +168,7 @@ def rating_messages(results: BearingResults) -> Iterator[str]:
 
 
 def _cage_messages(results: BearingResults) -> Iterator[str]:
-    """Why the change of the cage's clearances is null."""
+    """Give the reason why the change of the cage's clearances is null."""
     cage = None if results.clearance is None else results.clearance.cage
     if cage is None:
         yield (
@@ -251,7 +251,7 @@ def _life_text(known: dict[str, Any]) -> str:
 
 
 def _why_none(messages: Iterable[str]) -> str:
-    """That there is no life, and why, by the messages on it."""
+    """Say "none", with the reason in the messages on the life."""
     start = "life: null, "
     reasons = [message.removeprefix(start) for message in messages if message.startswith(start)]
     return ": ".join(["none", *reasons[:1]])
@@ -286,7 +286,7 @@ def film_row(known: dict[str, Any]) -> dict[str, str]:
 
 
 def _no_band(known: dict[str, Any]) -> str:
-    """Why the error bars of the films do not move the life by them."""
+    """Reason why the error bars of the films do not change the life."""
     if known["a_iso_contacts"] >= AT_ITS_LIMIT * LARGEST_A_ISO:
         return f"a_ISO at its limit of {LARGEST_A_ISO:g}"
     if known["kappa_film"] >= LARGEST_KAPPA:

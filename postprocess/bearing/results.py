@@ -46,7 +46,7 @@ class BearingResults(Results):
     contacts: tuple[BearingContact, ...]  # ball by ball, inner race then outer
     solutions: tuple[ContactSolution | None, ...]  # of the contacts; equal ones share an object
     frequencies: Frequencies
-    # of contacts that the mesh does not resolve, None for the others; empty is None for all
+    # films of contacts that the mesh does not resolve, None for the others; empty is None for all
     formula_films: tuple[FormulaFilm | None, ...] = ()
     interrupted: bool = False  # before all films were computed
     torque: TorqueBreakdown | None = None  # None without an equilibrium
@@ -57,7 +57,7 @@ class BearingResults(Results):
     # None where the case leaves all bodies half-spaces
     finite_bodies: FiniteBodies | None = None
     strength: Strength | None = None  # of the rings
-    # of the contacts with films and a brittle body; empty is None for all
+    # tension of the contacts with films and a brittle body; empty is None for all
     tensions: tuple[SurfaceTension | None, ...] = ()
     duty_cycle: DutyCycle | None = None  # None where the case has no load cases
     supply_torque: SupplyTorque | None = None  # None where no supply is given
@@ -71,7 +71,7 @@ class BearingResults(Results):
 
     @cached_property
     def films(self) -> tuple[ContactSolution | FormulaFilm | None, ...]:
-        """Of the contacts, solved ones or those of formulas in their place."""
+        """Films of the contacts: solved ones, or those of formulas in their place."""
         formulas = self.formula_films or (None,) * len(self.solutions)
         return tuple(a or b for a, b in zip(self.solutions, formulas, strict=True))
 
@@ -82,15 +82,15 @@ class BearingResults(Results):
 
     @cached_property
     def rolling_moments(self) -> tuple[RollingMoment | None, ...]:
-        """Of the contacts [N m]; None without a solved film that converged."""
+        """Rolling moments of the contacts [N m]; None without a solved film that converged."""
         return rolling_moments(
             [film if film and film.converged else None for film in self.solutions]
         )
 
     @cached_property
     def instruments(self) -> tuple[FilmInstruments | None, ...]:
-        """What would be measured of the films of the contacts, with the heat of their inlets; None
-        where none is solved.
+        """Readings of instruments on the films, with the heat of their inlets; None where none is
+        solved.
         """
         permittivity = oil_permittivity(self.case)
         found: dict[int, FilmInstruments | None] = {}
@@ -143,7 +143,7 @@ class BearingResults(Results):
 
     @property
     def converged(self) -> bool:
-        """Whether equilibrium, films, balance of the balls and heat balance converged, as far as
+        """True if equilibrium, films, balance of the balls and heat balance converged, as far as
         asked for.
         """
         films = all(s.converged for s in self.solutions if s is not None)

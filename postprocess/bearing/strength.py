@@ -120,7 +120,7 @@ def strength_messages(results: BearingResults) -> Iterator[str]:
 
 
 def _assumed(ring: RingStrength) -> bool:
-    """Whether no source was read for the modulus of a ring's material."""
+    """True if no source was read for the modulus of a ring's material."""
     return "weibull_modulus" in ring.material.unverified
 
 

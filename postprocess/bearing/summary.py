@@ -101,7 +101,7 @@ def _electrical(results: BearingResults) -> dict[str, Any] | None:
 
 
 def _electrical_messages(results: BearingResults) -> Iterator[str]:
-    """Why there is no capacitance, and what is assumed."""
+    """Give the reason for a missing capacitance, and name assumptions."""
     bearing = results.quasistatic.bearing
     lack = electrical_lack(bearing, results.contacts, results.instruments)
     if lack:

@@ -21,10 +21,10 @@ OF_THE_SOLUTION = frozenset(  # how a result was computed
     "energy_balance_error".split()
 )
 TWICE = "power_balance"  # block of a bearing that stands under its torque, too
-# of the magnitude of a quantity: a smaller difference is round-off, amplified by the solvers
+# share of the magnitude of a quantity [-]: a smaller difference is round-off, amplified by the solvers
 ROUND_OFF = 1e-9
 NOTHING = 1e-12  # of any unit of a summary: less is round-off of zero
-# of the magnitude of a quantity: a component that is smaller is compared to this
+# share of the magnitude of a quantity [-]: a component that is smaller is compared to this
 LEAST = 0.01
 ASSUMED = "assumed"  # list of keys of the input, in any order
 
@@ -68,7 +68,7 @@ def compare(first: str | Path, second: str | Path) -> Comparison:
 
 
 def _of_the_solution(path: str) -> bool:
-    """Whether a value describes how the result was computed, not what it is."""
+    """True of a value that describes how the result was computed."""
     name = path.rpartition(".")[2].partition("[")[0]
     return "_uncertainty" in name or name in OF_THE_SOLUTION
 
@@ -93,7 +93,7 @@ def _main(summary: dict[str, Any]) -> dict[str, Any]:
 
 
 def _results(summary: dict[str, Any]) -> dict[str, Any]:
-    """What is compared, balls, contacts and points by their names."""
+    """Values that are compared; balls, contacts and points by their names."""
     values = {key: value for key, value in summary.items() if key not in (*NOT_COMPARED, TWICE)}
     if "contacts" in values:
         values["contacts"] = {f"ball {c['ball']} {c['race']}": c for c in values["contacts"]}
@@ -157,7 +157,7 @@ def _differences(one: Any, two: Any) -> Iterator[Difference]:
 
 
 def _is_round_off(path: str, a: float, b: float, scale: float) -> bool:
-    """Whether two numbers differ by less than is computed of a quantity of this magnitude."""
+    """True if two numbers differ by less than the round-off of a quantity of this magnitude."""
     noise = ROUND_OFF * scale
     if unit_of(path.partition("[")[0]):
         noise = max(noise, NOTHING)

@@ -146,7 +146,7 @@ def atlas_contact_summary(results: AtlasContactResults) -> dict[str, Any]:
 
 
 def _messages(record: AtlasRecord, pressure: float | None) -> Iterator[str]:
-    """What the films are, and why values are null; p_h in [Pa]."""
+    """Describe the films, and name reasons for null; p_h in [Pa]."""
     yield MODEL
     if record.in_lengths is None:
         yield f"load_N, {NO_LENGTHS}"

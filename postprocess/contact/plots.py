@@ -112,7 +112,7 @@ def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
 
 
 def _footnote(view: ContactView) -> str:
-    """What the figure leaves out and how it is drawn."""
+    """Remarks on the figure: direction of the oil, shown range, colours."""
     fills = " and fills the gap inside the dotted line" if view.filled is not None else ""
     where = f"at {view.oblique:.3g}° from x towards y" if view.oblique else "to the right"
     stretched = "axes stretched, so that the Hertz ellipse (dashed) is seen"

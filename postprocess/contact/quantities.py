@@ -21,7 +21,7 @@ FORMULAS = (
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FilmRecord:
-    """What is known of the film of a contact; None where it was not computed."""
+    """The film of a contact and what is derived of it; None where it was not computed."""
 
     film: ContactSolution | None
     traction: TractionResult | None = None
@@ -30,13 +30,15 @@ class FilmRecord:
 
     @property
     def pressure_maximum(self) -> float | None:
-        """Of the film [Pa]; None where the scale of pressure is open."""
+        """Largest pressure of the film [Pa]; None where the scale of pressure is open."""
         film = self.film
         return film.pressure_maximum if film is not None and film.hertz_pressure > 0.0 else None
 
     @property
     def residual(self) -> float | None:
-        """Of the film's equations after the last cycle [-]; None where no cycle was completed."""
+        """Residual of the film's equations after the last cycle [-]; None without a complete
+        cycle.
+        """
         history = () if self.film is None else self.film.record.residual
         return history[-1] if history else None
 

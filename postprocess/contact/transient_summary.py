@@ -89,7 +89,7 @@ def _films(results: TransientResults) -> dict[str, Any]:
 
 
 def _mesh(results: TransientResults) -> dict[str, Any]:
-    """What the mesh leaves of the films at the start [-]."""
+    """Errors of the films at the start by the mesh [-]."""
     mesh = results.solution.mesh
     return {
         "film_central_mesh_error": None if mesh is None else mesh.central,

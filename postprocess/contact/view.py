@@ -53,7 +53,7 @@ class ContactView:
 
     @property
     def names(self) -> tuple[str, str]:
-        """Of the axes: rolling and transverse direction, or plain principal directions [-]."""
+        """Names of the axes: rolling and transverse direction, or plain principal directions."""
         if self.oblique:
             return "principal direction $x$", "principal direction $y$"
         return "rolling direction $x$", "transverse $y$"
@@ -67,13 +67,13 @@ class ContactView:
 
     @property
     def cut(self) -> bool:
-        """Whether the computed box ends within the window."""
+        """True if the computed box ends within the window."""
         size = self.window[1] - self.window[0]
         return not np.allclose(self.shown, self.window, rtol=0.0, atol=ROUND_OFF * size)
 
     @property
     def stretched(self) -> bool:
-        """Whether the ellipse is too long for equal axes."""
+        """True if the ellipse is too long for equal axes."""
         return max(self.half_x / self.half_y, self.half_y / self.half_x) > STRETCHED
 
     @property

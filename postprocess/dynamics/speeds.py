@@ -20,7 +20,7 @@ class Motion(NamedTuple):
 
     @property
     def slip(self) -> Any:
-        """What it lacks, over the speed without sliding [-]; NaN where hardly anything turns."""
+        """Deficit over the speed without sliding [-]; NaN where hardly anything turns."""
         size = np.abs(self.without_slip)
         rolling = np.where(size > RUNNING * size.max(), self.without_slip, np.nan)
         return 1.0 - self.speed / (rolling if np.ndim(self.speed) == 1 else rolling[:, None])

@@ -18,7 +18,7 @@ from bearing.files import atomic_path, require_room, write_bytes
 
 # dimensions, values, attributes by name
 Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]]
-# of the netCDF file, raised when an older reader would misread it; 1: x along the entrainment
+# format of the netCDF file, raised when an older reader would misread it; 1: x along the entrainment
 FORMAT = 2
 ROOM = 24  # of a value that comes in parts, short texts included [bytes]
 MARGIN = 2**20  # of what HDF5 adds to the values [bytes]
@@ -66,7 +66,7 @@ def write_groups(groups: dict[str, Group], path: Path) -> None:
     path : Path
         File to write.
     """
-    content = io.BytesIO()  # what HDF5 cannot write to a full disk may end the program
+    content = io.BytesIO()  # HDF5 may end the program on a full disk
     with h5netcdf.File(content, "w") as file:
         for name, group in groups.items():
             _write_group(file if name == "/" else file.create_group(name), group)
@@ -121,7 +121,7 @@ def write_dataset_in_parts(
     scales = {name: variable for name, variable in variables.items() if name in sizes}
     plain = Group(variables=scales, attributes=attributes | known)
     with atomic_path(path) as temporary:
-        # what HDF5 cannot write to a full disk may end the program
+        # HDF5 may end the program on a full disk
         require_room(path.parent, ROOM * parts.size * len(parts.types) + _bytes(variables))
         with h5netcdf.File(temporary, "w") as file:
             file.dimensions.update(sizes | {parts.dimension: parts.size})

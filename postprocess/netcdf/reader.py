@@ -13,7 +13,7 @@ from ..dynamics.history import HISTORY_FILE
 from ..files import SUMMARY_FILE
 from .groups import FIELDS_FILE, FORMAT
 
-# that a file names
+# kinds of results, as a file names them
 KINDS = (
     "bearing",
     "contact",
@@ -99,7 +99,7 @@ def _of_simulation(tree: xarray.DataTree, path: Path) -> xarray.DataTree:
 
 
 def _upgraded(tree: xarray.DataTree) -> xarray.DataTree:
-    """What an older format left out: in format 1 the grid's x lies along the entrainment."""
+    """Add what an older format left out: in format 1 the grid's x lies along the entrainment."""
     for node in tree.subtree if tree.attrs["oilfilm_format"] < FORMAT else ():
         if "entrainment_angle" in node.attrs:
             node.attrs.setdefault("frame_angle", node.attrs["entrainment_angle"])

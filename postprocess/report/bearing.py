@@ -29,7 +29,7 @@ FILM_PICTURES = {
     "film_per_azimuth": "Film thickness ball by ball, both races",
     "pressure_per_azimuth": "Pressure ball by ball, both races",
 }
-# where a film is of that was not solved
+# origin of a film that was not solved
 UNSOLVED = {"atlas": "of the film atlas", "formula": "of a formula"}
 BLOCKS = {
     "life": "Rating life",
@@ -38,7 +38,7 @@ BLOCKS = {
     "frequencies_Hz": "Frequencies [Hz]",
     "kinematic_frequencies_Hz": "Frequencies at the nominal contact angle [Hz]",
 }
-# of the keys of blocks, as people call them
+# names of the keys of blocks, as people call them
 NAMES = {
     block: {row.key: row.name for row in rows}
     for block, rows in (

@@ -78,7 +78,7 @@ def _operating_numbers(summary: dict[str, Any]) -> list[tuple[str, float | None,
 
 
 def _rests_on_estimates(case: dict[str, Any]) -> bool:
-    """Whether the catalogue or the case itself calls a value of the bearing an estimate."""
+    """True if the catalogue or the case itself calls a value of the bearing an estimate."""
     own = any(str(key).startswith("bearing.") for key in case.get("assumed") or ())
     return own or bool(estimated_keys(case))
 

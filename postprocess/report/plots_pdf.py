@@ -81,7 +81,7 @@ def _pages(
 
 
 def _headline(summary: dict[str, Any], name: str) -> Iterator[str]:
-    """What is looked at first, line by line."""
+    """Title, state, warnings and main results, line by line."""
     case = summary["case"] if isinstance(summary["case"], dict) else {}
     yield str(case.get("title") or summary.get("title") or name)
     state = "converged" if summary["converged"] else "NOT CONVERGED"

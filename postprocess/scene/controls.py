@@ -1,4 +1,4 @@
-"""What moves in a scene: slider over azimuth, click on a contact, movie of one turn."""
+"""Controls of a scene: slider over azimuth, click on a contact, movie of one turn."""
 
 import json
 from math import degrees, pi, radians

@@ -314,7 +314,7 @@ async def _export(plotter: Any, file: str) -> None:
     """The page of vtk.js."""
     from trame_pyvista.jupyter import launch_server
 
-    # of this process only, on the loopback interface: it serialises the scene
+    # a server of this process only, on the loopback interface: it serialises the scene
     await launch_server().ready
     plotter.trame.export_html(file)
 

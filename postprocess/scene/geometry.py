@@ -22,7 +22,7 @@ WRAP_LIMIT = 1.35  # a patch reaches this far around its ball at most [rad]
 SHOULDER_HEIGHT = 0.22  # of the ball diameter, for the pictures only
 RING_WIDTH = 1.5  # of the ball diameter
 RING_HEIGHT = 0.83  # of the ball diameter, where the catalogue gives none: for the pictures only
-# of the ball diameter: balls and raceways stand back by this, so that the patches are seen
+# set-back over the ball diameter [-]: balls and raceways stand back by this, so that the patches are seen
 SET_BACK = 0.004
 # for the pictures only
 RIM_WIDTH = 0.18  # of a cage's rims over the ball diameter [-]
@@ -32,7 +32,7 @@ POCKET = 1.04  # diameter of a pocket over that of a ball [-]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactFrame:
-    """Where a contact sits in the bearing's frame; the axes are right-handed."""
+    """Position and axes of a contact in the bearing's frame; the axes are right-handed."""
 
     origin: Array  # contact point, shape (3,) [m]
     axis_x: Array  # rolling direction [-]

@@ -1,4 +1,4 @@
-"""What a scene is made of: bodies, patches, labels, colour bar, camera."""
+"""Parts of a scene: bodies, patches, labels, colour bar, camera."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -22,7 +22,7 @@ WINDOW_WITHOUT_DISPLAY = "vtkEGLRenderWindow"
 PACKAGES = "libegl1 libegl-mesa0 libgl1-mesa-dri"
 PATIENCE = 300.0  # for one picture, which takes seconds on an idle machine [s]
 FULL = 2**22  # below so much free space a picture may have been too large for the disk [bytes]
-# of a frame; chosen to cover all colours, not by area, so that thin arrows keep theirs
+# colours of a frame, chosen to cover all colours, not by area, so that thin arrows keep theirs
 COLOURS = 128
 
 

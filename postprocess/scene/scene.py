@@ -27,11 +27,11 @@ LABELS = {
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SceneOptions:
-    """What a scene shows."""
+    """Choices of a scene."""
 
     # "film", "pressure", or "displacement" of rings that are elastic bodies
     quantity: str = "film"
-    # of the patches, along and across the rolling direction [-]; None: so that they can be seen
+    # magnification of the patches along and across the rolling direction [-]; None: so that they can be seen
     magnification: tuple[float, float] | None = None
     # film drawn as height, times this; displacement times this, 0: so that it can be seen [-]
     film_exaggeration: float = 0.0
@@ -49,7 +49,7 @@ class SceneOptions:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AnimationOptions:
-    """What the GIF of a simulation shows."""
+    """Choices of the GIF of a simulation."""
 
     frames: int = FRAMES
     turns: float = TURNS  # of the cage at the end of the history [-]

@@ -54,7 +54,7 @@ FILM = "film thickness [um]"
 PRESSURE = "pressure [GPa]"
 TEMPERATURE = "film temperature [degC]"
 FILLED = "filled share of the gap [-]"
-# of zlib, 1 to 9; by the default of VTK, 5, a third slower, files 1 % smaller
+# level of zlib, 1 to 9; by the default of VTK, 5, a third slower, files 1 % smaller
 COMPRESSION_LEVEL = 1
 OPENING = np.pi  # sector cut out of the outer ring, about the most loaded ball [rad]
 

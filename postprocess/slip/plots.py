@@ -21,7 +21,7 @@ from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE,
 from .quantities import AXIAL_LOAD, RADIAL_LOAD, SLIP_FACTOR, SPEED, WORST_FACTOR
 from .results import SlipResults
 
-# of the contour lines, limit 10 [-]
+# values of the contour lines, limit 10 [-]
 LEVELS = np.array([0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0])
 DEEPEST = 0.01  # of the limit: where the colours end [-]
 MOST_TICKS = 12  # azimuths that are named [-]

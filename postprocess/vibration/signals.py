@@ -9,7 +9,7 @@ from scipy.signal import ShortTimeFFT, get_window, hilbert, resample_poly
 from bearing.geometry import Array
 from ehl.units import RPM
 
-# of ISO 15242-2 at 1800 r/min [Hz]; they scale with the speed
+# bands of ISO 15242-2 at 1800 r/min [Hz]; they scale with the speed
 BANDS = {"low": (50.0, 300.0), "medium": (300.0, 1800.0), "high": (1800.0, 10000.0)}
 BAND_SPEED = 1800.0 * RPM  # [rad/s]
 ANDERON = 7.5e-6  # for each square root of an octave [m/s]

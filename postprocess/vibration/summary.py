@@ -117,7 +117,7 @@ def _bands(run: VibrationRun, seen: Measured) -> dict[str, Any]:
 
 
 def _is_covered(run: VibrationRun, band: tuple[float, float]) -> bool:
-    """Whether the record is long and fine enough for a band [Hz]."""
+    """True if the record is long and fine enough for a band [Hz]."""
     options = run.model.options
     return band[0] * options.duration >= 2.0 and band[1] <= EDGE * options.sample_rate
 
@@ -258,7 +258,7 @@ def _messages(results: VibrationResults) -> Iterator[str]:
 
 
 def _uncertain_damping(run: VibrationRun) -> Iterator[str]:
-    """Where the damping of films is not told from zero."""
+    """Warn where the damping of films is zero within its error bar, or negative."""
     for race, films in run.assembled.films.items():
         if (films.damping < -films.damping_uncertainty).any():
             yield (
