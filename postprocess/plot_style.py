@@ -48,12 +48,12 @@ SHOWN_INLET = -2.5
 SHOWN_OUTLET = 1.5
 SHOWN_SIDE = 1.35
 STRETCHED = 2.0  # ellipses longer than this are drawn with stretched axes
-# share of the largest pressure [-]: the shown part reaches beyond where the pressure has fallen to this
+# share of the largest pressure [-]: the shown part reaches beyond where the pressure is smaller
 QUIET_PRESSURE = 0.1
-# share of the central film [-]: with a minimum nearer to it the contact is hydrodynamic, without a horseshoe
+# share of the central film [-]: a contact with a minimum nearer to it has no horseshoe
 FLAT_FILM = 0.03
-# share of the largest Hertz pressure, 1/20 of the load: the contacts above it rule colours and window,
-# not the balls that carry little more than their centrifugal force [-]
+# share of the largest Hertz pressure, 1/20 of the load [-]: contacts above it rule colours and
+# window, not the balls that carry little more than their centrifugal force
 RULING_PRESSURE = 0.05 ** (1.0 / 3.0)
 TICK_GAP = 0.05  # between ticks of a logarithmic colour bar, of its length [-]
 BEYOND_SCALE = "#e4e7eb"  # film thicker than the colour scale

@@ -21,7 +21,7 @@ OF_THE_SOLUTION = frozenset(  # how a result was computed
     "energy_balance_error".split()
 )
 TWICE = "power_balance"  # block of a bearing that stands under its torque, too
-# share of the magnitude of a quantity [-]: a smaller difference is round-off, amplified by the solvers
+# share of the magnitude of a quantity [-]: a smaller difference is round-off of the solvers
 ROUND_OFF = 1e-9
 NOTHING = 1e-12  # of any unit of a summary: less is round-off of zero
 # share of the magnitude of a quantity [-]: a component that is smaller is compared to this

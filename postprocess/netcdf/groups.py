@@ -18,7 +18,7 @@ from bearing.files import atomic_path, require_room, write_bytes
 
 # dimensions, values, attributes by name
 Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]]
-# format of the netCDF file, raised when an older reader would misread it; 1: x along the entrainment
+# format of the file, raised when an older reader would misread it; 1: x along the entrainment
 FORMAT = 2
 ROOM = 24  # of a value that comes in parts, short texts included [bytes]
 MARGIN = 2**20  # of what HDF5 adds to the values [bytes]

@@ -22,7 +22,7 @@ WRAP_LIMIT = 1.35  # a patch reaches this far around its ball at most [rad]
 SHOULDER_HEIGHT = 0.22  # of the ball diameter, for the pictures only
 RING_WIDTH = 1.5  # of the ball diameter
 RING_HEIGHT = 0.83  # of the ball diameter, where the catalogue gives none: for the pictures only
-# set-back over the ball diameter [-]: balls and raceways stand back by this, so that the patches are seen
+# over the ball diameter [-]: balls and raceways stand back by this, so that patches are seen
 SET_BACK = 0.004
 # for the pictures only
 RIM_WIDTH = 0.18  # of a cage's rims over the ball diameter [-]

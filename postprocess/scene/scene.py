@@ -31,7 +31,7 @@ class SceneOptions:
 
     # "film", "pressure", or "displacement" of rings that are elastic bodies
     quantity: str = "film"
-    # magnification of the patches along and across the rolling direction [-]; None: so that they can be seen
+    # magnification of patches along and across the rolling direction [-]; None: to be visible
     magnification: tuple[float, float] | None = None
     # film drawn as height, times this; displacement times this, 0: so that it can be seen [-]
     film_exaggeration: float = 0.0
