@@ -17,7 +17,9 @@ from ehl.units import from_si, is_si, si_unit_of, unit_of, unit_symbol, without_
 _Part = tuple[str, Callable[[Any], tuple[Any, ...]], tuple[str, ...], tuple[str, ...]]
 
 
-@dataclass(frozen=True, slots=True, eq=False)  # each is declared once, and known by where it is
+@dataclass(
+    frozen=True, slots=True, eq=False
+)  # each is declared once, and identified by its object
 class Quantity:
     """One output quantity.
 
@@ -85,17 +87,17 @@ class Quantity:
         return from_si(self.key, _attribute(record, self.source))
 
 
-def _attribute(record: Any, source: str, known: dict[str, Any] | None = None) -> Any:
-    """Attribute of a record by its dotted path; None where a part of it is None; `known`: parts
-    looked up before.
+def _attribute(record: Any, source: str, looked_up: dict[str, Any] | None = None) -> Any:
+    """Attribute of a record by its dotted path; None where a part of it is None; `looked_up`: parts
+    of the record by their paths.
     """
-    known = {} if known is None else known
+    looked_up = {} if looked_up is None else looked_up
     owner, name = _names(source)
     value = record
     if owner:
-        if owner not in known:
-            known[owner] = _attribute(record, owner, known)
-        value = known[owner]
+        if owner not in looked_up:
+            looked_up[owner] = _attribute(record, owner, looked_up)
+        value = looked_up[owner]
     return None if value is None else getattr(value, name)
 
 
@@ -171,13 +173,13 @@ def values_of(record: Any, declared: Iterable[Quantity]) -> dict[str, Any]:
     dict[str, Any]
         Value by key; None where a part of the record is None.
     """
-    known: dict[str, Any] = {}
+    looked_up: dict[str, Any] = {}
     keys, parts = _parts(tuple(declared))
     values: dict[str, Any] = dict.fromkeys(keys)
     for owner, get, own, scaled in parts:
-        if owner and owner not in known:
-            known[owner] = _attribute(record, owner, known)
-        part = known[owner] if owner else record
+        if owner and owner not in looked_up:
+            looked_up[owner] = _attribute(record, owner, looked_up)
+        part = looked_up[owner] if owner else record
         if part is None:
             continue
         values.update(zip(own, get(part), strict=True))

@@ -167,9 +167,9 @@ class Columns:
 
 def _way(names: list[str], places: dict[str, int]) -> tuple[Any, Any]:
     """Places of numbers in a layout, and those in the columns."""
-    known = [(k, places[name]) for k, name in enumerate(names) if name in places]
-    own = np.array([k for k, _ in known], dtype=np.intp)
-    return own, np.array([place for _, place in known], dtype=np.intp)
+    available = [(k, places[name]) for k, name in enumerate(names) if name in places]
+    own = np.array([k for k, _ in available], dtype=np.intp)
+    return own, np.array([place for _, place in available], dtype=np.intp)
 
 
 def columns_of(source: Source) -> Columns:
@@ -201,21 +201,21 @@ def columns_of(source: Source) -> Columns:
             for key, kinds in keys.items():
                 kinds.add(_kind_of(row.values.get(key)))
     names = layouts.columns((*STATE, *source.keys))
-    found: dict[str, set[str]] = {name: set() for name in names}
+    result: dict[str, set[str]] = {name: set() for name in names}
     points = dict.fromkeys(names, 0)
     for layout, table in seen.items():
         for k, name in enumerate(layouts.names(layout)):
-            if name in found:
-                found[name] |= {KINDS[kind] for kind in np.flatnonzero(table[:, k]).tolist()}
+            if name in result:
+                result[name] |= {KINDS[kind] for kind in np.flatnonzero(table[:, k]).tolist()}
                 points[name] += counts[layout]
     gaps = {name for name in names if points[name] < sum(counts.values())}
-    found |= keys
+    result |= keys
     return Columns(
         source=source,
         layouts=layouts,
         names=tuple(names),
-        kinds={name: _common(kinds) for name, kinds in found.items()},
-        gaps=frozenset(gaps | {name for name, kinds in found.items() if "nothing" in kinds}),
+        kinds={name: _common(kinds) for name, kinds in result.items()},
+        gaps=frozenset(gaps | {name for name, kinds in result.items() if "nothing" in kinds}),
     )
 
 
@@ -229,9 +229,9 @@ def _kind_of(value: Any) -> str:
 
 def _common(kinds: set[str]) -> str:
     """The kind that holds all values of a column."""
-    known = kinds - {"nothing"}
-    if len(known) < 2:
-        return next(iter(known), "nothing")
-    if known <= {"bool", "int", "float"}:
+    available = kinds - {"nothing"}
+    if len(available) < 2:
+        return next(iter(available), "nothing")
+    if available <= {"bool", "int", "float"}:
         return "float"
-    return "word" if known <= {"bool", "word"} else "text"
+    return "word" if available <= {"bool", "word"} else "text"

@@ -80,14 +80,14 @@ def sobol_indices(values: Array, keys: int, samples: int) -> tuple[Any, Any, Any
     # resamples without any spread give no interval, which is null then
     with np.errstate(divide="ignore", invalid="ignore"), warnings.catch_warnings():
         warnings.simplefilter("ignore", DegenerateDataWarning)
-        found = of_scipy(func=functions, n=samples)
-        bars = found.bootstrap(confidence_level=CONFIDENCE, n_resamples=RESAMPLES)
+        result = of_scipy(func=functions, n=samples)
+        bars = result.bootstrap(confidence_level=CONFIDENCE, n_resamples=RESAMPLES)
     ends = [bar.confidence_interval for bar in (bars.first_order, bars.total_order)]
     intervals = np.array([np.column_stack([end.low.ravel(), end.high.ravel()]) for end in ends])
-    return found.first_order.ravel(), found.total_order.ravel(), intervals
+    return result.first_order.ravel(), result.total_order.ravel(), intervals
 
 
-def known(value: float) -> float | None:
+def finite_or_none(value: float) -> float | None:
     """A finite number; None of another one.
 
     Parameters
@@ -137,11 +137,11 @@ def sobol_document(names: list[str], values: Array, design: Design) -> dict[str,
         document["results"][name] = {
             key: {
                 "first": float(first[k]),
-                "first_low": known(intervals[0, k, 0]),
-                "first_high": known(intervals[0, k, 1]),
+                "first_low": finite_or_none(intervals[0, k, 0]),
+                "first_high": finite_or_none(intervals[0, k, 1]),
                 "total": float(total[k]),
-                "total_low": known(intervals[1, k, 0]),
-                "total_high": known(intervals[1, k, 1]),
+                "total_low": finite_or_none(intervals[1, k, 0]),
+                "total_high": finite_or_none(intervals[1, k, 1]),
             }
             for k, key in enumerate(design.keys)
         }
@@ -161,7 +161,7 @@ def elementary_effects(values: Array, places: Array) -> tuple[Array, Array]:
     Returns
     -------
     effects, steps : ndarray, shape (trajectories, keys)
-        Change of the result over that of the key, and whether it is known is told by NaN; the
+        Change of the result over that of the key, NaN where it is not known; the
         signed steps of the keys.
     """
     moved = np.diff(places, axis=1)

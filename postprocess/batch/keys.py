@@ -9,7 +9,7 @@ from ehl.units import unit_of, unit_symbol, without_unit
 from ..text import is_number
 from .results import BatchResults
 
-FEW = 3  # values that make a curve
+MIN_CURVE_VALUES = 3  # values that make a curve
 MOST_LINES = 8  # of a family, told apart by colour
 MOST_STYLES = 4  # and by the style of line
 LOADS = ("radial_load_N", "axial_load_N")  # these are the colours of lines
@@ -25,14 +25,14 @@ class Varied:
     words: tuple[str, ...] = ()
 
     @property
-    def known(self) -> list[float]:
+    def distinct(self) -> list[float]:
         """Different values, ascending."""
         return sorted({value for value in self.values if value is not None})
 
     @property
     def count(self) -> int:
         """Different values [-]."""
-        return len(self.known)
+        return len(self.distinct)
 
     def text(self, value: float) -> str:
         """A value in words.
@@ -88,7 +88,7 @@ def varied_keys(results: BatchResults) -> dict[str, Varied]:
 
 def _is_speed(key: str, varied: Varied) -> bool:
     """True of a speed with enough values for a curve."""
-    return key.endswith(SPEEDS) and varied.count >= FEW
+    return key.endswith(SPEEDS) and varied.count >= MIN_CURVE_VALUES
 
 
 def families(keys: list[Varied]) -> list[Varied]:
@@ -140,11 +140,11 @@ def _together(keys: list[Varied]) -> Varied:
     if len(keys) == 1:
         return keys[0]
     rows = list(zip(*(key.values for key in keys), strict=True))
-    known = sorted(set(rows))
+    available = sorted(set(rows))
     words = tuple(
-        " / ".join(key.text(v) for key, v in zip(keys, row, strict=True)) for row in known
+        " / ".join(key.text(v) for key, v in zip(keys, row, strict=True)) for row in available
     )
-    values = tuple(float(known.index(row)) for row in rows)
+    values = tuple(float(available.index(row)) for row in rows)
     return Varied(label=" / ".join(key.label for key in keys), values=values, words=words)
 
 
@@ -152,7 +152,7 @@ def _goes_along(first: Varied, other: Varied) -> bool:
     """True if another key rises or falls strictly with the first one, as sizes of a bearing do."""
     both = zip(first.values, other.values, strict=True)
     pairs = sorted({(a, b) for a, b in both if a is not None and b is not None})
-    if len(pairs) < FEW or len({a for a, _ in pairs}) < len(pairs):
+    if len(pairs) < MIN_CURVE_VALUES or len({a for a, _ in pairs}) < len(pairs):
         return False
     steps = np.diff([b for _, b in pairs])
     return bool(np.all(steps > 0.0) or np.all(steps < 0.0))

@@ -197,12 +197,12 @@ def thinnest_film(contacts: list[dict[str, Any]]) -> dict[str, Any] | None:
     if any(contact.get("converged") is False for contact in contacts):
         return None
     films = [contact for contact in contacts if contact.get("film_minimum_um") is not None]
-    found = min(films, key=itemgetter("film_minimum_um"), default=None)
-    if found is None:
+    result = min(films, key=itemgetter("film_minimum_um"), default=None)
+    if result is None:
         return None
-    least = THINNER_LOAD * found["load_N"]
+    least = THINNER_LOAD * result["load_N"]
     others = (contact for contact in contacts if contact.get("film_minimum_um") is None)
-    return None if any(contact["load_N"] > least for contact in others) else found
+    return None if any(contact["load_N"] > least for contact in others) else result
 
 
 def _loads(summary: dict[str, Any]) -> dict[str, Any]:

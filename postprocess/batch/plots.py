@@ -99,20 +99,20 @@ def write_diagram(
     """
     keys = varied_keys(results)
     chosen = [_one_named(name, keys, "varied key") for name in over]
-    known = quantities(results)
+    available = quantities(results)
     if numbers:
         every = dict.fromkeys(name for p in results.points for name in point_numbers(p))
-        known = [_one_named(name, every, "number") for name in numbers]
-    if not keys or not known:
+        available = [_one_named(name, every, "number") for name in numbers]
+    if not keys or not available:
         raise ValueError("there is nothing to draw: no key varies, or no point has a result")
     order = [keys[name] for name in (*chosen, *(name for name in keys if name not in chosen))]
-    write_figure(path, partial(draw_batch, results=results, keys=order, shown=known))
+    write_figure(path, partial(draw_batch, results=results, keys=order, shown=available))
     return path
 
 
-def _one_named(name: str, known: Iterable[str], kind: str) -> str:
+def _one_named(name: str, available: Iterable[str], kind: str) -> str:
     """The one of the known names that is meant; ValueError if there is none, or several."""
-    names = list(known)
+    names = list(available)
     meant = [own for own in names if own == name] or [
         own for own in names if own.endswith(f".{name}")
     ]
@@ -120,8 +120,8 @@ def _one_named(name: str, known: Iterable[str], kind: str) -> str:
         return meant[0]
     close = get_close_matches(name, names, n=1, cutoff=0.3)
     hint = f"; did you mean {close[0]!r}?" if close else ""
-    found = "several have this name" if meant else f"there is no {kind} of this name"
-    raise ValueError(f"{name}: {found}{hint}")
+    result = "several have this name" if meant else f"there is no {kind} of this name"
+    raise ValueError(f"{name}: {result}{hint}")
 
 
 def quantities(results: BatchResults) -> list[str]:
@@ -192,12 +192,12 @@ def draw_batch(
 
 def _values_axis(axes: Axes, name: str, data: Any) -> None:
     """From zero, or logarithmic where films or lives differ by many times."""
-    known = data.y[data.y > 0.0]
-    spread = known.max() / known.min() if known.size == data.size > 0 else 1.0
+    available = data.y[data.y > 0.0]
+    spread = available.max() / available.min() if available.size == data.size > 0 else 1.0
     if spread > MANY_TIMES and any(word in name for word in LOGARITHMIC):
         axes.set_yscale("log")
-        axes.set_ylim(0.7 * known.min(), 1.4 * known.max())
-        if known.max() < LARGE:
+        axes.set_ylim(0.7 * available.min(), 1.4 * available.max())
+        if available.max() < LARGE:
             axes.yaxis.set_major_formatter("{x:g}")
     else:
         axes.set_ylim(0.0, 1.05 * axes.get_ylim()[1])
@@ -367,14 +367,14 @@ def _family(axes: Axes, data: Any, keys: list[Varied]) -> None:
 
 def _colours(key: Varied) -> list[tuple[Any, float]]:
     """A colour for each value of a key."""
-    values = key.known
+    values = key.distinct
     colours = matplotlib.colormaps["viridis"](np.linspace(0.0, 0.85, len(values)))
     return list(zip(colours, values, strict=True))
 
 
 def _styles(keys: list[Varied]) -> list[tuple[dict[str, Any], float]]:
     """A style of line and marker for each value of a third key; one style without one."""
-    values = keys[2].known if len(keys) > 2 else [0.0]
+    values = keys[2].distinct if len(keys) > 2 else [0.0]
     return [
         ({"linestyle": STYLES[k], "marker": MARKERS[k]}, value) for k, value in enumerate(values)
     ]
@@ -391,7 +391,7 @@ def _family_legend(figure: Any, axes: Axes, keys: list[Varied]) -> None:
         return
     entries = [_heading(keys[1]), *lines]
     for style, value in _styles(keys) if len(keys) > 2 else ():
-        if value == keys[2].known[0]:
+        if value == keys[2].distinct[0]:
             entries += [_heading(None), _heading(keys[2])]
         style |= {"markersize": 3, "color": REFERENCE, "label": keys[2].text(value)}
         entries.append(Line2D([], [], **style))

@@ -104,6 +104,6 @@ def draw_progress(figure: Figure, designs: Designs) -> None:
 
 
 def _label(name: str) -> str:
-    known = MAIN_QUANTITY.get(name)
-    words = without_unit(name.rpartition(".")[2]) if known is None else known.title
+    available = MAIN_QUANTITY.get(name)
+    words = without_unit(name.rpartition(".")[2]) if available is None else available.title
     return f"{words} [{unit_symbol(name) or '-'}]"

@@ -88,10 +88,10 @@ def whole_digest(
     bytes
         16 bytes.
     """
-    known = blake2b("\0".join(texts).encode(), digest_size=16, key=_layout_key(layout))
-    known.update(numbers)
-    known.update(summary)
-    return known.digest()
+    digest = blake2b("\0".join(texts).encode(), digest_size=16, key=_layout_key(layout))
+    digest.update(numbers)
+    digest.update(summary)
+    return digest.digest()
 
 
 @lru_cache(maxsize=256)

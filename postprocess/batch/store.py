@@ -313,7 +313,7 @@ class StoredPoints:
         list[Record | None]
             Records in the order of the keys; None where there is none.
         """
-        found: dict[str, Record | None] = {}
+        result: dict[str, Record | None] = {}
         for number, path in enumerate(self.paths):
             rows = {
                 self._places[key][1]
@@ -321,17 +321,17 @@ class StoredPoints:
                 if key in self._places and self._places[key][0] == number
             }
             if rows:
-                found |= _chosen(path, sorted(rows))
-        return [found.get(key) for key in keys]
+                result |= _chosen(path, sorted(rows))
+        return [result.get(key) for key in keys]
 
 
 def _chosen(path: Path, rows: list[int]) -> dict[str, Record | None]:
     """Records of some rows of a file, by their keys."""
-    found: dict[str, Record | None] = {}
+    result: dict[str, Record | None] = {}
     with closing(_for_reading(path)) as file:
         for row in rows:
             with suppress(sqlite3.DatabaseError):
                 line = file.execute(f"{SELECT} WHERE points.id = ?", (row,)).fetchone()
                 if line is not None and (record := _record(line)) is not None:
-                    found[record.key] = record
-    return found
+                    result[record.key] = record
+    return result

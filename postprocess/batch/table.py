@@ -111,8 +111,8 @@ def _indices(documents: dict[str, Any]) -> Iterator[Table]:
         MORRIS: ("mean_magnitude", "mean magnitude of Morris' effects over the range of the key"),
     }
     for kind, (value, title) in kinds.items():
-        found = (documents[kind] or {}).get("results", {})
-        shown = {n: r for n, r in found.items() if n in BATCH_COLUMNS and isinstance(r, dict)}
+        result = (documents[kind] or {}).get("results", {})
+        shown = {n: r for n, r in result.items() if n in BATCH_COLUMNS and isinstance(r, dict)}
         names = list(shown)[-MOST_INDICES:]
         if not names:
             continue

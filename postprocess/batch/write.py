@@ -50,14 +50,14 @@ def _lines(columns: Columns) -> Iterator[tuple[Any, ...]]:
 
 def _cells(values: Numbers, kinds: Kinds) -> list[Any]:
     """A column of a chunk as Python has it: truth values, whole numbers, None for null."""
-    found: list[Any] = values.tolist()
+    result: list[Any] = values.tolist()
     for kind in np.unique(kinds):
         places = np.flatnonzero(kinds == kind)
         if kind == NOTHING:
-            found = _replaced(found, places, lambda value: None)
+            result = _replaced(result, places, lambda value: None)
         elif kind in (BOOL, INTEGER):
-            found = _replaced(found, places, bool if kind == BOOL else int)
-    return found
+            result = _replaced(result, places, bool if kind == BOOL else int)
+    return result
 
 
 def _replaced(values: list[Any], places: Any, convert: Callable[[Any], Any]) -> list[Any]:

@@ -54,12 +54,12 @@ class AtlasBearingResults(Results):
     @property
     def refusals(self) -> dict[tuple[str, str], list[str]]:
         """Balls of loaded contacts without films, by race and reason."""
-        found: dict[tuple[str, str], list[str]] = {}
+        result: dict[tuple[str, str], list[str]] = {}
         for record in self.records:
             if record.loaded and record.films is None:
                 place = (record.contact.race.value, record.reason)
-                found.setdefault(place, []).append(str(record.contact.ball))
-        return found
+                result.setdefault(place, []).append(str(record.contact.ball))
+        return result
 
 
 def atlas_bearing_summary(results: AtlasBearingResults) -> dict[str, Any]:

@@ -12,7 +12,7 @@ from .quantities import DUTY_CYCLE, LOAD_CASE
 from .results import BearingResults
 
 NO_CYCLE = "duty_cycle: null, the case gives no [[load_cases]]"
-BESIDE = (
+CYCLE_MESSAGE = (
     "duty_cycle: each load case has its own equilibrium, clearance and oil, its torque is that "
     "of films without a solve; films, torque and pictures are those of [operation]"
 )
@@ -82,7 +82,7 @@ def duty_cycle_messages(results: BearingResults) -> Iterator[str]:
     if cycle is None:
         yield NO_CYCLE
         return
-    yield BESIDE
+    yield CYCLE_MESSAGE
     yield from cycle.messages
 
 
@@ -102,20 +102,21 @@ def duty_cycle_rows(results: BearingResults) -> dict[str, str]:
     cycle = results.duty_cycle
     if cycle is None:
         return {}
-    known = duty_cycle_block(results)
+    available = duty_cycle_block(results)
     rows = {
-        "duty cycle": f"{len(cycle.cases)} load cases, mean {known['mean_speed_rpm']:.4g} r/min"
+        "duty cycle": f"{len(cycle.cases)} load cases, "
+        f"mean {available['mean_speed_rpm']:.4g} r/min"
     }
-    basic = known["basic_reference_rating_h"]
+    basic = available["basic_reference_rating_h"]
     if basic is not None:
-        rows["duty cycle"] += f", equivalent load {known['dynamic_equivalent_load_N']:.4g} N"
-        rows["life of the cycle"] = hours_text(basic, known["modified_reference_rating_h"])
-    if known["static_safety_factor"] is not None:
-        rows["safety of the cycle"] = f"S_0 {known['static_safety_factor']:.3g}, the smallest"
-    if known["mean_power_W"] is not None:
-        torque = known["mean_torque_N_mm"]
+        rows["duty cycle"] += f", equivalent load {available['dynamic_equivalent_load_N']:.4g} N"
+        rows["life of the cycle"] = hours_text(basic, available["modified_reference_rating_h"])
+    if available["static_safety_factor"] is not None:
+        rows["safety of the cycle"] = f"S_0 {available['static_safety_factor']:.3g}, the smallest"
+    if available["mean_power_W"] is not None:
+        torque = available["mean_torque_N_mm"]
         mean = "" if torque is None else f"mean torque {torque:.4g} N mm, "
-        rows["friction of the cycle"] = f"{mean}{known['mean_power_W']:.4g} W"
+        rows["friction of the cycle"] = f"{mean}{available['mean_power_W']:.4g} W"
     return rows
 
 

@@ -149,11 +149,11 @@ def _cut_messages(results: BearingResults, race: Race) -> Iterator[str]:
     cut = {}
     for contact in results.contacts:
         if contact.race is race and contact.hertz is not None:
-            found = truncation(
+            result = truncation(
                 results.quasistatic.bearing, race, contact.contact_angle, contact.hertz
             )
-            if found is not None and found.truncated:
-                cut[str(contact.ball)] = (contact.hertz.pressure, found)
+            if result is not None and result.truncated:
+                cut[str(contact.ball)] = (contact.hertz.pressure, result)
     if cut:
         ball = min(cut, key=lambda name: cut[name][1].distance_ratio)
         pressure, worst = cut[ball]

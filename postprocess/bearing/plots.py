@@ -269,9 +269,9 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
 def _left_out(columns: tuple[BallColumn, ...], results: BearingResults) -> str:
     """How many of the balls with films have a map, where not all have one."""
     films = results.solutions
-    known = sum(map(any, zip(films[::2], films[1::2], strict=True)))
+    available = sum(map(any, zip(films[::2], films[1::2], strict=True)))
     drawn = sum(len(column.azimuths) for column in columns)
-    return f"; maps: {drawn} of the {known} balls with films" if drawn < known else ""
+    return f"; maps: {drawn} of the {available} balls with films" if drawn < available else ""
 
 
 def _middle(axes: Axes) -> float:
@@ -366,11 +366,11 @@ def _logarithmic_film(axes: Axes, results: BearingResults) -> None:
     """A logarithmic axis where films differ by many times, else the thin ones are not seen."""
     every = [s for s in results.solutions if s is not None]
     films = [FIELDS["film"].in_unit(h) for s in every for h in (s.film_central, s.film_minimum)]
-    known = [h for h in films if h is not None and 0.0 < h < np.inf]
-    if not known or max(known) < MANY_TIMES * min(known):
+    available = [h for h in films if h is not None and 0.0 < h < np.inf]
+    if not available or max(available) < MANY_TIMES * min(available):
         return
     axes.set_yscale("log")
-    axes.set_ylim(0.5 * min(known), 2.0 * max(known))
+    axes.set_ylim(0.5 * min(available), 2.0 * max(available))
     axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
     axes.yaxis.set_major_formatter("{x:.3g}")
     axes.yaxis.set_minor_formatter(NullFormatter())

@@ -102,16 +102,16 @@ def draw_torque(figure: Figure, results: BearingResults) -> None:
     torque = results.torque
     if torque is None:
         raise ValueError("no torque to draw")
-    known = shown_torques(results)
+    available = shown_torques(results)
     shares = None if torque.shear is None else torque.shear.torque.per_ball
-    height = 1.1 + 0.26 * len(known) + (1.9 if shares is not None else 0.0)
+    height = 1.1 + 0.26 * len(available) + (1.9 if shares is not None else 0.0)
     figure.set_size_inches(PAGE_WIDTH, height)
     figure.suptitle(f"{results.title}\nfriction torque by model", fontsize=8.5)
     if shares is None:
-        draw_models(figure.subplots(), known, torque.chosen)
+        draw_models(figure.subplots(), available, torque.chosen)
         return
-    upper, lower = figure.subplots(2, 1, height_ratios=[0.26 * len(known) + 0.5, 1.6])
-    draw_models(upper, known, torque.chosen)
+    upper, lower = figure.subplots(2, 1, height_ratios=[0.26 * len(available) + 0.5, 1.6])
+    draw_models(upper, available, torque.chosen)
     _draw_balls(lower, results, TORQUE.in_unit(shares))
 
 
@@ -190,8 +190,8 @@ def torque_svg(models: dict[str, ModelTorque]) -> Markup:
 
 def _others(components: Iterable[str]) -> tuple[str, str, tuple[str, ...]]:
     """Components of plug-ins, which are of no kind here."""
-    known = {part for _, _, members in KINDS for part in members}
-    return "other parts", OTHER_PARTS, tuple(part for part in components if part not in known)
+    available = {part for _, _, members in KINDS for part in members}
+    return "other parts", OTHER_PARTS, tuple(part for part in components if part not in available)
 
 
 def _draw_bar(axes: Axes, row: int, model: ModelTorque, visible: float) -> None:

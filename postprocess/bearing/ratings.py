@@ -87,8 +87,8 @@ def life_by_films(results: BearingResults) -> FilmLife | None:
         return None
     records = contact_records(results)
     ends = [_kappa([record.kappa_at(end) for record in records]) for end in (0.0, -1.0, 1.0)]
-    found = film_life(results.quasistatic, life, *ends)
-    return None if found.smallest_kappa is None else found
+    result = film_life(results.quasistatic, life, *ends)
+    return None if result.smallest_kappa is None else result
 
 
 def _kappa(values: list[float | None]) -> ContactKappa:
@@ -211,23 +211,23 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
         rows["clearance"] = "{:.1f} µm delivered, {:.1f} mounted, {:.1f} operating".format(*values)
     if life is None:
         return rows
-    known = values_of(life, (*LIFE_RATING, *LOAD_RATING))
-    revolutions = known["basic_reference_rating_Mrev"]
-    basic = known["basic_reference_rating_h"]
-    kappa = known["kappa"]
+    available = values_of(life, (*LIFE_RATING, *LOAD_RATING))
+    revolutions = available["basic_reference_rating_Mrev"]
+    basic = available["basic_reference_rating_h"]
+    kappa = available["kappa"]
     if revolutions is None:
         rows["rating life"] = _why_none(life.messages)
     if revolutions is not None and basic is not None:
-        rows["rating life"] = _life_text(known)
+        rows["rating life"] = _life_text(available)
     if (interval := interval_of(results)) is not None:
         time = hours(from_si(RELUBRICATION, interval))
         rows |= (
             {"grease for life": time} if _sealed(results) else {"relubrication": f"every {time}"}
         )
-    if known["static_safety_factor"] is not None:
-        rows["static safety"] = f"S_0 {known['static_safety_factor']:.3g}"
-        if known["static_safety"] is not None:
-            rows["static safety"] += f", by pressure {known['static_safety']:.3g}"
+    if available["static_safety_factor"] is not None:
+        rows["static safety"] = f"S_0 {available['static_safety_factor']:.3g}"
+        if available["static_safety"] is not None:
+            rows["static safety"] += f", by pressure {available['static_safety']:.3g}"
     if kappa is not None:
         rows["viscosity ratio"] = f"κ {kappa:.3g}"
         films = life_by_films(results)
@@ -239,15 +239,15 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
     return rows
 
 
-def _life_text(known: dict[str, Any]) -> str:
+def _life_text(available: dict[str, Any]) -> str:
     """Basic life with its revolutions, and the modified one with its factor."""
-    turns = in_figures(known["basic_reference_rating_Mrev"], 4)
-    text = f"L10h {hours(known['basic_reference_rating_h'])} ({turns} million revolutions)"
-    if known["modified_reference_rating_h"] is None:
+    turns = in_figures(available["basic_reference_rating_Mrev"], 4)
+    text = f"L10h {hours(available['basic_reference_rating_h'])} ({turns} million revolutions)"
+    if available["modified_reference_rating_h"] is None:
         return text
-    modified = hours(known["modified_reference_rating_h"])
-    limit = ", its limit" if known["a_iso"] >= AT_ITS_LIMIT * LARGEST_A_ISO else ""
-    return f"{text}, modified L10mh {modified} (a_ISO {known['a_iso']:.3g}{limit})"
+    modified = hours(available["modified_reference_rating_h"])
+    limit = ", its limit" if available["a_iso"] >= AT_ITS_LIMIT * LARGEST_A_ISO else ""
+    return f"{text}, modified L10mh {modified} (a_ISO {available['a_iso']:.3g}{limit})"
 
 
 def _why_none(messages: Iterable[str]) -> str:
@@ -257,12 +257,12 @@ def _why_none(messages: Iterable[str]) -> str:
     return ": ".join(["none", *reasons[:1]])
 
 
-def film_row(known: dict[str, Any]) -> dict[str, str]:
+def film_row(available: dict[str, Any]) -> dict[str, str]:
     """Line of the terminal's table on the life with the film of each contact.
 
     Parameters
     ----------
-    known : dict[str, Any]
+    available : dict[str, Any]
         Values of `FILM_LIFE` by key.
 
     Returns
@@ -270,25 +270,27 @@ def film_row(known: dict[str, Any]) -> dict[str, str]:
     dict[str, str]
         Text by title.
     """
-    thinnest = known["kappa_film"]
+    thinnest = available["kappa_film"]
     if thinnest is not None and thinnest < SMALLEST_KAPPA:
         below = f"below {SMALLEST_KAPPA:g}, the least of ISO 281"
         return {"life by the films": f"none: κ of the thinnest film {thinnest:.2g} is {below}"}
-    ends = [known[f"modified_reference_rating_contacts_{end}h"] for end in ("", "low_", "high_")]
+    ends = [
+        available[f"modified_reference_rating_contacts_{end}h"] for end in ("", "low_", "high_")
+    ]
     if ends[0] is None:
         return {}
     text = f"L10mh {hours(ends[0])}"
     if ends[1] is None or ends[2] is None:
         return {"life by the films": text}
     low, high = hours(ends[1]), hours(ends[2])
-    band = f"{low} to {high}" if low != high else _no_band(known)
+    band = f"{low} to {high}" if low != high else _no_band(available)
     return {"life by the films": f"{text} ({band})"}
 
 
-def _no_band(known: dict[str, Any]) -> str:
+def _no_band(available: dict[str, Any]) -> str:
     """Reason why the error bars of the films do not change the life."""
-    if known["a_iso_contacts"] >= AT_ITS_LIMIT * LARGEST_A_ISO:
+    if available["a_iso_contacts"] >= AT_ITS_LIMIT * LARGEST_A_ISO:
         return f"a_ISO at its limit of {LARGEST_A_ISO:g}"
-    if known["kappa_film"] >= LARGEST_KAPPA:
+    if available["kappa_film"] >= LARGEST_KAPPA:
         return f"every film counts as κ {LARGEST_KAPPA:g}, the limit of ISO 281"
     return "the error bars of the films do not move it"

@@ -93,12 +93,12 @@ class BearingResults(Results):
         solved.
         """
         permittivity = oil_permittivity(self.case)
-        found: dict[int, FilmInstruments | None] = {}
+        result: dict[int, FilmInstruments | None] = {}
         for contact, film in zip(self.contacts, self.solutions, strict=True):
-            if film is not None and id(film) not in found:
+            if film is not None and id(film) not in result:
                 left = heat_beside(contact, film) if film.converged else NO_HEAT
-                found[id(film)] = film_instruments(heated_solution(film, left), permittivity)
-        return tuple(found.get(id(film)) for film in self.solutions)
+                result[id(film)] = film_instruments(heated_solution(film, left), permittivity)
+        return tuple(result.get(id(film)) for film in self.solutions)
 
     @cached_property
     def rolling_extent(self) -> RollingExtent | None:

@@ -66,14 +66,16 @@ def _ring(results: BearingResults, race: Race, ring: RingStrength | None) -> dic
     }
 
 
-def _map(found: StrengthMap) -> dict[str, Any]:
+def _map(result: StrengthMap) -> dict[str, Any]:
     """Rows over the temperature, columns over the speed."""
     names = {"": "probability", "_low": "low", "_high": "high"}
-    failures = {end: getattr(found, f"failure_{name}") for end, name in names.items()}
+    failures = {end: getattr(result, f"failure_{name}") for end, name in names.items()}
     return {
-        "temperature_C": [round(from_si("temperature_C", float(t)), 9) for t in found.temperature],
-        "inner_speed_rpm": [round(from_si("speed_rpm", float(n)), 9) for n in found.speed],
-        "hoop_tension_MPa": from_si("tension_MPa", found.hoop_tension).tolist(),
+        "temperature_C": [
+            round(from_si("temperature_C", float(t)), 9) for t in result.temperature
+        ],
+        "inner_speed_rpm": [round(from_si("speed_rpm", float(n)), 9) for n in result.speed],
+        "hoop_tension_MPa": from_si("tension_MPa", result.hoop_tension).tolist(),
         **{
             f"{PROBABILITY}{end}": None if values is None else np.asarray(values).tolist()
             for end, values in failures.items()

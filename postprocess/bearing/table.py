@@ -106,9 +106,9 @@ def _contacts_table(results: BearingResults) -> Table:
         for key in ("ball", "azimuth_deg", "race", *keys)
     ]
     style: dict[str, Any] = {"padding": (0, 1, 0, 0), "collapse_padding": True}
-    known = [(record, contact_values(record)) for record in contact_records(results)]
+    available = [(record, contact_values(record)) for record in contact_records(results)]
     for decimals in range(DECIMALS, 0, -1):
-        rows = _contact_rows(known, keys, decimals)
+        rows = _contact_rows(available, keys, decimals)
         table = number_table((*headers, ""), rows, ("race", ""), **style)
         if Console(width=2 * WIDTH).measure(table).maximum <= WIDTH:
             break
@@ -116,12 +116,12 @@ def _contacts_table(results: BearingResults) -> Table:
 
 
 def _contact_rows(
-    known: Sequence[tuple[ContactRecord, dict[str, Any]]], keys: list[str], most: int
+    available: Sequence[tuple[ContactRecord, dict[str, Any]]], keys: list[str], most: int
 ) -> Iterator[list[str]]:
     """Cells of every contact, films with at most so many decimals, and a line for each row."""
-    several = len({record.contact.row for record, _ in known}) > 1
-    row = None if several else known[0][0].contact.row
-    for record, values in known:
+    several = len({record.contact.row for record, _ in available}) > 1
+    row = None if several else available[0][0].contact.row
+    for record, values in available:
         contact = record.contact
         if contact.row != row:
             row = contact.row
@@ -133,20 +133,20 @@ def _contact_rows(
         yield [*place, contact.race.value, *cells, _flags(record.film)]
 
 
-def _contact_cell(record: ContactRecord, known: dict[str, Any], key: str, most: int) -> str:
+def _contact_cell(record: ContactRecord, available: dict[str, Any], key: str, most: int) -> str:
     """A quantity of a contact, films as they are at a supply; a film with its uncertainty, at most
     so many decimals.
     """
     if key == "load_N" and not record.loaded:
         return "0"
     supplied = at_supply(record)
-    value = known[supplied.get(key, key)]
+    value = available[supplied.get(key, key)]
     if value is None or not record.loaded:
         return NOTHING
     if key.startswith("film_"):
         if key in supplied:
             return number(value, ".3g")
-        return value_with_error(value, known[key.replace("_um", "_uncertainty_um")], most=most)
+        return value_with_error(value, available[key.replace("_um", "_uncertainty_um")], most=most)
     text = number(value, TERMINAL_COLUMNS[key])
     return text if text.strip("-0.") else text.removeprefix("-")  # no minus before a zero
 

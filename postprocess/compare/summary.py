@@ -20,12 +20,12 @@ OF_THE_SOLUTION = frozenset(  # how a result was computed
     "flooded_fft_equivalents wall_s imbalance relative_error energy_error "
     "energy_balance_error".split()
 )
-TWICE = "power_balance"  # block of a bearing that stands under its torque, too
+REPEATED_BLOCK = "power_balance"  # block of a bearing that stands under its torque, too
 # share of the magnitude of a quantity [-]: a smaller difference is round-off of the solvers
 ROUND_OFF = 1e-9
-NOTHING = 1e-12  # of any unit of a summary: less is round-off of zero
+ZERO_ROUND_OFF = 1e-12  # of any unit of a summary: less is round-off of zero
 # share of the magnitude of a quantity [-]: a component that is smaller is compared to this
-LEAST = 0.01
+MIN_MAGNITUDE = 0.01
 ASSUMED = "assumed"  # list of keys of the input, in any order
 
 
@@ -94,7 +94,9 @@ def _main(summary: dict[str, Any]) -> dict[str, Any]:
 
 def _results(summary: dict[str, Any]) -> dict[str, Any]:
     """Values that are compared; balls, contacts and points by their names."""
-    values = {key: value for key, value in summary.items() if key not in (*NOT_COMPARED, TWICE)}
+    values = {
+        key: value for key, value in summary.items() if key not in (*NOT_COMPARED, REPEATED_BLOCK)
+    }
     if "contacts" in values:
         values["contacts"] = {f"ball {c['ball']} {c['race']}": c for c in values["contacts"]}
     if isinstance(values.get("balls"), list):
@@ -160,7 +162,7 @@ def _is_round_off(path: str, a: float, b: float, scale: float) -> bool:
     """True if two numbers differ by less than the round-off of a quantity of this magnitude."""
     noise = ROUND_OFF * scale
     if unit_of(path.partition("[")[0]):
-        noise = max(noise, NOTHING)
+        noise = max(noise, ZERO_ROUND_OFF)
     return abs(b - a) <= noise
 
 
@@ -205,7 +207,7 @@ def relative(a: Any, b: Any, scale: float = 0.0) -> float | None:
         return 0.0
     if not (is_number(a) and is_number(b)):
         return None
-    return (b - a) / max(abs(a), abs(b), LEAST * scale)
+    return (b - a) / max(abs(a), abs(b), MIN_MAGNITUDE * scale)
 
 
 def _over_bars(

@@ -81,8 +81,8 @@ class AtlasRecord:
         if self.films is None or self.scaled is None:
             return None
         scale = self.scaled.film_scale or 1.0
-        found: AtlasValue = getattr(self.films, name)
-        return AtlasValue(found.value / scale, found.uncertainty / scale)
+        result: AtlasValue = getattr(self.films, name)
+        return AtlasValue(result.value / scale, result.uncertainty / scale)
 
 
 def atlas_values(record: AtlasRecord) -> dict[str, Any]:
@@ -106,9 +106,9 @@ def atlas_values(record: AtlasRecord) -> dict[str, Any]:
         **values_of(record, ATLAS_QUANTITIES),
     }
     for key, name in DIMENSIONLESS.items():
-        found = record.in_groups(name)
-        values[f"{key}_dimensionless"] = None if found is None else found.value
-        values[f"{key}_uncertainty_dimensionless"] = None if found is None else found.uncertainty
+        result = record.in_groups(name)
+        values[f"{key}_dimensionless"] = None if result is None else result.value
+        values[f"{key}_uncertainty_dimensionless"] = None if result is None else result.uncertainty
     return values | {"inside": None if record.conditions is None else record.films is not None}
 
 

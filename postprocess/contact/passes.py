@@ -39,9 +39,9 @@ def pass_values(results: ContactResults) -> list[dict[str, Any]] | None:
         return None
     rows = []
     for number, one in enumerate(results.passes, 1):
-        known = one if one.solution.converged else None
+        available = one if one.solution.converged else None
         head = {"pass": number, "converged": one.solution.converged}
-        rows.append(head | values_of(known, PASS_QUANTITIES))
+        rows.append(head | values_of(available, PASS_QUANTITIES))
     return rows
 
 

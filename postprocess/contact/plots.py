@@ -36,7 +36,7 @@ TICKS = 6  # of a colour bar at most
 TICK_WIDTH = 0.5  # of a map for each of its tick labels [in]
 CUT = "the map ends with the computed box"
 # boxes, in shares of the figure
-LEFT = (0.085, 0.585)
+PANEL_LEFTS = (0.085, 0.585)
 MAP_WIDTH = 0.41
 STRETCHED_WIDTH = 0.33
 LINE_WIDTH = 0.325
@@ -89,7 +89,7 @@ def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
     figure.set_layout_engine("none")
     figure.set_size_inches(PAGE_WIDTH, HEIGHT)
     figure.suptitle(title, fontsize=8.5, y=0.99)
-    for quantity, left in zip(QUANTITIES, LEFT, strict=True):
+    for quantity, left in zip(QUANTITIES, PANEL_LEFTS, strict=True):
         width = STRETCHED_WIDTH if view.stretched else MAP_WIDTH
         panel = figure.add_axes((left, MAP_BOTTOM, width, MAP_HEIGHT))
         image = draw_map(panel, view, quantity)
@@ -105,7 +105,7 @@ def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
         panel.xaxis.set_major_locator(MaxNLocator(max(int(width * PAGE_WIDTH / TICK_WIDTH), 1)))
         bar = figure.add_axes((left, BAR_BOTTOM, width, 0.018))
         _colour_bar(figure, image, bar, view, quantity)
-    for along, left in zip((True, False), LEFT, strict=True):
+    for along, left in zip((True, False), PANEL_LEFTS, strict=True):
         centre_line(figure.add_axes((left, LINE_BOTTOM, LINE_WIDTH, LINE_HEIGHT)), view, along)
     style: Any = {"fontsize": 6.5, "color": REFERENCE, "ha": "center", "va": "bottom"}
     figure.text(0.5, 0.01, _footnote(view), **style)
@@ -171,8 +171,8 @@ def draw_map(
     if film:
         image.set_cmap(image.get_cmap().with_extremes(over=BEYOND_SCALE))
     lines = np.linspace(low, high, LINES + 1)[1:-1] if levels is None else levels
-    known = values[np.isfinite(values)]
-    lines = [line for line in lines if known.size and known.min() < line < known.max()]
+    available = values[np.isfinite(values)]
+    lines = [line for line in lines if available.size and available.min() < line < available.max()]
     if lines:
         style: Any = {"colors": "white" if film else "black", "alpha": 0.6}
         axes.contour(x, y, values.T, levels=lines, **style)

@@ -35,17 +35,22 @@ def response_values(response: NormalResponse | None) -> dict[str, Any]:
     dict[str, Any]
         Values by key.
     """
-    known = response if response is not None and response.converged and response.resolved else None
+    available = (
+        response if response is not None and response.converged and response.resolved else None
+    )
     over: dict[str, Any] | None = None
-    if known is not None and known.frequencies:
-        curves = (("stiffness", "N_um", known.stiffnesses), ("damping", "N_s_m", known.dampings))
-        over = {"frequency_Hz": list(known.frequencies)}
+    if available is not None and available.frequencies:
+        curves = (
+            ("stiffness", "N_um", available.stiffnesses),
+            ("damping", "N_s_m", available.dampings),
+        )
+        over = {"frequency_Hz": list(available.frequencies)}
         for name, unit, samples in curves:
             key = f"{name}_{unit}"
             bar = f"{name}_uncertainty_{unit}"
             over[key] = [from_si(key, sample.value) for sample in samples]
             over[bar] = [from_si(bar, sample.uncertainty) for sample in samples]
-    return {**values_of(known, RESPONSE_QUANTITIES), "response": over}
+    return {**values_of(available, RESPONSE_QUANTITIES), "response": over}
 
 
 def response_messages(results: ContactResults) -> Iterator[str]:

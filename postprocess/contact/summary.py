@@ -129,8 +129,8 @@ def _work(solution: ContactSolution) -> dict[str, Any]:
 def _record(results: ContactResults) -> FilmRecord:
     """The film with what is derived of it; rolling needs lengths, and a film that converged."""
     solution = results.solution
-    known = solution.converged and solution.semi_axis_x is not None
-    moment = rolling_moment(solution) if known else None
+    available = solution.converged and solution.semi_axis_x is not None
+    moment = rolling_moment(solution) if available else None
     instruments = film_instruments(solution, oil_permittivity(results.case))
     return FilmRecord(
         film=solution, traction=results.traction, rolling=moment, instruments=instruments
@@ -142,9 +142,9 @@ def _dimensionless_films(solution: ContactSolution) -> dict[str, float | None]:
     values: dict[str, float | None] = {}
     for name in FILMS:
         film = getattr(solution, f"{name}_dimensionless")
-        known = solution.converged
-        values[f"{name}_dimensionless"] = film.value if known else None
-        values[f"{name}_uncertainty_dimensionless"] = film.uncertainty if known else None
+        available = solution.converged
+        values[f"{name}_dimensionless"] = film.value if available else None
+        values[f"{name}_uncertainty_dimensionless"] = film.uncertainty if available else None
     return values
 
 

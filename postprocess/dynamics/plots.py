@@ -83,12 +83,12 @@ def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
     document : dict[str, Any]
         Summary of the results in named units.
     """
-    found = simulated_speeds(data, document)
+    result = simulated_speeds(data, document)
     panels = _three_panels(figure, document)
     time = TIME.in_unit(data["time"].to_numpy())
     late = averaged(data)
-    orbit, cage = (SPEED.in_unit(motion.speed) for motion in (found.orbit, found.cage))
-    rolling = SPEED.in_unit(found.cage.without_slip)
+    orbit, cage = (SPEED.in_unit(motion.speed) for motion in (result.orbit, result.cage))
+    rolling = SPEED.in_unit(result.cage.without_slip)
     top = panels[0]
     _all_balls(top, time, orbit)
     top.plot(time, cage, color=CAGE_COLOUR, label="cage")
@@ -96,7 +96,7 @@ def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
     top.set_ylabel(SPEED.label)
     top.legend(ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1.0))
     _without_spikes(top, cage, orbit.min(axis=1), orbit.max(axis=1), rolling)
-    slips = [100.0 * motion.slip for motion in (found.orbit, found.cage)]
+    slips = [100.0 * motion.slip for motion in (result.orbit, result.cage)]
     for ax, part in zip(panels[1:], (slice(None), late), strict=True):
         balls, held = (slip[part] for slip in slips)
         _all_balls(ax, time[part], balls)
@@ -135,8 +135,8 @@ def draw_spin(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) ->
         _all_balls(ax, time[part], slip)
         ax.axhline(0.0, color=REFERENCE, linewidth=0.6)
         _without_spikes(ax, slip.min(axis=1), slip.max(axis=1))
-    known = spin.slip[late]
-    mean = float(known.mean()) if np.isfinite(known).all() else None
+    available = spin.slip[late]
+    mean = float(available.mean()) if np.isfinite(available).all() else None
     _mean_of_part(panels, time[late], mean, "spin that balls\nlack [%]")
 
 
@@ -174,14 +174,14 @@ def _mean_of_part(panels: Any, time: Any, mean: float | None, label: str) -> Non
 
 def _without_spikes(axes: Any, *lines: Any) -> None:
     """Limits of an axis without short spikes, as at the start, and a note where some are cut."""
-    known = [line[np.isfinite(line)] for line in lines]
-    known = [line for line in known if line.size]
-    low = min(float(np.quantile(line, SPIKES)) for line in known)
-    high = max(float(np.quantile(line, 1.0 - SPIKES)) for line in known)
+    available = [line[np.isfinite(line)] for line in lines]
+    available = [line for line in available if line.size]
+    low = min(float(np.quantile(line, SPIKES)) for line in available)
+    high = max(float(np.quantile(line, 1.0 - SPIKES)) for line in available)
     margin = 0.15 * (high - low)
     if not margin > 0.0:
         return
-    least, most = (float(end([end(line) for line in known])) for end in (np.min, np.max))
+    least, most = (float(end([end(line) for line in available])) for end in (np.min, np.max))
     axes.set_ylim(max(low - margin, least - 0.3 * margin), min(high + margin, most + 0.3 * margin))
     below = least < low - margin
     above = most > high + margin

@@ -20,7 +20,7 @@ from bearing.files import atomic_path, require_room, write_bytes
 Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]]
 # format of the file, raised when an older reader would misread it; 1: x along the entrainment
 FORMAT = 2
-ROOM = 24  # of a value that comes in parts, short texts included [bytes]
+VALUE_BYTES = 24  # of a value that comes in parts, short texts included [bytes]
 MARGIN = 2**20  # of what HDF5 adds to the values [bytes]
 FIELDS_FILE = "results.nc"
 FIELDS = ("P", "h", "T", "filled")  # over the plane of a contact, as float32
@@ -52,8 +52,8 @@ def write_dataset(
         Names of variables that are coordinates beside those named as their dimension.
     """
     named = " ".join(name for name in coordinates if name in variables)
-    known = {"oilfilm_format": FORMAT} | ({"coordinates": named} if named else {})
-    write_groups({"/": Group(variables=variables, attributes=attributes | known)}, path)
+    available = {"oilfilm_format": FORMAT} | ({"coordinates": named} if named else {})
+    write_groups({"/": Group(variables=variables, attributes=attributes | available)}, path)
 
 
 def write_groups(groups: dict[str, Group], path: Path) -> None:
@@ -116,13 +116,13 @@ def write_dataset_in_parts(
         Before anything is written, if the disk has no room.
     """
     named = " ".join(name for name in coordinates if name in parts.types)
-    known = {"oilfilm_format": FORMAT} | ({"coordinates": named} if named else {})
+    available = {"oilfilm_format": FORMAT} | ({"coordinates": named} if named else {})
     sizes = {d: n for v in variables.values() for d, n in zip(v[0], np.shape(v[1]), strict=True)}
     scales = {name: variable for name, variable in variables.items() if name in sizes}
-    plain = Group(variables=scales, attributes=attributes | known)
+    plain = Group(variables=scales, attributes=attributes | available)
     with atomic_path(path) as temporary:
         # HDF5 may end the program on a full disk
-        require_room(path.parent, ROOM * parts.size * len(parts.types) + _bytes(variables))
+        require_room(path.parent, VALUE_BYTES * parts.size * len(parts.types) + _bytes(variables))
         with h5netcdf.File(temporary, "w") as file:
             file.dimensions.update(sizes | {parts.dimension: parts.size})
             _write_group(file, plain)

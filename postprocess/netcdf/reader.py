@@ -110,10 +110,10 @@ def _foreign(tree: xarray.DataTree) -> str:
     """Say why the file is not one that this version reads; empty if it is."""
     history = "oilfilm_history" in tree.attrs
     written = tree.attrs.get("oilfilm_history" if history else "oilfilm_format")
-    known = HISTORY_FORMAT if history else FORMAT
+    available = HISTORY_FORMAT if history else FORMAT
     if not isinstance(written, (int, np.integer)):
         return FOREIGN
-    if written > known:
+    if written > available:
         by = f"was written by oilfilm {tree.attrs.get('oilfilm', 'newer')} in format {written}"
-        return f"{by}; this version reads formats up to {known}"
+        return f"{by}; this version reads formats up to {available}"
     return "" if history or tree.attrs.get("kind") in KINDS else FOREIGN

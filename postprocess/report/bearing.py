@@ -21,7 +21,7 @@ PLACED = frozenset(
     "rows vibration".split()
 )
 # input among the results of a rating
-GIVEN = {"nominal_contact_angle_deg", "contamination_factor"}
+INPUT_KEYS = {"nominal_contact_angle_deg", "contamination_factor"}
 TILTS = {"ty": "tilt y", "tz": "tilt z"}
 WHOLE_PERCENT = 10.0  # from which on an error has no decimals
 TOP = ("schema_version", "title", "source", "assumed")
@@ -110,11 +110,11 @@ def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, 
     blocks = []
     for key, title in BLOCKS.items():
         # the notes say why a value is null
-        known = {
+        available = {
             name: value for name, value in (summary.get(key) or {}).items() if value is not None
         }
-        if known.keys() - GIVEN:
-            blocks.append(html.facts(title, known, names=NAMES.get(key)))
+        if available.keys() - INPUT_KEYS:
+            blocks.append(html.facts(title, available, names=NAMES.get(key)))
     yield "life", "Life, clearance, frequencies", html.side_by_side(*blocks)
     yield "convergence", "Convergence and uncertainty", _convergence(summary)
 

@@ -115,15 +115,15 @@ def _head(rows: Iterable[Quantity], before: str = "") -> list[tuple[str, str]]:
     return [(f"{before}{row.title}", unit_symbol(row.key)) for row in rows]
 
 
-def _frequencies(found: dict[str, Any]) -> html.Table | None:
+def _frequencies(result: dict[str, Any]) -> html.Table | None:
     """Frequencies by their names [Hz], without and with slip; None without them."""
-    known = {name: values for name, values in found.items() if isinstance(values, dict)}
-    if not known:
+    available = {name: values for name, values in result.items() if isinstance(values, dict)}
+    if not available:
         return None
-    head = [("frequencies", "Hz"), *((html.name_text(name), "Hz") for name in known)]
+    head = [("frequencies", "Hz"), *((html.name_text(name), "Hz") for name in available)]
     rows = []
     for row in FREQUENCIES:
-        values = [of.get(row.key) for of in known.values()]
+        values = [of.get(row.key) for of in available.values()]
         if any(value is not None for value in values):
             name = f"{row.title} {row.symbol}" if row.symbol.isupper() else row.title
             rows.append(("", [name, *map(html.figure, values)]))
@@ -139,9 +139,9 @@ def _balls(balls: list[dict[str, Any]]) -> html.Table | None:
     for ball in balls:
         cells = [html.text(ball.get("ball"))]
         for race in ("inner", "outer"):
-            found = ball.get(race) or {}
-            cells += [html.figure(found.get(row.key)) for row in RACES]
-            cells.append(Markup(", ").join(_percent(found.get(state)) for state in STATES))
+            result = ball.get(race) or {}
+            cells += [html.figure(result.get(row.key)) for row in RACES]
+            cells.append(Markup(", ").join(_percent(result.get(state)) for state in STATES))
         rows.append(("", cells + [html.figure(ball.get(row.key)) for row in BALLS]))
     return html.Table([*head, *_head(BALLS)], rows) if rows else None
 

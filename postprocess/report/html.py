@@ -73,14 +73,14 @@ def environment(package: str = __package__) -> Environment:
         The templates.
     """
     folder = resources.files(package).joinpath("templates")
-    found = Environment(
+    computed = Environment(
         loader=FunctionLoader(lambda name: folder.joinpath(name).read_text(encoding="utf-8")),
         autoescape=True,
         trim_blocks=True,
         undefined=StrictUndefined,
     )
-    found.globals["longest"] = MAX_UNBROKEN
-    return found
+    computed.globals["longest"] = MAX_UNBROKEN
+    return computed
 
 
 def render(template: str, macro: str, *values: Any) -> Markup:
@@ -100,8 +100,10 @@ def render(template: str, macro: str, *values: Any) -> Markup:
     Markup
         Markup.
     """
-    found: Markup = getattr(environment().get_template(f"{template}.html").module, macro)(*values)
-    return found
+    computed: Markup = getattr(environment().get_template(f"{template}.html").module, macro)(
+        *values
+    )
+    return computed
 
 
 def text(value: Any) -> str:
@@ -277,7 +279,7 @@ def _keys_in_words(source: Any) -> str:
     """A source whose parts begin with the key that they are of, each key in words."""
     return re.sub(
         r"(^|; )([a-z]+(?:_[A-Za-z0-9]+)+)(?=: )",
-        lambda found: found[1] + name_text(found[2]),
+        lambda computed: computed[1] + name_text(computed[2]),
         source if isinstance(source, str) else Markup(text(source)).unescape(),
     )
 

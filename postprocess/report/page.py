@@ -149,8 +149,8 @@ def further_results(summary: dict[str, Any]) -> str:
     single = {key: value for key, value in blocks.items() if not html.is_large(value)}
     facts = [html.facts("", single)] if single and not bearing.is_single_contact(summary) else []
     for key, value in blocks.items():
-        known = value.items() if isinstance(value, dict) else ()
-        plain = {name: v for name, v in known if v is not None and not html.is_large(v)}
+        available = value.items() if isinstance(value, dict) else ()
+        plain = {name: v for name, v in available if v is not None and not html.is_large(v)}
         unit = f" [{unit_symbol(key)}]" if unit_symbol(key) else ""
         facts += [html.facts(html.name_text(key) + unit, plain)] if plain else []
     lists = {key: value for key, value in blocks.items() if isinstance(value, list)}

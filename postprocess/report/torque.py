@@ -31,16 +31,16 @@ def torque_section(torque: dict[str, Any], plots: Path) -> str:
     str
         Markup.
     """
-    known = {
+    available = {
         name: {part: float(v) for part, v in model.items() if isinstance(v, int | float)}
         for name, model in (torque.get("models") or {}).items()
         if isinstance(model, dict) and isinstance(model.get("total"), int | float)
     }
-    if not known:
+    if not available:
         return ""
-    models = {name: _model(values) for name, values in known.items()}
+    models = {name: _model(values) for name, values in available.items()}
     rows = []
-    for title, values in zip(shown_titles(models), known.values(), strict=True):
+    for title, values in zip(shown_titles(models), available.values(), strict=True):
         kinds = [(kind, html.number(v, 4)) for kind, v in _parts(values).items() if v]
         parts = Markup(", ").join(Markup("{} {}").format(*kind) for kind in kinds)
         rows.append(("", [title, html.number(values["total"], 4), parts or html.NOTHING]))

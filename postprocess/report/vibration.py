@@ -33,17 +33,17 @@ def vibration_section(summary: dict[str, Any], folder: Path) -> str:
     str
         Markup.
     """
-    found = summary.get("vibration")
-    if not isinstance(found, dict):
+    result = summary.get("vibration")
+    if not isinstance(result, dict):
         return ""
-    single = {key: value for key, value in found.items() if not isinstance(value, list | dict)}
+    single = {key: value for key, value in result.items() if not isinstance(value, list | dict)}
     frequencies = (summary.get("frequencies_Hz") or {}).items()
-    lines = found.get("lines") or ()
+    lines = result.get("lines") or ()
     return html.render(
         "over_time",
         "vibration",
         html.facts("Levels", single),
-        _bands(found),
+        _bands(result),
         [
             html.facts(f"Frequencies, {name.replace('_', ' ')} [Hz]", values)
             for name, values in frequencies
@@ -60,9 +60,9 @@ def vibration_section(summary: dict[str, Any], folder: Path) -> str:
     )
 
 
-def _bands(found: dict[str, Any]) -> html.Table | None:
+def _bands(result: dict[str, Any]) -> html.Table | None:
     """Velocity in the bands of ISO 15242; None without them."""
-    levels, scaled, ends = (found.get(key) or {} for key in ("bands_um_s", "anderon", "bands_Hz"))
+    levels, scaled, ends = (result.get(key) or {} for key in ("bands_um_s", "anderon", "bands_Hz"))
     rows = [
         ("", [name, *map(html.text, (*(ends.get(name) or (None, None)), level, scaled.get(name)))])
         for name, level in levels.items()

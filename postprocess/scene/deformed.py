@@ -13,7 +13,7 @@ from ehl.units import MICROMETRE, MILLIMETRE
 from .ring_deformed import DISPLACEMENT, DISTANCE, ring_files
 
 SHARE = 0.15  # of the ball diameter that the largest displacement takes in the picture, at most
-NICE = (5.0, 2.0, 1.0)
+ROUND_FACTORS = (5.0, 2.0, 1.0)
 
 
 def deformed_rings(directory: Path) -> dict[str, Any]:
@@ -51,7 +51,7 @@ def shown_factor(largest: float, ball_diameter: float) -> float:
         return 1.0
     factor = SHARE * ball_diameter * MILLIMETRE / (largest * MICROMETRE)
     power = 10.0 ** floor(log10(factor))
-    return max(power * max(n for n in NICE if n * power <= factor), 1.0)
+    return max(power * max(n for n in ROUND_FACTORS if n * power <= factor), 1.0)
 
 
 def deformed_surface(ring: Any, factor: float, opening: Array | None) -> Any:

@@ -138,8 +138,8 @@ def ball_groups(curve: CriticalCurves) -> dict[tuple[int, ...], Array]:
     """
     groups: dict[tuple[int, ...], Array] = {}
     for ball, loads in enumerate(curve.axial_loads.T, 1):
-        for members, known in groups.items():
-            if np.allclose(loads, known, rtol=SAME_CURVE_RTOL, atol=0.0, equal_nan=True):
+        for members, available in groups.items():
+            if np.allclose(loads, available, rtol=SAME_CURVE_RTOL, atol=0.0, equal_nan=True):
                 groups[(*members, ball)] = groups.pop(members)
                 break
         else:

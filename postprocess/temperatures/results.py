@@ -23,5 +23,5 @@ class TemperatureResults(Results):
         """True if the speed of the case has a balance, the branch a known end, and the course its
         full time.
         """
-        known = self.branch.limited_by != NO_STATE
-        return self.heating.converged and known and self.warm_up.ended
+        available = self.branch.limited_by != NO_STATE
+        return self.heating.converged and available and self.warm_up.ended

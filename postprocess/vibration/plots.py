@@ -129,11 +129,11 @@ def draw_spectrum(
         Summary of the results in named units.
     """
     axes = titled_panels(figure, f"{results.title}: {document['vibration']['measured']}", 3.4)
-    found = spectrum(seen.velocity, seen.rate)
-    top = _decades(axes, found, "x_um_s")
+    result = spectrum(seen.velocity, seen.rate)
+    top = _decades(axes, result, "x_um_s")
     axes.set_xscale("log")
     slowest = LEAST_ORDER * shaft_frequency(results.run)
-    axes.set_xlim(max(found.frequency[1], slowest), 0.5 * seen.rate)
+    axes.set_xlim(max(result.frequency[1], slowest), 0.5 * seen.rate)
     steady = results.run.model.options.start_speed_ratio == 1.0
     lines = document["vibration"]["lines"] if steady else []
     shown = [line for line in lines if (line["velocity_um_s"] or 0.0) > 1e-4 * top]
@@ -164,11 +164,11 @@ def draw_orders(figure: Figure, results: VibrationResults, seen: Measured, docum
         Summary of the results in named units.
     """
     axes = titled_panels(figure, f"{results.title}: orders of the shaft", 3.2)
-    found = by_order(seen.velocity, seen.turned, results.run.solution.operation.shaft_speed)
-    _decades(axes, found, "x_um_s")
+    result = by_order(seen.velocity, seen.turned, results.run.solution.operation.shaft_speed)
+    _decades(axes, result, "x_um_s")
     shaft = shaft_frequency(results.run)
     passes = document["frequencies_Hz"]["with_slip"]
-    axes.set_xlim(0.0, min(found.frequency[-1], 6.0 * passes["ball_pass_inner"] / shaft))
+    axes.set_xlim(0.0, min(result.frequency[-1], 6.0 * passes["ball_pass_inner"] / shaft))
     _mark(axes, {name: f / shaft for name, f in passes.items()}, "-")
     axes.legend(ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1.0))
     axes.set_xlabel("order [-]")
@@ -197,8 +197,8 @@ def draw_envelope(
     figure.suptitle(title, fontsize=8.5)
     axes = figure.subplots()
     size = envelope(seen.acceleration, seen.rate, band)
-    found = spectrum(size, seen.rate)
-    axes.plot(found.frequency, found.amplitude, color=INK, linewidth=0.7)
+    result = spectrum(size, seen.rate)
+    axes.plot(result.frequency, result.amplitude, color=INK, linewidth=0.7)
     kinds = document["frequencies_Hz"]
     _mark(axes, kinds["with_slip"], "-")
     _mark(axes, kinds["kinematic"], ":", named=False)
@@ -279,12 +279,12 @@ def _speed(options: VibrationOptions, time: Any) -> Any:
     return start + (1.0 - start) * time / options.duration
 
 
-def _decades(axes: Any, found: Spectrum, key: str) -> float:
+def _decades(axes: Any, result: Spectrum, key: str) -> float:
     """Amplitudes on a logarithmic axis, down to `FLOOR` of the largest, which is returned."""
-    values = from_si(key, found.amplitude)
+    values = from_si(key, result.amplitude)
     top = float(values[1:].max())
     axes.set_yscale("log")
-    axes.plot(found.frequency, np.maximum(values, FLOOR * top), color=INK, linewidth=0.6)
+    axes.plot(result.frequency, np.maximum(values, FLOOR * top), color=INK, linewidth=0.6)
     if top > 0.0:
         axes.set_ylim(FLOOR * top, 3.0 * top)
     axes.grid(linewidth=0.3, alpha=0.5)

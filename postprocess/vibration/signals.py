@@ -169,9 +169,9 @@ def by_order(signal: Array, turned: Array, speed: float) -> Spectrum:
         Amplitudes over the order [-].
     """
     even = np.linspace(turned[0], turned[-1], signal.size)
-    found = spectrum(np.interp(even, turned, signal), 1.0 / (even[1] - even[0]))
-    orders = found.frequency * 2.0 * pi / abs(speed)
-    return Spectrum(frequency=orders, amplitude=found.amplitude)
+    result = spectrum(np.interp(even, turned, signal), 1.0 / (even[1] - even[0]))
+    orders = result.frequency * 2.0 * pi / abs(speed)
+    return Spectrum(frequency=orders, amplitude=result.amplitude)
 
 
 def envelope(signal: Array, rate: float, band: tuple[float, float]) -> Array:

@@ -70,8 +70,8 @@ def vibration_summary(results: VibrationResults) -> dict[str, Any]:
 def _cage_ratio(run: VibrationRun) -> float | None:
     """Cage speed over that of rolling at the mean contact angle."""
     rolling = kinematic(run.solution).cage
-    found = passing(run.solution, run.assembled).cage
-    return found / rolling if rolling > 0.0 else None
+    result = passing(run.solution, run.assembled).cage
+    return result / rolling if rolling > 0.0 else None
 
 
 def _vibration(results: VibrationResults, seen: Measured) -> dict[str, Any]:
@@ -149,17 +149,17 @@ def _peaks(run: VibrationRun, seen: Measured) -> list[dict[str, Any]]:
     """Largest lines of the velocity's spectrum, and the nearest expected one within its width."""
     if run.model.options.start_speed_ratio != 1.0:
         return []
-    found = spectrum(seen.velocity, seen.rate)
-    size = found.amplitude
+    result = spectrum(seen.velocity, seen.rate)
+    size = result.amplitude
     inner = size[1:-1]
     tops = 1 + np.flatnonzero((inner > size[:-2]) & (inner >= size[2:]) & (inner > 0.0))
     largest = tops[np.argsort(-size[tops])][:PEAKS]
     width = 2.0 * seen.rate / seen.velocity.size
-    known = expected_lines(run.solution, run.assembled, run.model.form)
+    available = expected_lines(run.solution, run.assembled, run.model.form)
     rows = []
     for k in largest:
-        frequency = float(found.frequency[k])
-        near = [line for line in known if abs(line.frequency - frequency) <= width]
+        frequency = float(result.frequency[k])
+        near = [line for line in available if abs(line.frequency - frequency) <= width]
         name = min(near, key=lambda line: abs(line.frequency - frequency)).source if near else None
         rows.append(
             {

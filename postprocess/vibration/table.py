@@ -25,25 +25,25 @@ def vibration_table(document: dict[str, Any]) -> Group:
     Group
         The tables.
     """
-    found = document["vibration"]
-    bands = found["bands_Hz"]
+    result = document["vibration"]
+    bands = result["bands_Hz"]
     facts = {
-        "measured": found["measured"],
+        "measured": result["measured"],
         "acceleration": (
-            f"{number(found['acceleration_m_s2'])} m/s² rms, "
-            f"{number(found['acceleration_dB'])} dB re {found['reference_m_s2']:g} m/s²"
+            f"{number(result['acceleration_m_s2'])} m/s² rms, "
+            f"{number(result['acceleration_dB'])} dB re {result['reference_m_s2']:g} m/s²"
         ),
-        "velocity": f"{number(found['velocity_um_s'])} µm/s rms",
-        "displacement": f"{number(found['displacement_um'])} µm rms",
+        "velocity": f"{number(result['velocity_um_s'])} µm/s rms",
+        "displacement": f"{number(result['displacement_um'])} µm rms",
     }
-    for name, level in found["bands_um_s"].items():
+    for name, level in result["bands_um_s"].items():
         low, high = bands[name]
         facts[f"{name} {low:.4g}-{high:.4g} Hz"] = (
-            f"{number(level)} µm/s, {number(found['anderon'][name])} anderon"
+            f"{number(level)} µm/s, {number(result['anderon'][name])} anderon"
         )
     cage = document["cage_speed_rpm"]
     facts["cage"] = f"{cage:.1f} r/min, {number(document['cage_speed_ratio'], '.5f')} of rolling"
-    lines = sorted(found["lines"], key=lambda line: -(line["displacement_um"] or 0.0))[:SHOWN]
+    lines = sorted(result["lines"], key=lambda line: -(line["displacement_um"] or 0.0))[:SHOWN]
     rows = [
         [
             line["source"],

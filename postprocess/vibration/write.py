@@ -68,10 +68,10 @@ def _tables(
 ) -> dict[str, Table]:
     speed = results.run.solution.operation.shaft_speed
     orders = by_order(seen.velocity, seen.turned, speed)
-    found = spectrum(seen.acceleration, seen.rate)
+    result = spectrum(seen.acceleration, seen.rate)
     size = envelope(seen.acceleration, seen.rate, envelope_band(results))
     wrapped = spectrum(size, seen.rate)
-    columns = (found.frequency, found.amplitude, wrapped.amplitude)
+    columns = (result.frequency, result.amplitude, wrapped.amplitude)
     return {
         "lines": (LINE_KEYS, [[line[key] for key in LINE_KEYS] for line in lines]),
         "spectrum": (
