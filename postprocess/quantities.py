@@ -19,7 +19,7 @@ _Part = tuple[str, Callable[[Any], tuple[Any, ...]], tuple[str, ...], tuple[str,
 
 @dataclass(
     frozen=True, slots=True, eq=False
-)  # each is declared once, and identified by its object
+)  # each is declared once
 class Quantity:
     """One output quantity.
 
@@ -88,8 +88,9 @@ class Quantity:
 
 
 def _attribute(record: Any, source: str, looked_up: dict[str, Any] | None = None) -> Any:
-    """Attribute of a record by its dotted path; None where a part of it is None; `looked_up`: parts
-    of the record by their paths.
+    """Attribute of a record by its dotted path; None where a part of the path is None.
+
+    `looked_up` takes the parts of the record by their paths.
     """
     looked_up = {} if looked_up is None else looked_up
     owner, name = _names(source)
