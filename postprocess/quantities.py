@@ -17,9 +17,7 @@ from ehl.units import from_si, is_si, si_unit_of, unit_of, unit_symbol, without_
 _Part = tuple[str, Callable[[Any], tuple[Any, ...]], tuple[str, ...], tuple[str, ...]]
 
 
-@dataclass(
-    frozen=True, slots=True, eq=False
-)  # each is declared once
+@dataclass(frozen=True, slots=True, eq=False)  # each is declared once
 class Quantity:
     """One output quantity.
 

@@ -29,7 +29,7 @@ LAMBDA_FORMULA = "hamrock_dowson_minimum"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactRecord(FilmRecord):
-    """What is known of one contact of a bearing; None where it does not apply."""
+    """One contact of a bearing with all that is computed of it; None where it does not apply."""
 
     contact: BearingContact
     stress: ContactStress | None
@@ -43,7 +43,7 @@ class ContactRecord(FilmRecord):
 
     @property
     def loaded(self) -> bool:
-        """Whether it carries a load."""
+        """True if it carries a load."""
         return self.contact.load > 0.0
 
     @property
@@ -58,9 +58,18 @@ class ContactRecord(FilmRecord):
         return self.kappa_at(0.0)
 
     def kappa_at(self, end: float) -> float | None:
-        """kappa = lambda^1.3, or the exponent of the case, of the solved film moved by a share of
-        its uncertainty, -1 to 1, and starved where a supply is given that it was not solved
-        behind [-]; None if not resolved.
+        """Viscosity ratio kappa = lambda^1.3, or the exponent of the case, of a film moved by its
+        error.
+
+        Parameters
+        ----------
+        end : float
+            Share of the uncertainty by which the film is moved, -1 to 1 [-].
+
+        Returns
+        -------
+        float | None
+            Viscosity ratio [-]; None if the film is not resolved.
         """
         film = self.film
         minimum = self.heated.minimum
@@ -210,7 +219,18 @@ REPORT_COLUMNS = (
 
 
 def contact_records(results: BearingResults) -> list[ContactRecord]:
-    """What is known of every contact, in the order of the results."""
+    """Records of all contacts, in the order of the results.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    list[ContactRecord]
+        The records.
+    """
     count = len(results.contacts)
     torque = results.torque
     tensions = results.tensions or (None,) * count
@@ -241,6 +261,16 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
 def at_supply(record: ContactRecord) -> dict[str, str]:
     """Keys of the films as a supply leaves them, by those of the flooded ones; none where the film
     stands behind its layer, or all is flooded.
+
+    Parameters
+    ----------
+    record : ContactRecord
+        Contact with its film.
+
+    Returns
+    -------
+    dict[str, str]
+        Key at the supply by the key of the flooded film.
     """
     scarce = record.starved is not None and record.starved.share < 1.0
     behind = record.film is not None and record.film.supply is not None
@@ -248,7 +278,18 @@ def at_supply(record: ContactRecord) -> dict[str, str]:
 
 
 def contact_values(record: ContactRecord) -> dict[str, Any]:
-    """One contact of the summary, in the units of the keys."""
+    """One contact of the summary, in the units of the keys.
+
+    Parameters
+    ----------
+    record : ContactRecord
+        Contact with its film.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key.
+    """
     film = record.film
     formulas = formula_films(record.contact.conditions)
     by_formula = to_si("film_um", formulas[LAMBDA_FORMULA])
@@ -264,14 +305,27 @@ def contact_values(record: ContactRecord) -> dict[str, Any]:
 
 
 def _origin(record: ContactRecord) -> str | None:
-    """Whether a film is solved, of the film atlas or that of a formula; None without."""
+    """Origin of a film: solved, of the film atlas, or of a formula; None without."""
     if record.formula is not None:
         return "atlas" if record.formula.atlas else "formula"
     return None if record.film is None or not record.film.converged else "solved"
 
 
 def combined_roughness(race: str, surface: dict[str, float]) -> float:
-    """Root mean square roughness of a race and the balls together [m]."""
+    """Root mean square roughness of a race and the balls together [m].
+
+    Parameters
+    ----------
+    race : str
+        "inner" or "outer".
+    surface : dict[str, float]
+        Block `surface` of the case.
+
+    Returns
+    -------
+    float
+        Roughness [m].
+    """
     together = hypot(surface[f"{race}_ring_roughness_um"], surface["ball_roughness_um"])
     return float(to_si("roughness_um", together))
 
@@ -279,7 +333,22 @@ def combined_roughness(race: str, surface: dict[str, float]) -> float:
 def lambda_ratio(
     contact: BearingContact, film: float | None, surface: dict[str, float] | None
 ) -> float | None:
-    """Minimum film [m] over the rms roughness of race and ball [-]; None without one of them."""
+    """Minimum film over the rms roughness of race and ball; None without one of them.
+
+    Parameters
+    ----------
+    contact : BearingContact
+        Contact of a ball and a race.
+    film : float | None
+        Film of the contact, or None.
+    surface : dict[str, float] | None
+        Block `surface` of the case.
+
+    Returns
+    -------
+    float | None
+        Ratio [-].
+    """
     if surface is None or film is None:
         return None
     roughness = combined_roughness(contact.race.value, surface)
@@ -287,7 +356,18 @@ def lambda_ratio(
 
 
 def contact_messages(results: BearingResults) -> Iterator[str]:
-    """Contacts without a film, stresses at shoulders, and ratios that are null."""
+    """Contacts without a film, stresses at shoulders, and ratios that are null.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     yield from _absent_films(results)
     yield from heat_messages(_of_formulas(results))
     if any(c.conditions is None for c in results.contacts):
@@ -309,7 +389,7 @@ def _of_formulas(results: BearingResults) -> list[HeatedFilms]:
 
 
 def _absent_films(results: BearingResults) -> Iterator[str]:
-    """Why contacts have no film, race by race."""
+    """Give the reason why contacts have no film, race by race."""
     complete = results.quasistatic.converged and not results.interrupted
     absent: dict[tuple[str, str], list[str]] = {}
     formulas = results.formula_films or (None,) * len(results.contacts)
@@ -344,7 +424,7 @@ def _absent_films(results: BearingResults) -> Iterator[str]:
 
 
 def _gross_slip(results: BearingResults) -> Iterator[str]:
-    """That under an axial load no ball reaches the ratio below which Hirano's balls slipped."""
+    """Warn if under an axial load no ball reaches the ratio below which Hirano's balls slipped."""
     ratios = [c.hirano_ratio for c in results.contacts if c.hirano_ratio is not None]
     if not ratios or abs(float(results.quasistatic.ring_force[0])) == 0.0:
         return
@@ -358,7 +438,7 @@ def _gross_slip(results: BearingResults) -> Iterator[str]:
 
 
 def _ratio_messages(results: BearingResults) -> Iterator[str]:
-    """Why Hirano's ratio or the lambda ratio are null."""
+    """Give the reason why Hirano's ratio or the lambda ratio are null."""
     yield "contacts: hirano_ratio null at the outer race, it is defined at the inner one"
     if not any(force > 0.0 for force in results.quasistatic.centrifugal_force):
         yield "contacts: hirano_ratio null, there is no centrifugal force"

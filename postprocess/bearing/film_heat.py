@@ -61,13 +61,39 @@ NO_FILMS = HeatedFilms()
 
 
 def heated_films(contact: BearingContact, film: Film) -> HeatedFilms:
-    """Films of a contact with heat [m]; none where it did not converge."""
+    """Films of a contact with heat [m]; none where it did not converge.
+
+    Parameters
+    ----------
+    contact : BearingContact
+        Contact of a ball and a race.
+    film : Film
+        Film of the contact, or None.
+
+    Returns
+    -------
+    HeatedFilms
+        The films.
+    """
     left = _heat_left(contact, film)
     return HeatedFilms(*_bars(film, left), *_isothermal_films(contact, film), left)
 
 
 def heated_atlas_films(contact: BearingContact, films: AtlasFilms | None) -> HeatedFilms:
-    """Films of the atlas [m] with heat."""
+    """Films of the atlas [m] with heat.
+
+    Parameters
+    ----------
+    contact : BearingContact
+        Contact of a ball and a race.
+    films : AtlasFilms | None
+        Films of the atlas, or None.
+
+    Returns
+    -------
+    HeatedFilms
+        The films.
+    """
     if films is None:
         return NO_FILMS
     left = film_heat(contact)
@@ -77,8 +103,22 @@ def heated_atlas_films(contact: BearingContact, films: AtlasFilms | None) -> Hea
 
 
 def film_bars(contact: BearingContact, film: Film) -> tuple[Bar, Bar]:
-    """Central and minimum film of a contact with heat and their error bars [m]; None where there
-    is none, or it did not converge.
+    """Central and minimum film of a contact with heat and their error bars [m]; None without a
+    film.
+
+    Parameters
+    ----------
+    contact : BearingContact
+        Contact of a ball and a race.
+    film : Film
+        Film of the contact, or None.
+
+    Returns
+    -------
+    value
+        Central film and its bars.
+    value
+        Minimum film and its bars.
     """
     return _bars(film, _heat_left(contact, film))
 
@@ -99,7 +139,7 @@ def _bars(film: Film, left: HeatShare | None) -> tuple[Bar, Bar]:
 
 
 def _heat_left(contact: BearingContact, film: Film) -> HeatShare | None:
-    """What heat leaves of the isothermal film of a contact [-]; None without a film."""
+    """Part of the isothermal film of a contact that heat leaves [-]; None without a film."""
     if film is None:
         return None
     if isinstance(film, FormulaFilm):
@@ -144,8 +184,19 @@ def _bar(value: float | None, error: float | None, left: HeatShare | None = None
 
 
 def isothermal_note(contacts: Sequence[BearingContact], films: Sequence[Film]) -> str:
-    """For pictures of films as they were solved: that they are isothermal, and what heat leaves of
-    them; empty where they were solved with it.
+    """Remark for pictures of isothermal films: the part of them that heat leaves.
+
+    Parameters
+    ----------
+    contacts : Sequence[BearingContact]
+        Contacts of the bearing.
+    films : Sequence[Film]
+        Their solved films.
+
+    Returns
+    -------
+    str
+        The words; empty where films were solved with heat.
     """
     pairs = zip(contacts, films, strict=True)
     left = [
@@ -162,7 +213,18 @@ def _ends(values: Sequence[float]) -> str:
 
 
 def heat_messages(films: Sequence[HeatedFilms]) -> Iterator[str]:
-    """What the heat of the inlets leaves of films that were not solved with it."""
+    """Part of the films that the heat of their inlets leaves.
+
+    Parameters
+    ----------
+    films : Sequence[HeatedFilms]
+        Films with heat, and without.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     shares = [film.heat for film in films if film.heat is not None]
     if not shares:
         return

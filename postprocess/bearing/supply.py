@@ -20,6 +20,16 @@ def supply_block(results: BearingResults) -> dict[str, Any]:
     """Starved films of the balls that both races load, and the torque at the supply [N mm].
 
     None where the supply is flooded.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key.
     """
     torque = results.torque
     films = _driven(results)
@@ -45,14 +55,36 @@ def supply_block(results: BearingResults) -> dict[str, Any]:
 
 
 def supply_kind(results: BearingResults) -> str:
-    """How the case gives the supply: "inlet film", "flow", else "flooded"."""
+    """Kind of the supply in the case.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    str
+        "inlet film", "flow" or "flooded".
+    """
     if "inlet_film_um" in results.case.get("lubricant", ()):
         return "inlet film"
     return "flow" if "supply_mL_min" in results.case.get("friction", ()) else "flooded"
 
 
 def supply_messages(results: BearingResults) -> Iterator[str]:
-    """Which numbers are starved, and why they are null."""
+    """Name the starved numbers, and the reason for null.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     kind = supply_kind(results)
     torque = results.torque
     if kind == "flooded":
@@ -95,7 +127,7 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
 
 
 def _groove_message(results: BearingResults) -> Iterator[str]:
-    """What the balance on paper is worth, or why there is none."""
+    """Limits of the balance on paper, or the reason why there is none."""
     oil = results.groove_oil
     if oil is None:
         yield "supply.groove_...: null, no flow with supply_groove_s"
@@ -110,7 +142,7 @@ def _groove_message(results: BearingResults) -> Iterator[str]:
 
 
 def _unsolved_message(results: BearingResults) -> Iterator[str]:
-    """That no film was solved behind its layer although the case asks for it."""
+    """Warn if no film was solved behind its layer although the case asks for it."""
     ehl = results.case.get("ehl", {})
     if ehl.get("starvation") == "solved" and ehl.get("film_maps") == "none":
         yield (
@@ -120,7 +152,7 @@ def _unsolved_message(results: BearingResults) -> Iterator[str]:
 
 
 def _band_messages(results: BearingResults) -> Iterator[str]:
-    """What the band means, or why there is none."""
+    """Explain the band, or the reason why there is none."""
     band = results.supply_band
     if band is None:
         yield "supply: ..._low and ..._high null, the supply is no flow"
@@ -200,7 +232,18 @@ def _total_text(results: BearingResults) -> str:
 
 
 def decay_block(results: BearingResults) -> dict[str, Any]:
-    """Contact, times and film at the end; None where it was not asked for."""
+    """Contact, times and film at the end; None where it was not asked for.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key.
+    """
     decay = results.decay
     contact = None if decay is None else decay.contact
     place = {
@@ -211,7 +254,18 @@ def decay_block(results: BearingResults) -> dict[str, Any]:
 
 
 def decay_messages(results: BearingResults) -> Iterator[str]:
-    """What the block is about, or why it is null."""
+    """Explain the block `decay`, or the reason why it is null.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     decay = results.decay
     if decay is None:
         asked = "supply_decay_s" in results.case.get("friction", ())
@@ -237,7 +291,18 @@ def decay_messages(results: BearingResults) -> Iterator[str]:
 
 
 def decay_group(results: BearingResults) -> Group | None:
-    """The course as a netCDF group, SI; None without one."""
+    """The course as a netCDF group, SI; None without one.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    Group | None
+        The group.
+    """
     decay = results.decay
     if decay is None:
         return None
@@ -254,7 +319,18 @@ def decay_group(results: BearingResults) -> Group | None:
 
 
 def supply_rows(results: BearingResults) -> dict[str, str]:
-    """The supply for the terminal."""
+    """The supply for the terminal.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, str]
+        Text by title.
+    """
     films = _driven(results)
     if not films:
         return {}
