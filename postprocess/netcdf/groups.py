@@ -5,7 +5,7 @@ Loading xarray and its libraries takes longer than writing the fields of a beari
 
 import io
 import json
-from collections.abc import Collection, Iterable
+from collections.abc import Callable, Collection, Container, Iterable
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
@@ -51,9 +51,17 @@ def write_dataset(
     coordinates : Collection[str], default ()
         Names of variables that are coordinates beside those named as their dimension.
     """
-    named = " ".join(name for name in coordinates if name in variables)
-    available = {"oilfilm_format": FORMAT} | ({"coordinates": named} if named else {})
-    write_groups({"/": Group(variables=variables, attributes=attributes | available)}, path)
+    head = _head(attributes, coordinates, variables)
+    write_groups({"/": Group(variables=variables, attributes=head)}, path)
+
+
+def _head(
+    attributes: dict[str, Any], coordinates: Iterable[str], names: Container[str]
+) -> dict[str, Any]:
+    """Attributes of a file with its format and its coordinates."""
+    listed = " ".join(name for name in coordinates if name in names)
+    form = {"oilfilm_format": FORMAT}
+    return attributes | form | ({"coordinates": listed} if listed else {})
 
 
 def write_groups(groups: dict[str, Group], path: Path) -> None:
@@ -115,23 +123,22 @@ def write_dataset_in_parts(
     OSError
         Before anything is written, if the disk has no room.
     """
-    named = " ".join(name for name in coordinates if name in parts.types)
-    available = {"oilfilm_format": FORMAT} | ({"coordinates": named} if named else {})
     sizes = {d: n for v in variables.values() for d, n in zip(v[0], np.shape(v[1]), strict=True)}
     scales = {name: variable for name, variable in variables.items() if name in sizes}
-    plain = Group(variables=scales, attributes=attributes | available)
+    others = {name: variable for name, variable in variables.items() if name not in scales}
+    plain = Group(variables=scales, attributes=_head(attributes, coordinates, parts.types))
     with atomic_path(path) as temporary:
         # HDF5 may end the program on a full disk
         require_room(path.parent, VALUE_BYTES * parts.size * len(parts.types) + _bytes(variables))
         with h5netcdf.File(temporary, "w") as file:
             file.dimensions.update(sizes | {parts.dimension: parts.size})
-            _write_group(file, plain)
-            if parts.dimension in parts.types:
-                file.create_variable(
-                    parts.dimension, (parts.dimension,), dtype=parts.types[parts.dimension]
-                )
-        with h5py.File(temporary, "r+") as file:
-            _add_variables(file, {n: v for n, v in variables.items() if n not in scales}, parts)
+            _write_group(
+                file,
+                Group(variables=scales, attributes=_head(attributes, coordinates, parts.types)),
+            )
+            _create(file, parts, lambda name: name == parts.dimension)
+            _write_group(file, Group(variables=others))
+            _create(file, parts, lambda name: name != parts.dimension)
             start = 0
             for part in parts.values:
                 stop = start + len(next(iter(part.values())))
@@ -140,35 +147,13 @@ def write_dataset_in_parts(
                 start = stop
 
 
-def _add_variables(file: h5py.File, variables: Variables, parts: DatasetParts) -> None:
-    """Add variables to a file whose dimensions stand, and those of `parts` without values, in the
-    form of netCDF-4: h5netcdf takes four times as long for each.
-    """
-    for name, (dimensions, values, attributes) in variables.items():
-        array = np.asarray(values)
-        kind = h5py.string_dtype() if array.dtype.kind in "UO" else array.dtype
-        dataset = file.create_dataset(name, dtype=kind, data=array, track_order=True)
-        _in_netcdf(file, dataset, dimensions, attributes)
-    for name, own in parts.types.items():
-        form: Any = h5py.string_dtype() if own is object else np.dtype(own)
-        attributes = parts.attributes.get(name, {})
-        if name == parts.dimension:
-            file[name].attrs.update(attributes)
-            continue
-        dataset = file.create_dataset(name, (parts.size,), dtype=form, track_order=True)
-        _in_netcdf(file, dataset, (parts.dimension,), attributes)
-
-
-def _in_netcdf(
-    file: h5py.File, dataset: h5py.Dataset, dimensions: tuple[str, ...], attributes: dict[str, Any]
-) -> None:
-    """Give a dataset its dimensions as netCDF-4 does, by scales and their numbers."""
-    numbers = [file[name].attrs["_Netcdf4Dimid"] for name in dimensions]
-    for axis, name in enumerate(dimensions):
-        dataset.dims[axis].attach_scale(file[name])
-    dataset.attrs["_Netcdf4Coordinates"] = np.array(numbers, dtype="int32")
-    dataset.attrs["_Netcdf4Dimid"] = numbers[0]
-    dataset.attrs.update(attributes)
+def _create(file: h5netcdf.File, parts: DatasetParts, chosen: Callable[[str], bool]) -> None:
+    """Create variables that come in parts, without values."""
+    for name in filter(chosen, parts.types):
+        kind = parts.types[name]
+        form: Any = h5py.string_dtype() if kind is object else kind
+        variable = file.create_variable(name, (parts.dimension,), dtype=form)
+        variable.attrs.update(parts.attributes.get(name, {}))
 
 
 def _bytes(variables: Variables) -> int:
