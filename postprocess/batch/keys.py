@@ -10,7 +10,7 @@ from ..text import is_number
 from .results import BatchResults
 
 MIN_CURVE_VALUES = 3  # values that make a curve
-MOST_LINES = 8  # of a family, told apart by colour
+MOST_LINES = 8  # of a family, by colour
 MOST_STYLES = 4  # and by the style of line
 LOADS = ("radial_load_N", "axial_load_N")  # these are the colours of lines
 SPEEDS = ("inner_speed_rpm", "outer_speed_rpm")  # results are drawn over these first
@@ -95,7 +95,7 @@ def families(keys: list[Varied]) -> list[Varied]:
     """The keys that a panel tells apart: along the axis, by colour, by style of line.
 
     Those after the second as one, or all after the first as one, as far as so many lines can be
-    told apart; else the keys as they are. Where there are too many styles for them, those after
+    distinguished; else the keys as they are. Where there are too many styles for them, those after
     the second have the colours.
 
     Parameters
@@ -118,8 +118,8 @@ def families(keys: list[Varied]) -> list[Varied]:
     return [keys[0], lines] if lines.count <= MOST_LINES else keys
 
 
-def are_told_apart(keys: list[Varied]) -> bool:
-    """True if a line for each value of the keys after the first can be told from the others.
+def are_distinguishable(keys: list[Varied]) -> bool:
+    """True if a line for each value of the keys after the first differs visibly from the others.
 
     Parameters
     ----------

@@ -19,7 +19,7 @@ from ehl.units import unit_of, unit_symbol, without_unit
 from ..bearing.quantities import TORQUE_PARTS, torque_model
 from ..plot_style import INK, REFERENCE, titled_panels, write_figure
 from ..text import evenly_chosen
-from .keys import Varied, are_told_apart, families, varied_keys
+from .keys import Varied, are_distinguishable, families, varied_keys
 from .main_results import BATCH_PANELS, MAIN_QUANTITY
 from .results import BatchResults
 from .summary import point_numbers
@@ -170,7 +170,7 @@ def draw_batch(
         data = _data(results, keys, name)
         if len(keys) == 1:
             _line(axes, data, data.error, color=INK, linestyle="" if keys[0].words else "-")
-        elif are_told_apart(keys):
+        elif are_distinguishable(keys):
             _family(axes, data, keys)
         else:
             converged = data[data.converged]
@@ -185,8 +185,8 @@ def draw_batch(
     elif len(keys) > 1:
         _family_legend(figure, panels[0], keys)
     bars = shown[0].startswith("film") and mapped is None
-    told = len(keys) if len(keys) < len(every) or mapped is None else 2
-    hidden = [] if len(keys) < len(every) else every[told:]
+    distinguished = len(keys) if len(keys) < len(every) or mapped is None else 2
+    hidden = [] if len(keys) < len(every) else every[distinguished:]
     _note(figure, results, hidden, ["error bars: uncertainty of the film"] if bars else [])
 
 

@@ -144,7 +144,9 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
                 f"self_heating: friction ({heating.model}) and cooling agree at {balanced:.1f} C; "
                 f"all else was computed at operation.temperature_C = {given:.4g}"
             )
-        elif results.case["operation"].get("temperature") != "self-heated":  # told already
+        elif (
+            results.case["operation"].get("temperature") != "self-heated"
+        ):  # another message says so
             yield f"self_heating: friction ({heating.model}) and cooling agree at {balanced:.1f} C"
         if heating.model == "integrated" and abs(balanced - given) > AGREEMENT:
             yield (

@@ -214,10 +214,10 @@ def _draw_balls(axes: Axes, results: BearingResults, shares: np.ndarray) -> None
     several = len(state.rows) > 1
     width = min(18.0, 200.0 / len(shares))
     for row in range(len(state.rows)):
-        mine = state.row_of_ball == row
-        azimuth = np.degrees(state.azimuth[mine]) % 360.0 + (row - 0.5) * width * several
+        in_row = state.row_of_ball == row
+        azimuth = np.degrees(state.azimuth[in_row]) % 360.0 + (row - 0.5) * width * several
         style: Any = {"color": BALL_COLOUR, "alpha": 1.0 if row == 0 else 0.5}
-        axes.bar(azimuth, shares[mine], width=width, label=f"row {row + 1}", **style)
+        axes.bar(azimuth, shares[in_row], width=width, label=f"row {row + 1}", **style)
     if several:
         axes.legend(ncols=2, loc="lower center", bbox_to_anchor=(0.5, 1.0))  # off the bars
     axes.set_xlim(-20.0, 380.0)

@@ -36,11 +36,11 @@ def life_block(results: BearingResults) -> dict[str, Any]:
     life = results.life
     loads = () if life is None else LOAD_RATING
     films = values_of(life_by_films(results), FILM_LIFE)
-    interval = {RELUBRICATION: from_si(RELUBRICATION, interval_of(results))}
+    interval = {RELUBRICATION: from_si(RELUBRICATION, relubrication_time(results))}
     return values_of(life, (*LIFE_RATING, *loads)) | films | interval
 
 
-def interval_of(results: BearingResults) -> float | None:
+def relubrication_time(results: BearingResults) -> float | None:
     """Time after which grease is to be renewed [s]; None without grease or bore.
 
     Parameters
@@ -131,7 +131,7 @@ def rating_messages(results: BearingResults) -> Iterator[str]:
     """
     life = results.life
     yield from ("life: null, no rating was asked for",) if life is None else life.messages
-    if interval_of(results) is None:
+    if relubrication_time(results) is None:
         yield (
             f"life.{RELUBRICATION}: null without grease (friction.lubrication), bore_mm and "
             "rotation, and beyond the speeds of its formula"
@@ -219,7 +219,7 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
         rows["rating life"] = _why_none(life.messages)
     if revolutions is not None and basic is not None:
         rows["rating life"] = _life_text(available)
-    if (interval := interval_of(results)) is not None:
+    if (interval := relubrication_time(results)) is not None:
         time = hours(from_si(RELUBRICATION, interval))
         rows |= (
             {"grease for life": time} if _sealed(results) else {"relubrication": f"every {time}"}

@@ -15,7 +15,7 @@ from .results import Comparison, Difference
 NOT_COMPARED = frozenset(
     "oilfilm case messages timing_s sweep file resumed key keys point".split()
 )
-OF_THE_SOLUTION = frozenset(  # how a result was computed
+SOLUTION_KEYS = frozenset(  # how a result was computed
     "domain points iterations residual mass_imbalance message cycles fft_equivalents "
     "flooded_fft_equivalents wall_s imbalance relative_error energy_error "
     "energy_balance_error".split()
@@ -63,14 +63,14 @@ def compare(first: str | Path, second: str | Path) -> Comparison:
         converged=(bool(documents[0]["converged"]), bool(documents[1]["converged"])),
         inputs=tuple(d for d in _differences(*map(_input, documents)) if d.differs),
         main=tuple(_differences(*map(_main, documents))),
-        results=tuple(d for d in results if d.differs and not _of_the_solution(d.path)),
+        results=tuple(d for d in results if d.differs and not _describes_solution(d.path)),
     )
 
 
-def _of_the_solution(path: str) -> bool:
+def _describes_solution(path: str) -> bool:
     """True of a value that describes how the result was computed."""
     name = path.rpartition(".")[2].partition("[")[0]
-    return "_uncertainty" in name or name in OF_THE_SOLUTION
+    return "_uncertainty" in name or name in SOLUTION_KEYS
 
 
 def _kind(summary: dict[str, Any]) -> str:

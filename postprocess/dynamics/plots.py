@@ -345,8 +345,8 @@ def draw_spectrum(figure: Figure, data: xarray.Dataset, document: dict[str, Any]
     (ax,) = _start(figure, document, (1, 1), 3.4)
     defects = document["frequencies_Hz"]["with_slip"]
     if data.sizes["time"] < 2 * FEWEST_SAMPLES:
-        told = f"fewer than {2 * FEWEST_SAMPLES} samples hold no spectrum"
-        ax.text(0.5, 0.5, told, ha="center", transform=ax.transAxes, color=REFERENCE)
+        note = f"fewer than {2 * FEWEST_SAMPLES} samples hold no spectrum"
+        ax.text(0.5, 0.5, note, ha="center", transform=ax.transAxes, color=REFERENCE)
         return
     frequency, amplitude, direction = ring_spectrum(data)
     shown = frequency <= SPECTRUM_REACH * max(defects["ball_pass_inner"], 1.0)

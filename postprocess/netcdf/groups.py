@@ -132,10 +132,7 @@ def write_dataset_in_parts(
         require_room(path.parent, VALUE_BYTES * parts.size * len(parts.types) + _bytes(variables))
         with h5netcdf.File(temporary, "w") as file:
             file.dimensions.update(sizes | {parts.dimension: parts.size})
-            _write_group(
-                file,
-                Group(variables=scales, attributes=_head(attributes, coordinates, parts.types)),
-            )
+            _write_group(file, plain)
             _create(file, parts, lambda name: name == parts.dimension)
             _write_group(file, Group(variables=others))
             _create(file, parts, lambda name: name != parts.dimension)

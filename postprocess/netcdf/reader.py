@@ -57,7 +57,7 @@ def open_results(directory: str | Path) -> xarray.DataTree:
         tree.close()
         raise ValueError(f"{path} {problem}")
     if "oilfilm_history" in tree.attrs:
-        return _of_simulation(tree, path)
+        return _with_summary(tree, path)
     return _upgraded(tree)
 
 
@@ -83,7 +83,7 @@ def _open_tree(path: Path) -> xarray.DataTree:
         raise ValueError(f"{path} is damaged or not a netCDF-4 file: {error}") from error
 
 
-def _of_simulation(tree: xarray.DataTree, path: Path) -> xarray.DataTree:
+def _with_summary(tree: xarray.DataTree, path: Path) -> xarray.DataTree:
     """A history with what its summary says; without one the simulation was not finished."""
     tree.attrs["kind"] = "dynamics"
     try:

@@ -23,7 +23,7 @@ PICTURES = {
     "spectrum": "Spectrum of the inner ring",
     "energy": "Work put in, energy stored and lost, and what is left over",
 }
-OF_SPEED = 2  # of the pictures, beside the speeds
+SPEED_PICTURES = 2  # of the pictures, beside the speeds
 COUNTS = "steps rejected_steps evaluations equations".split()
 PLACED = frozenset(
     (
@@ -102,11 +102,11 @@ def dynamics_section(summary: dict[str, Any], folder: Path) -> str:
         "over_time",
         "dynamics",
         facts,
-        shown[:OF_SPEED],
+        shown[:SPEED_PICTURES],
         _frequencies(summary.get("frequencies_Hz") or {}),
         _balls(summary.get("balls") or []),
         _starts(summary.get("starts") or []),
-        shown[OF_SPEED:],
+        shown[SPEED_PICTURES:],
     )
 
 

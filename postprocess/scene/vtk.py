@@ -215,7 +215,7 @@ def placed_patch(
     height = placement.film * film[part]
     points = place_patch(x, y, contact_frame(contact, ball_radius), placement, height)
     fields = {FILM: film[part] / MICROMETRE, PRESSURE: solution.pressure[part] / GIGAPASCAL}
-    fields |= {name: values[part] for name, values in _of_the_oil(solution).items()}
+    fields |= {name: values[part] for name, values in _oil_fields(solution).items()}
     fields |= {"rolling [mm]": x / MILLIMETRE, "transverse [mm]": y / MILLIMETRE}
     facts: Facts = {
         "ball": float(contact.ball),
@@ -263,10 +263,10 @@ def flat_patch(solution: ContactSolution, film_exaggeration: float) -> vtkStruct
     unit = "a" if solution.semi_axis_x is None else "mm"
     facts: Facts = {"coordinates": unit, "film exaggeration [-]": film_exaggeration}
     points = np.stack([a * x, a * y, height * solution.H], axis=-1)
-    return structured_grid(points, fields | _of_the_oil(solution), facts)
+    return structured_grid(points, fields | _oil_fields(solution), facts)
 
 
-def _of_the_oil(solution: ContactSolution) -> dict[str, Array]:
+def _oil_fields(solution: ContactSolution) -> dict[str, Array]:
     """By their names the mean temperature over the film [degC], where it was solved with heat, and
     the share of the gap that oil fills [-], where it was solved behind a layer.
     """

@@ -43,7 +43,7 @@ def measured(results: VibrationResults) -> Measured:
         The motion.
     """
     run = results.run
-    body, first = body_of(run, results.direction)
+    body, first = measured_body(run, results.direction)
     rate = run.model.options.sample_rate
     columns = first + BALLS * np.arange(3)
     motion = sampled(run.motion[:, columns], OVERSAMPLED)
@@ -63,7 +63,7 @@ def measured(results: VibrationResults) -> Measured:
     )
 
 
-def body_of(run: VibrationRun, direction: Direction) -> tuple[str, int]:
+def measured_body(run: VibrationRun, direction: Direction) -> tuple[str, int]:
     """Body whose motion is measured, and its coordinate.
 
     Parameters
