@@ -92,7 +92,7 @@ def _is_speed(key: str, varied: Varied) -> bool:
 
 
 def families(keys: list[Varied]) -> list[Varied]:
-    """The keys that a panel tells apart: along the axis, by colour, by style of line.
+    """The keys of a panel: along the axis, by colour, by style of line.
 
     Those after the second as one, or all after the first as one, as far as so many lines can be
     distinguished; else the keys as they are. Where there are too many styles for them, those after

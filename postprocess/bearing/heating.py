@@ -144,9 +144,7 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
                 f"self_heating: friction ({heating.model}) and cooling agree at {balanced:.1f} C; "
                 f"all else was computed at operation.temperature_C = {given:.4g}"
             )
-        elif (
-            results.case["operation"].get("temperature") != "self-heated"
-        ):  # another message says so
+        elif results.case["operation"].get("temperature") != "self-heated":  # has its message
             yield f"self_heating: friction ({heating.model}) and cooling agree at {balanced:.1f} C"
         if heating.model == "integrated" and abs(balanced - given) > AGREEMENT:
             yield (

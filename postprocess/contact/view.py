@@ -149,11 +149,11 @@ def contact_view(
         window=(float(x_in), float(x_out), -float(side), float(side)),
         oblique=oblique_angle(solution),
         doubt=doubt if solution.converged else "not converged",
-        **_supply_fields(solution.supply, rows, columns, h),
+        **_layer_fields(solution.supply, rows, columns, h),
     )
 
 
-def _supply_fields(
+def _layer_fields(
     supply: OilSupply | None, rows: slice, columns: slice, h: float
 ) -> dict[str, Array]:
     """Share of the gap filled, and oil left behind in the unit of films, of the part shown."""

@@ -428,7 +428,7 @@ def _tangential(angle: float) -> Array:
 
 
 def _facing(surface: Surface, outward: Array) -> Surface:
-    """Turn the cells, which have one orientation, so that the first one's normal points to `outward`."""
+    """Turn the cells, of one orientation, so that the first normal points to `outward`."""
     a, b, c, _ = surface.points[surface.quads[0]]
     if np.dot(np.cross(b - a, c - a), outward) >= 0.0:
         return surface
