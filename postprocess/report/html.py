@@ -19,9 +19,8 @@ from markupsafe import Markup, escape
 from ehl.units import unit_symbol, without_unit
 
 from ..quantities import Quantity
-from ..text import in_figures, value_with_error
+from ..text import NOTHING, in_figures, value_with_error
 
-NOTHING = "–"
 DIGITS = 5
 ROUND_OFF = 1e-9  # of the largest component
 MAX_LISTED = 6  # entries of a list on one line
