@@ -98,10 +98,8 @@ class BatchResults:
         main = [main_results(point.summary) for point in first]
         shown = [name for name in BATCH_COLUMNS if any(row.get(name) is not None for row in main)]
         columns = {"point": [str(point.number) for point in first]}
-        columns |= {
-            key: [number(point.values.get(key), ".5g") for point in first] for key in self.keys
-        }
-        columns |= {name: [number(row.get(name), ".5g") for row in main] for name in names}
+        for names, rows in ((self.keys, [point.values for point in first]), (shown, main)):
+            columns |= {name: [number(row.get(name), ".5g") for row in rows] for name in names}
         columns["ended"] = [_ended(point) for point in first]
         count = len(self.points) if self.counts is None else self.counts.points
         facts = {"points": str(count), "converged": str(self.converged)}
