@@ -105,7 +105,7 @@ def common_film_range(central: Sequence[float], minimum: Sequence[float]) -> tup
 
 
 def film_ticks(low: float, high: float) -> list[float]:
-    """About eight round values on a scale from `low` to `high` [any unit].
+    """About eight round values on a linear scale.
 
     Parameters
     ----------
@@ -153,7 +153,7 @@ def few_ticks(low: float, high: float, most: float) -> list[float]:
 
 
 def logarithmic_ticks(low: float, high: float) -> list[float]:
-    """Round values on a logarithmic scale from `low` to `high`, none too near to another.
+    """Round values on a logarithmic scale, none too near to another.
 
     Parameters
     ----------
@@ -272,8 +272,6 @@ def write_figures(
     hurried: Callable[[], bool] = lambda: False,
 ) -> tuple[str, ...]:
     """Write PNG pictures by their paths without suffix; what cannot be drawn is a message.
-
-    None is begun any more when one is `hurried`.
 
     Parameters
     ----------

@@ -104,10 +104,10 @@ def finite_or_none(value: float) -> float | None:
 
 
 def sobol_document(names: list[str], values: Array, design: Design) -> dict[str, Any]:
-    """Under each main result that varies, for each key `first` and `total` index [-] with the ends
-    of their intervals of 95 %; a reason in place of them where points have no result.
+    """Sobol indices of the keys, under each main result that varies.
 
-    `names`, `values`: of the main results of all points of the batch.
+    For each key `first` and `total` index [-] with the ends of their intervals of 95 %; a reason in
+    place of them where points have no result.
 
     Parameters
     ----------
@@ -179,11 +179,11 @@ def elementary_effects(values: Array, places: Array) -> tuple[Array, Array]:
 def morris_document(
     names: list[str], values: Array, design: Design, places: Array
 ) -> dict[str, Any]:
-    """Under each main result, for each key the mean of its effects `mean`, of their magnitudes
-    `mean_magnitude` with the ends of its interval of 95 %, and their `standard_deviation`, in the
-    unit of the result for the whole range of the key; `trajectories` that are complete.
+    """Elementary effects of the keys, under each main result, after Morris.
 
-    `places`: values of the keys over their ranges [-], shape (points, keys).
+    For each key the mean of its effects `mean`, of their magnitudes `mean_magnitude` with the ends
+    of its interval of 95 %, and their `standard_deviation`, in the unit of the result for the whole
+    range of the key; `trajectories` that are complete.
 
     Parameters
     ----------

@@ -72,9 +72,6 @@ def write_diagram(
 ) -> Path:
     """Draw numbers of a batch over keys of one's choice, as `draw_batch`, into a PNG, PDF or SVG.
 
-    The keys in `over` come first: axis, colours, styles; a key is named by its last part, too.
-    ValueError for a key that does not vary, or a number that no point has.
-
     Parameters
     ----------
     results : BatchResults

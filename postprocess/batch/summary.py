@@ -21,8 +21,7 @@ OUTSIDE = "outside loads or speeds of the tables"  # of a point's messages
 def batch_summary(results: BatchResults, columns: Columns | None = None) -> dict[str, Any]:
     """The document of a batch: each point with its keys and main results, or its message.
 
-    Of a batch too large to list, `points` is null; `columns` are those of all points, made of
-    `results` if left out.
+    Of a batch too large to list, `points` is null.
 
     Parameters
     ----------

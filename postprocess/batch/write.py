@@ -91,7 +91,6 @@ def write_batch_netcdf(
     """Write the table's columns over `point`, numbers of balls and contacts over ball and race.
 
     Units are attributes, the input of every point is the variable `case`; NaN for no value.
-    `whole`: with the numbers of balls and contacts and the input, of the points in `results`.
 
     Parameters
     ----------

@@ -213,8 +213,6 @@ FIGURES = {FILMS: _film_figures, OTHERS: other_figures}
 def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> None:
     """Maps of both races on one colour scale, above the values over the azimuth.
 
-    Film in [um] or pressure in [GPa], as `quantity` says: "film" or "pressure".
-
     Parameters
     ----------
     figure : Figure

@@ -47,7 +47,7 @@ def write_bearing_netcdf(results: BearingResults, path: Path, document: dict[str
 
     Groups: `/` (version, case, messages), `/ring`, `/balls`, `/decay` if the case asks for it,
     `/contacts` with the columns of contacts.csv in the units of their keys, and
-    `/contacts/ball01/inner` ... with the fields of each solved contact; `document` is the summary.
+    `/contacts/ball01/inner` ... with the fields of each solved contact.
 
     Parameters
     ----------

@@ -87,11 +87,10 @@ def resampled(
 
 
 def refined(x: Array, y: Array, field: Array, least: int) -> tuple[Array, Array, Array]:
-    """Positions and values between the nodes of a field, at least `least` each way [-].
+    """Positions and values between the nodes of a field, at equal steps.
 
     Cubic, with a continuous slope and without new extremes (Fritsch and Carlson, SIAM J. Numer.
     Anal. 17, 1980), so that a coarse mesh shows no kinks; linear where values are not finite.
-    At equal steps; lengths in any unit, values in theirs.
 
     Parameters
     ----------

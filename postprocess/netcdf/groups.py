@@ -38,7 +38,7 @@ class Group:
 def write_dataset(
     variables: Variables, attributes: dict[str, Any], path: Path, coordinates: Collection[str] = ()
 ) -> None:
-    """Write a file of one group; coordinates are those of `Group` and of `coordinates`.
+    """Write a netCDF-4 file of one group.
 
     Parameters
     ----------

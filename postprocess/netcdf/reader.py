@@ -33,7 +33,6 @@ def open_results(directory: str | Path) -> xarray.DataTree:
     SI, but for batches, whose variables name their units; fields are read from disk when they are
     first used. `tree.attrs` has the `kind`, the program's version (`oilfilm`) and the input as
     JSON (`case`); groups of a bearing as in `write_bearing_netcdf`. Close it when done.
-    ValueError without results, or if the file is damaged, not ours, or of a newer program.
 
     Parameters
     ----------

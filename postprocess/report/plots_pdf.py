@@ -33,8 +33,6 @@ FACTS = (26, 38, 22, 10)  # widths of block, quantity, value, unit [characters]
 def write_pdf(directory: str | Path, file: str | Path) -> Path:
     """Write main results, input, tables, messages and pictures as a PDF, made in memory.
 
-    ValueError without readable results.
-
     Parameters
     ----------
     directory : str | Path

@@ -154,8 +154,6 @@ def add_rotation(
 def add_axes(plotter: Any, room: Room, turn: float) -> tuple[Label, ...]:
     """The axes of the bearing's frame with their names, before the bore and beside the loads.
 
-    The azimuth `turn` [rad] is on top of the picture.
-
     Parameters
     ----------
     plotter : Any

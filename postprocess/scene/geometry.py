@@ -100,11 +100,9 @@ class Placement:
 def place_patch(
     x: Array, y: Array, frame: ContactFrame, placement: Placement, height: Array | None = None
 ) -> Array:
-    """Points of a contact plane laid on its ball, shape (nx, ny, 3) [m], in the bearing's frame.
+    """Points of a contact plane laid on its ball, in the bearing's frame.
 
-    Distances and directions from the contact point are kept (exponential map). From principal
-    coordinates `x`, `y` and the height over the ball [m], shape (nx, ny), which is exaggerated
-    already.
+    Distances and directions from the contact point are kept (exponential map).
 
     Parameters
     ----------

@@ -182,7 +182,7 @@ def ball_labels(
 
 
 def add_labels(plotter: Any, labels: Sequence[Label], scale: float) -> None:
-    """Texts in space that always face the camera; `scale` as in `add_colour_bar` [-].
+    """Texts in space that always face the camera.
 
     Parameters
     ----------
@@ -270,7 +270,7 @@ def fill_picture(plotter: Any, zoom: float = 1.25) -> None:
 
 
 def add_colour_bar(plotter: Any, mapper: Any, label: str, scale: float) -> None:
-    """The colour bar at the right; `scale` is the height of the picture over 1200 pixels [-].
+    """The colour bar at the right.
 
     Parameters
     ----------

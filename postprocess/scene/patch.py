@@ -130,7 +130,7 @@ class Patch:
         return self._grid(points / MILLIMETRE, part)
 
     def relief(self, quantity: str, height: float) -> Any:
-        """Contact plane, the quantity as height, `height` [mm or a] where its scale ends.
+        """Contact plane with the quantity as height.
 
         Parameters
         ----------

@@ -96,7 +96,7 @@ def export_html(directory: StrPath, file: StrPath, options: SceneOptions | None 
     """Write the scene as one HTML page that is turned with the mouse, offline; as `screenshot`.
 
     The viewer (vtk.js) is inside the page. Azimuths and load are flat letters there, which read
-    from the side of +x. `RenderingError` also without the extra `html` (trame-pyvista).
+    from the side of +x.
 
     Parameters
     ----------

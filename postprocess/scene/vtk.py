@@ -267,8 +267,9 @@ def flat_patch(solution: ContactSolution, film_exaggeration: float) -> vtkStruct
 
 
 def _oil_fields(solution: ContactSolution) -> dict[str, Array]:
-    """By their names the mean temperature over the film [degC], where it was solved with heat, and
-    the share of the gap that oil fills [-], where it was solved behind a layer.
+    """Fields of the oil by their names, as far as they were solved.
+
+    Mean temperature over the film [degC], and the share of the gap that oil fills [-].
     """
     fields = {}
     if solution.state is not None and solution.state.temperature is not None:

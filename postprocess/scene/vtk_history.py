@@ -236,7 +236,7 @@ def shown_rows(
 
 
 def write_motion(directory: Path, frames: int = FRAMES, turns: float = TURNS) -> Path:
-    """Write at most `frames` steps over the last `turns` of the cage [-] for ParaView, with .pvd.
+    """Write steps over the last turns of the cage for ParaView, and their .pvd file.
 
     Each step is one file: balls, cage and inner ring, lengths in [mm]; at the points `mark` (0 and
     1 on balls, 2 cage, 3 ring) and the loads of the ball there [N].
