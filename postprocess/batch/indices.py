@@ -106,8 +106,8 @@ def finite_or_none(value: float) -> float | None:
 def sobol_document(names: list[str], values: Array, design: Design) -> dict[str, Any]:
     """Sobol indices of the keys, under each main result that varies.
 
-    For each key `first` and `total` index [-] with the ends of their intervals of 95 %; a reason in
-    place of them where points have no result.
+    For each key `first` and `total` index [-] with the ends of their intervals of 95 %; a reason
+    in place of them where points have no result.
 
     Parameters
     ----------
@@ -182,8 +182,8 @@ def morris_document(
     """Elementary effects of the keys, under each main result, after Morris.
 
     For each key the mean of its effects `mean`, of their magnitudes `mean_magnitude` with the ends
-    of its interval of 95 %, and their `standard_deviation`, in the unit of the result for the whole
-    range of the key; `trajectories` that are complete.
+    of its interval of 95 %, and their `standard_deviation`, in the unit of the result for the
+    whole range of the key; `trajectories` that are complete.
 
     Parameters
     ----------
