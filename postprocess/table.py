@@ -4,8 +4,27 @@ from collections.abc import Iterable, Mapping
 from typing import Any
 
 from rich import box
+from rich.console import Group, RenderableType
 from rich.table import Table
 from rich.text import Text
+
+
+def titled(title: str, *parts: RenderableType) -> Group:
+    """Tables and lines of text below a title.
+
+    Parameters
+    ----------
+    title : str
+        Title of the case.
+    *parts : RenderableType
+        Tables and lines of text.
+
+    Returns
+    -------
+    Group
+        All of it for a terminal.
+    """
+    return Group(Text(title, style="bold"), *parts)
 
 
 def facts_table(rows: Mapping[str, str]) -> Table:

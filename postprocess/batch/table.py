@@ -5,11 +5,10 @@ from typing import Any
 
 from rich.console import Group
 from rich.table import Table
-from rich.text import Text
 
 from ehl.units import unit_symbol, without_unit
 
-from ..table import number_table
+from ..table import number_table, titled
 from ..text import NOTHING, in_figures, number
 from .columns import Columns, InMemory, columns_of
 from .indices import MORRIS, SOBOL, design_documents
@@ -41,8 +40,7 @@ def batch_table(results: BatchResults, columns: Columns | None = None) -> Group:
     columns = columns or columns_of(InMemory(results))
     if results.counts is not None:
         text = f"{results.counts.points} points, {results.counts.converged} converged"
-        title = Text(results.title, style="bold")
-        return Group(title, text, *_uncertainties(results, columns))
+        return titled(results.title, text, *_uncertainties(results, columns))
     main = [main_results(point.summary) for point in results.points]
     given = {key: [point.values.get(key) for point in results.points] for key in results.keys}
     keys = [key for key, varied in given.items() if len({*map(str, varied)}) > 1]
@@ -67,9 +65,7 @@ def batch_table(results: BatchResults, columns: Columns | None = None) -> Group:
     flags = {_flag(point) for point in results.points}
     meanings = {"!": "! not converged", "x": "x failed, see the messages"}
     notes = [text for flag, text in meanings.items() if flag in flags]
-    return Group(
-        Text(results.title, style="bold"), table, *notes, *_uncertainties(results, columns)
-    )
+    return titled(results.title, table, *notes, *_uncertainties(results, columns))
 
 
 def _uncertainties(results: BatchResults, columns: Columns) -> list[Table]:

@@ -13,7 +13,7 @@ from ..contact.atlas import MODEL, SOURCE, THIN_LAYER, AtlasRecord, atlas_values
 from ..files import plain_document
 from ..quantities import values_of
 from ..results import Results
-from ..table import number_table
+from ..table import number_table, titled
 from ..text import NOTHING, number, value_with_error
 from .contacts import CONTACT_QUANTITY
 from .film_heat import HEAT_QUANTITIES, HeatedFilms, heat_messages, heated_atlas_films
@@ -129,8 +129,7 @@ def atlas_bearing_table(results: AtlasBearingResults) -> Group:
         Text(f"{race} race, {balls_text(balls)}: no film, {reason}")
         for (race, reason), balls in results.refusals.items()
     ]
-    title = Text(results.title, style="bold")
-    return Group(title, number_table(HEADERS, rows, left=("race",)), *lacks)
+    return titled(results.title, number_table(HEADERS, rows, left=("race",)), *lacks)
 
 
 def _film(values: dict[str, Any], name: str) -> str:

@@ -6,7 +6,6 @@ from typing import Any
 
 from rich.console import Console, Group
 from rich.table import Table
-from rich.text import Text
 
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactSolution
@@ -14,7 +13,7 @@ from ehl.units import from_si, unit_symbol
 
 from ..quantities import CAGE_SPEED, values_of
 from ..results import STIFFNESS_HEADLINES
-from ..table import facts_table, number_table
+from ..table import facts_table, number_table, titled
 from ..text import NOTHING, number, value_with_error
 from .contacts import (
     CONTACT_QUANTITY,
@@ -51,8 +50,9 @@ def bearing_table(results: BearingResults) -> Group:
     Group
         The table.
     """
-    title = Text(results.title, style="bold")
-    return Group(title, _bearing_table(results), _contacts_table(results), *_legend(results))
+    return titled(
+        results.title, _bearing_table(results), _contacts_table(results), *_legend(results)
+    )
 
 
 def _bearing_table(results: BearingResults) -> Table:

@@ -6,7 +6,6 @@ from functools import cached_property
 from typing import Any
 
 from rich.console import Group
-from rich.text import Text
 
 from ehl import AtlasFilms, AtlasValue, ContactConditions, MoesConditions
 from ehl.scaling import ScaledContact, scale_contact
@@ -16,7 +15,7 @@ from ehl.units import from_si
 from ..files import plain_document
 from ..quantities import quantities, values_of
 from ..results import Results
-from ..table import facts_table
+from ..table import facts_table, titled
 from ..text import value_with_error
 
 SOURCE = "atlas"
@@ -183,7 +182,7 @@ def atlas_contact_table(results: AtlasContactResults) -> Group:
     if values["stiffness_N_um"] is not None:
         rows["stiffness"] = f"{_with_bar(values, 'stiffness', 'N_um')} N/µm"
     rows["source"] = "film atlas, nothing was solved"
-    return Group(Text(results.title, style="bold"), facts_table(rows))
+    return titled(results.title, facts_table(rows))
 
 
 def _with_bar(values: dict[str, Any], name: str, unit: str) -> str:

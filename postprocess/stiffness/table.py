@@ -3,7 +3,7 @@
 from rich.console import Group
 from rich.text import Text
 
-from ..table import number_table
+from ..table import number_table, titled
 from ..text import number
 from .results import StiffnessResults
 from .summary import SPEED, STIFFNESS, TILTING_STIFFNESS
@@ -35,4 +35,4 @@ def stiffness_table(results: StiffnessResults) -> Group:
         cells = [number(e) if not abs(e) <= noise else "0" for e in entries]
         rows.append([f"{speed:.0f}", *cells])
     units = Text("stiffness k in N/µm, against tilting in N m/mrad", style="dim")
-    return Group(Text(results.title, style="bold"), units, number_table(HEADERS, rows))
+    return titled(results.title, units, number_table(HEADERS, rows))

@@ -5,7 +5,7 @@ from typing import Any
 from rich.console import Group
 from rich.text import Text
 
-from ..table import number_table
+from ..table import number_table, titled
 from ..text import evenly_chosen, number
 
 COLUMNS = (  # title and key; of the parts those that differ most
@@ -39,8 +39,8 @@ def temperatures_table(document: dict[str, Any]) -> Group:
     course = [course[k] for k in evenly_chosen(len(course), ROWS)]
     limit = document["limiting_speed_rpm"]
     text = "none found" if limit is None else f"{limit:.0f} r/min ({document['limited_by']})"
-    return Group(
-        Text(document["case"].get("title", ""), style="bold"),
+    return titled(
+        document["case"].get("title", ""),
         Text(f"limiting speed by heat: {text}"),
         Text("balances over the speed, °C", style="dim"),
         number_table(("r/min", *titles), _rows(document["balances"], "speed_rpm")),

@@ -3,9 +3,8 @@
 from typing import Any
 
 from rich.console import Group
-from rich.text import Text
 
-from ..table import facts_table, number_table
+from ..table import facts_table, number_table, titled
 from ..text import number
 
 SHOWN = 14  # lines at most
@@ -56,5 +55,8 @@ def vibration_table(document: dict[str, Any]) -> Group:
         ]
         for line in lines
     ]
-    title = Text(document["case"].get("title", ""), style="bold")
-    return Group(title, facts_table(facts), number_table(HEADERS, rows, ("line", "direction")))
+    return titled(
+        document["case"].get("title", ""),
+        facts_table(facts),
+        number_table(HEADERS, rows, ("line", "direction")),
+    )
