@@ -13,6 +13,7 @@ import numpy as np
 from markupsafe import Markup
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.patches import Rectangle
 
 from bearing.torque.models import ModelTorque
 
@@ -170,7 +171,8 @@ def torque_svg(models: dict[str, ModelTorque]) -> Markup:
         figure = Figure(figsize=(PAGE_WIDTH, 0.8 + 0.24 * len(models)))
         axes = figure.subplots()
         draw_models(axes, models)
-        bars = {f"part{n}": bar for n, bar in enumerate(axes.patches) if bar.get_width()}
+        drawn = [bar for bar in axes.patches if isinstance(bar, Rectangle) and bar.get_width()]
+        bars = {f"part{n}": bar for n, bar in enumerate(drawn)}
         for bar in axes.patches:
             bar.set_clip_on(False)
         for name, bar in bars.items():
