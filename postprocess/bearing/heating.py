@@ -17,7 +17,18 @@ AGREEMENT = 1.0  # of temperatures that count as one [K]
 
 
 def heating_block(results: BearingResults) -> dict[str, Any]:
-    """Temperature, torque, power, oil, clearance; None without a balance of heat."""
+    """Temperature, torque, power, oil, clearance; None without a balance of heat.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key.
+    """
     heating = results.heating
     return {
         **values_of(_balanced(results), HEATING),
@@ -35,8 +46,18 @@ def _balanced(results: BearingResults) -> SelfHeatingSolution | None:
 
 
 def network_blocks(results: BearingResults) -> dict[str, Any]:
-    """Temperatures by node with their ends, flows of heat by path, margin against runaway; None
-    without a balance of heat.
+    """Temperatures by node, heat flows by path, margin against runaway; None without a heat
+    balance.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Returns
+    -------
+    dict[str, Any]
+        Blocks of the summary by key.
     """
     keys = ("temperatures_C", "temperatures_low_C", "temperatures_high_C", "heat_flows_W")
     heating = _balanced(results)
@@ -69,7 +90,18 @@ def _by_node(temperatures: Array) -> dict[str, float]:
 
 
 def temperature_messages(results: BearingResults) -> Iterator[str]:
-    """That the results are those of another temperature than the balance of heat finds."""
+    """Warn if the results are those of another temperature than the heat balance gives.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     heating = results.heating
     if heating is None or heating.balance is None or not heating.converged:
         return
@@ -85,7 +117,18 @@ def temperature_messages(results: BearingResults) -> Iterator[str]:
 
 
 def heating_messages(results: BearingResults) -> Iterator[str]:
-    """What the block means for the results, or why it is null."""
+    """Explain the block `self_heating`, or the reason why it is null.
+
+    Parameters
+    ----------
+    results : BearingResults
+        Results of the bearing.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     heating = results.heating
     if results.interrupted:
         return
@@ -101,7 +144,7 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
                 f"self_heating: friction ({heating.model}) and cooling agree at {balanced:.1f} C; "
                 f"all else was computed at operation.temperature_C = {given:.4g}"
             )
-        elif results.case["operation"].get("temperature") != "self-heated":  # told already
+        elif results.case["operation"].get("temperature") != "self-heated":  # has its message
             yield f"self_heating: friction ({heating.model}) and cooling agree at {balanced:.1f} C"
         if heating.model == "integrated" and abs(balanced - given) > AGREEMENT:
             yield (
@@ -118,7 +161,7 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
 
 
 def _advice(results: BearingResults, heating: SelfHeatingSolution) -> str:
-    """What to change of a bearing that is heated more than it is cooled."""
+    """Advice for a bearing that is heated more than it is cooled."""
     state = heating.state
     oil = results.lubricant
     if state is None or state.found_temperature <= state.film_temperature:

@@ -24,13 +24,27 @@ LINES = (  # key, name, colour
 
 
 def write_temperatures_plot(results: TemperatureResults, directory: Path) -> None:
-    """Write `temperatures.png` into a folder; temperatures [degrees Celsius]."""
+    """Write `temperatures.png` into a folder; temperatures [degrees Celsius].
+
+    Parameters
+    ----------
+    results : TemperatureResults
+        Temperatures of the case.
+    directory : Path
+        Folder to write into.
+    """
     write_figure(directory / "temperatures.png", partial(draw_temperatures, results=results))
 
 
 def draw_temperatures(figure: Figure, results: TemperatureResults) -> None:
-    """Left: balances over the speed with what bounds it. Right: course from the start, with the
-    clearance below.
+    """Balances over the speed with its limit, and the course from the start with the clearance.
+
+    Parameters
+    ----------
+    figure : Figure
+        Empty figure to draw into.
+    results : TemperatureResults
+        Temperatures of the case.
     """
     document = temperatures_summary(results)
     figure.set_size_inches(PAGE_WIDTH, 3.8)

@@ -35,7 +35,18 @@ ENDS = {
 
 
 def temperatures_summary(results: TemperatureResults) -> dict[str, Any]:
-    """The study as plain JSON: balances over the speed, course over time, the least clearance."""
+    """The study as plain JSON: balances over the speed, course over time, the least clearance.
+
+    Parameters
+    ----------
+    results : TemperatureResults
+        Temperatures of the case.
+
+    Returns
+    -------
+    dict[str, Any]
+        The document.
+    """
     warm = results.warm_up
     course = {quantity.key: quantity.value(warm) for quantity in (TIME, FILM, CLEARANCE, POWER)}
     course |= _nodes(warm.temperatures)
@@ -56,7 +67,18 @@ def temperatures_summary(results: TemperatureResults) -> dict[str, Any]:
 
 
 def balance_columns(results: TemperatureResults) -> dict[str, Any]:
-    """Of the balances over the speed by key, in the units of the keys."""
+    """Balances over the speed as columns, in the units of the keys.
+
+    Parameters
+    ----------
+    results : TemperatureResults
+        Temperatures of the case.
+
+    Returns
+    -------
+    dict[str, Any]
+        Values by key, shape (n,) each.
+    """
     balances = results.branch.balances
     states = [balance.state for balance in balances]
     speed = np.array([balance.speed for balance in balances])
@@ -78,7 +100,18 @@ def _nodes(temperatures: Any) -> dict[str, Any]:
 
 
 def temperature_study_messages(results: TemperatureResults) -> Iterator[str]:
-    """What bounds the speed, and what the course does."""
+    """State the limit of the speed, and the end of the course.
+
+    Parameters
+    ----------
+    results : TemperatureResults
+        Temperatures of the case.
+
+    Yields
+    ------
+    Iterator[str]
+        A message.
+    """
     branch = results.branch
     limit = LIMIT.value(results)
     if branch.limited_by in ENDS:

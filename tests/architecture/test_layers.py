@@ -34,6 +34,8 @@ HOMES = {
     "PIL": ("postprocess/scene/*.py",),
     "trame_pyvista": ("postprocess/scene/*.py",),
     "xlsxwriter": ("postprocess/report/*.py",),
+    "jinja2": ("postprocess/report/*.py", "postprocess/scene/*.py"),
+    "markupsafe": ("postprocess/*/*.py",),
     "pyarrow": ("postprocess/batch/parquet.py", "cases/cli/batch.py"),
     "distributed": ("cases/batch/pools.py",),
 }
