@@ -22,7 +22,6 @@ HOMES = {
         "postprocess/*/plot*.py",
         "postprocess/contact/*.py",
         "postprocess/scene/*.py",
-        "verification/plots.py",
     ),
     "xarray": ("postprocess/*/*.py",),
     "h5netcdf": ("postprocess/netcdf/groups.py", "postprocess/*/history.py"),
@@ -64,7 +63,7 @@ def imports(name, *, typing_only=True):
 
 
 def test_layers():
-    """ehl <- bearing <- postprocess <- verification <- cases: a layer imports only those before it."""
+    """ehl <- bearing <- postprocess <- cases: a layer imports only those before it."""
     later = {own: set(LAYERS[LAYERS.index(own) + 1 :]) for own in LAYERS}
     offenders = {name: found for name in FILES if (found := imports(name) & later[layer(name)])}
     assert nothing(offenders)
