@@ -5,10 +5,15 @@ Central film, extrapolated from 513 points, over that of the box as it is; the e
 
 from __future__ import annotations
 
+import sys
+from pathlib import Path
 from unittest.mock import patch
 
 from ehl import MoesConditions, SolverOptions, solve_contact
 from ehl.multigrid import open_box
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))  # holds `verification`
+
 from verification.contacts import OIL
 
 CONTACTS = (  # M, L, Rx/Ry, angle of the entrainment

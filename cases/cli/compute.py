@@ -246,7 +246,7 @@ def temperatures(
 
 @app.command()
 @guarded
-def table(  # noqa: PLR0913
+def table(
     case: CaseName,
     output: TableFile = None,
     points: Annotated[

@@ -58,7 +58,7 @@ Window = Annotated[
 
 @app.command()
 @guarded
-def dynamics(  # noqa: PLR0913
+def dynamics(
     case: CaseName,
     output: Output = None,
     restart: Restart = None,

@@ -213,7 +213,7 @@ def test_rigid_isoviscous_limit():
     half_kapitza = (contact.speed * np.pi * np.sqrt(2.0) / (5.0 * contact.load)) ** 2
     assert solution.converged
     film = solution.film_central_dimensionless
-    # the direct solution with Reynolds' condition of `oilfilm verify --section rigid`
+    # the direct solution with Reynolds' condition of `tools/verification/run.py --section rigid`
     assert abs(film.value / half_kapitza / 1.2501 - 1.0) < film.relative_uncertainty + 0.003
     assert film.relative_uncertainty < 0.05
 

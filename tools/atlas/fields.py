@@ -52,6 +52,9 @@ from ehl.traction.film_quadrature import (
 )
 from ehl.traction.response.normal import normal_response
 from ehl.traction.shear import bounded_viscosity, with_outlet
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))  # holds `verification`
+
 from verification.contacts import OIL, from_groups, moes
 
 KEPT = Path(__file__).parents[2] / "build" / "atlas_fields"

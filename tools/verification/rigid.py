@@ -29,10 +29,7 @@ def rigid_limit(quick: bool = False) -> Section:
     ratios = RATIOS[:1] if quick else RATIOS
     jobs = [(m, ratio) for ratio in ratios for m in LOADS]
     solutions = each(
-        lambda job: solve_contact(
-            moes(job[0], 0.0, job[1], oil=WATER_LIKE), SolverOptions(points=points)
-        ),
-        jobs,
+        lambda job: solve_contact(moes(job[0], 0.0, job[1], oil=WATER_LIKE), SolverOptions(points=points)), jobs
     )
     direct = each(lambda ratio: reynolds_over_sommerfeld(ratio, 48 if quick else 128), ratios)
     far = dict(zip(ratios, direct, strict=True))
@@ -87,9 +84,7 @@ def reynolds_over_sommerfeld(ratio: float, cells: int = 128, reach: float = REAC
     inner = np.zeros((x.size, y.size), dtype=bool)
     inner[1:-1, :-1] = True
     free = inner.ravel()
-    kapitza = (
-        np.maximum(-x[:, None], 0.0) / (3.0 + 2.0 * ratio) / (1.0 + x[:, None] ** 2 + y**2) ** 2
-    )
+    kapitza = np.maximum(-x[:, None], 0.0) / (3.0 + 2.0 * ratio) / (1.0 + x[:, None] ** 2 + y**2) ** 2
     edge = np.where(inner, 0.0, kapitza).ravel()
     wet = free.copy()
     q = edge

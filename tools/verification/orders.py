@@ -12,16 +12,7 @@ from ehl.multigrid.kernels import _kernels
 from ehl.scaling import scale_contact
 from ehl.solid.deformation import deflect, deflection_kernel
 
-from .contacts import (
-    CIRCULAR_20_10,
-    CIRCULAR_200_10,
-    INNER_500N,
-    SPINNING,
-    WATER_LIKE,
-    Named,
-    from_groups,
-    moes,
-)
+from .contacts import CIRCULAR_20_10, CIRCULAR_200_10, INNER_500N, SPINNING, WATER_LIKE, Named, from_groups, moes
 from .converged_films import ConvergedFilms, fully_converged_films
 from .page import Check, Picture, Section, Table, columns, each, text
 from .plots import Curve, draw_orders
@@ -32,9 +23,7 @@ CONTACTS = (
     CIRCULAR_20_10,
     CIRCULAR_200_10,
     INNER_500N,
-    Named(
-        "M 100, L 8, R_x/R_y 0.3, at 30°", moes(100.0, 8.0, 0.3, pi / 6.0), box=(-5.0, 2.0, 3.0)
-    ),
+    Named("M 100, L 8, R_x/R_y 0.3, at 30°", moes(100.0, 8.0, 0.3, pi / 6.0), box=(-5.0, 2.0, 3.0)),
     Named("M 100, L 8, R_x/R_y 0.1, rotating", SPINNING.conditions, box=(-5.0, 1.5, 2.5)),
 )
 CELLS = (32, 64, 128, 256)
@@ -48,34 +37,22 @@ def orders(quick: bool = False) -> Section:
     jobs = [(contact, n) for n in reversed(points) for contact in contacts]
     films = each(lambda job: fully_converged_films(job[0].conditions, job[0].box, job[1]), jobs)
     sequences = {
-        contact.name: sorted(
-            (f for (c, _), f in zip(jobs, films, strict=True) if c is contact),
-            key=lambda f: f.points,
-        )
+        contact.name: sorted((f for (c, _), f in zip(jobs, films, strict=True) if c is contact), key=lambda f: f.points)
         for contact in contacts
     }
     rows = tuple(row for name, films in sequences.items() for row in _rows(name, films))
     part_table, part_checks = _part_table()
     checks = [
-        Check(
-            f"order of the central film, {name}, finest three grids",
-            _last_order(films),
-            least=1.7,
-            most=2.3,
-        )
+        Check(f"order of the central film, {name}, finest three grids", _last_order(films), least=1.7, most=2.3)
         for name, films in sequences.items()
     ]
-    head = columns(
-        "contact | points along x | h_x | H_c | p | H_min | p | H_c, H_min extrapolated"
-    )
+    head = columns("contact | points along x | h_x | H_c | p | H_min | p | H_c, H_min extrapolated")
     curves = [
         Curve(label=f"{name}, {which}", x=tuple(f.hx for f in films[:-1]), y=_errors(films, which))
         for name, films in sequences.items()
         for which in FILMS
     ]
-    caption = (
-        "Relative error of the films against the value extrapolated from the two finest grids"
-    )
+    caption = "Relative error of the films against the value extrapolated from the two finest grids"
     return Section(
         title="Orders",
         text=text("orders"),
@@ -150,14 +127,7 @@ def _parts() -> list[tuple[str, float, list[float]]]:
 def _hertz_error(ratio: float, cells: int) -> float:
     """Root-mean-square departure of the deflected gap from a constant inside the ellipse [-]."""
     k, (f, g, d) = ellipse_ratio(ratio), hertz_coefficients(ratio)
-    grid = Grid(
-        x_in=-2.0,
-        hx=4.0 / cells,
-        hy=4.0 * k / cells,
-        nx=cells + 1,
-        ny=cells // 2 + 1,
-        symmetric=True,
-    )
+    grid = Grid(x_in=-2.0, hx=4.0 / cells, hy=4.0 * k / cells, nx=cells + 1, ny=cells // 2 + 1, symmetric=True)
     X = grid.X[None, :]
     Y = grid.Y[:, None]
     inside = X**2 + (Y / k) ** 2 < 1.0
@@ -168,12 +138,8 @@ def _hertz_error(ratio: float, cells: int) -> float:
 
 def _kapitza_error(rotation: float, cells: int) -> float:
     """Largest difference of the discrete Poiseuille term and the Couette term it balances [-]."""
-    contact = scale_contact(
-        from_groups(moes(2.0, 1.0, 0.3, 0.4, oil=WATER_LIKE), rotation=rotation)
-    )
-    grid = Grid(
-        x_in=-4.0, hx=8.0 / cells, hy=8.0 / cells, nx=cells + 1, ny=cells + 1, symmetric=False
-    )
+    contact = scale_contact(from_groups(moes(2.0, 1.0, 0.3, 0.4, oil=WATER_LIKE), rotation=rotation))
+    grid = Grid(x_in=-4.0, hx=8.0 / cells, hy=8.0 / cells, nx=cells + 1, ny=cells + 1, symmetric=False)
     X = grid.X[None, :]
     Y = grid.Y[:, None]
     H = 1.5 + 0.5 * contact.curvature_x * X**2 + 0.5 * contact.curvature_y * Y**2

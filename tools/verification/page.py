@@ -113,18 +113,12 @@ def markdown(title: str, introduction: str, sections: Sequence[Section]) -> str:
     for section in sections:
         parts += [f"## {section.title}", section.text]
         parts += [_table(table) for table in section.tables]
-        parts += [
-            f"![{picture.caption}]({PICTURES}/{picture.stem}.png)" for picture in section.pictures
-        ]
+        parts += [f"![{picture.caption}]({PICTURES}/{picture.stem}.png)" for picture in section.pictures]
     return "\n\n".join(part.strip() for part in parts if part.strip()) + "\n"
 
 
 def _table(table: Table) -> str:
-    lines = [
-        _line(table.head),
-        _line(["---"] * len(table.head)),
-        *(_line(row) for row in table.rows),
-    ]
+    lines = [_line(table.head), _line(["---"] * len(table.head)), *(_line(row) for row in table.rows)]
     return f"{table.caption}\n\n" + "\n".join(lines)
 
 

@@ -36,21 +36,11 @@ def robustness_section(finished: Sequence[Finished], seed: int) -> Section:
             Check(f"converged, of {len(resolvable)} resolvable", share, least=0.995),
             Check("neither converged nor resolved without saying so", len(silent), most=0.0),
             Check(f"of {len(errors)} films within their error bars", covered, least=COVERED),
-            *(
-                [Check(f"of {len(approach)} H₀ within their error bars", held, least=COVERED)]
-                if approach
-                else []
-            ),
+            *([Check(f"of {len(approach)} H₀ within their error bars", held, least=COVERED)] if approach else []),
             Check(f"films wrong by {WRONG:.0%} and more than their bar", len(wrong), most=0.0),
         ),
         tables=tuple(tables),
-        pictures=(
-            Picture(
-                "robustness",
-                caption,
-                partial(draw_robustness, points=[_map_point(f) for f in finished]),
-            ),
-        ),
+        pictures=(Picture("robustness", caption, partial(draw_robustness, points=[_map_point(f) for f in finished])),),
     )
 
 
@@ -58,10 +48,7 @@ def _outcomes(finished: Sequence[Finished]) -> Table:
     points = sorted({f.points for f in finished})
     rows = []
     for outcome in OUTCOMES:
-        for name, resolvable in (
-            ("resolvable", True),
-            ("too thin to resolve, or outside the model", False),
-        ):
+        for name, resolvable in (("resolvable", True), ("too thin to resolve, or outside the model", False)):
             group = [f for f in finished if f.outcome == outcome and f.resolvable == resolvable]
             cells = [str(sum(f.points == n for f in group)) for n in points]
             if group or resolvable:
@@ -90,8 +77,7 @@ def _bars(finished: Sequence[Finished]) -> Table:
         row = (f"{x:.4f} a²/R_x" for x in numbers)
         rows.append(("all, H₀", within, *row, f"{np.max(errors / bars):.2f}"))
     head = columns(
-        "entrainment, film | within the bar | error, median | bar, median | bar, 9 of 10 below"
-        " | largest error over bar"
+        "entrainment, film | within the bar | error, median | bar, median | bar, 9 of 10 below | largest error over bar"
     )
     return Table("Error bars, judged by a solve with twice the points:", head, tuple(rows))
 
@@ -113,10 +99,7 @@ def _kinds(finished: Sequence[Finished]) -> Table:
         seconds = sum(f.seconds for f in group) / max(len(group), 1)
         counts = (len(group), len(good), sum(f.converged for f in good), plain)
         rows.append((kind, *map(str, counts), f"{seconds:.1f}"))
-    head = columns(
-        "entrainment | draws | resolvable | of these converged | without any measure"
-        " | mean time, s"
-    )
+    head = columns("entrainment | draws | resolvable | of these converged | without any measure | mean time, s")
     caption = "By the entrainment; time of a solve, on a machine that was shared:"
     return Table(caption, head, tuple(rows))
 

@@ -127,9 +127,7 @@ class _Problem:
         eps, eps_P, eps_H = self.conductance(p, h)
         residual: Array = np.zeros(p.size)
         by_P = by_H = sp.csr_matrix((p.size, p.size))
-        for grade, mean, leave in zip(
-            self.faces.grade, self.faces.mean, self.faces.leave, strict=True
-        ):
+        for grade, mean, leave in zip(self.faces.grade, self.faces.mean, self.faces.leave, strict=True):
             slope = np.asarray(grade @ p)
             driven: Array = leave @ ((mean @ eps) * slope)
             residual += driven

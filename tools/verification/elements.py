@@ -8,16 +8,7 @@ from ehl import ContactSolution, FilmValue, SolverOptions, solve_contact
 from ehl.finite_element.solver import solve_contact_finite_element
 from postprocess.text import value_with_error
 
-from .contacts import (
-    CIRCULAR_20_10,
-    CIRCULAR_200_10,
-    CIRCULAR_BOX,
-    OIL,
-    Named,
-    from_groups,
-    moes,
-    race_6208,
-)
+from .contacts import CIRCULAR_20_10, CIRCULAR_200_10, CIRCULAR_BOX, OIL, Named, from_groups, moes, race_6208
 from .draws import Draw, draws
 from .page import Check, Section, Table, columns, each, percent, text
 
@@ -39,22 +30,12 @@ CONTACTS = (
     Named("M 2000, L 10, R_x/R_y 0.03", moes(2000.0, 10.0, 0.03, oil=OIL)),
     Named("M 100, L 5, R_x/R_y 3", moes(100.0, 5.0, 3.0, oil=OIL)),
     Named("M 20, L 5, R_x/R_y 0.4, entrainment at 0.6 rad", moes(20.0, 5.0, 0.4, 0.6, oil=OIL)),
-    Named(
-        "M 100, L 10, R_x/R_y 0.2, turning",
-        from_groups(moes(100.0, 10.0, 0.2, oil=OIL), rotation=0.3),
-    ),
+    Named("M 100, L 10, R_x/R_y 0.2, turning", from_groups(moes(100.0, 10.0, 0.2, oil=OIL), rotation=0.3)),
 )
 
 RACES = tuple(
     Named(f"6208 {'outer' if outer else 'inner'} race, {load:.0f} N", race_6208(load, outer))
-    for load, outer in (
-        (1596.3, False),
-        (916.2, False),
-        (300.0, False),
-        (1611.8, True),
-        (931.7, True),
-        (15.48, True),
-    )
+    for load, outer in ((1596.3, False), (916.2, False), (300.0, False), (1611.8, True), (931.7, True), (15.48, True))
 )
 
 
@@ -86,16 +67,10 @@ class Pair:
     def cells(self) -> tuple[str, ...]:
         """A row of the table."""
         box = self.contact.box
-        cells = [
-            self.contact.name,
-            "open" if box is None else ", ".join(f"{end:g}" for end in box),
-        ]
+        cells = [self.contact.name, "open" if box is None else ", ".join(f"{end:g}" for end in box)]
         for kind in ("central", "minimum"):
             films = self._films(kind)
-            cells += [
-                value_with_error(f.value, f.uncertainty) if isfinite(f.value) else "none"
-                for f in films
-            ]
+            cells += [value_with_error(f.value, f.uncertainty) if isfinite(f.value) else "none" for f in films]
             known = all(isfinite(f.value) for f in films)
             cells.append(percent(self.difference(kind), 2) if known else "")
         return tuple(cells)
@@ -113,9 +88,7 @@ def elements(quick: bool = False) -> Section:
     others = () if quick else (*RACES, *random_contacts(seed))
     pairs = each(lambda c: _both(c, points), (*named, *others))
     checks = [
-        Check(
-            f"finite elements, {kind} film, {p.contact.name}", abs(p.difference(kind)), most=most
-        )
+        Check(f"finite elements, {kind} film, {p.contact.name}", abs(p.difference(kind)), most=most)
         for p in pairs[: len(named)]
         for kind, most in (("central", 0.01), ("minimum", 0.02))
     ]
@@ -126,9 +99,7 @@ def elements(quick: bool = False) -> Section:
             Check("finite elements: contacts that both resolve", len(compared), least=COMPARED),
             Check("finite elements: difference over both bars and 0.1 %", largest, most=1.0),
         ]
-    head = columns(
-        "contact | box | H_c, multigrid | H_c, elements |  | H_min, multigrid | H_min, elements | "
-    )
+    head = columns("contact | box | H_c, multigrid | H_c, elements |  | H_min, multigrid | H_min, elements | ")
     lines = (points[1] + 1) // 2
     meshes = f"multigrid {points[0]} points, elements about {lines} lines of nodes"
     chosen = "" if quick else f"; the last {DRAWS} drawn by seed {seed}"

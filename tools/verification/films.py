@@ -27,29 +27,20 @@ def named_films(quick: bool = False) -> Section:
     solutions = each(_solve, jobs)
     rows = []
     covered = []
-    for contact, best, rough in zip(
-        named, solutions[: len(named)], solutions[len(named) :], strict=True
-    ):
+    for contact, best, rough in zip(named, solutions[: len(named)], solutions[len(named) :], strict=True):
         ratios = [_error_over_bar(rough, best, film) for film in FILMS]
         if rough.resolved and rough.converged:
             covered += ratios
         rows.append(_row(contact, best, ratios))
     known = sum(s.converged and s.resolved for s in solutions[: len(named)]) / len(named)
     checks = (
-        Check(
-            f"named contacts: largest error of {coarse} points over its bar",
-            max(covered),
-            most=1.0,
-        ),
+        Check(f"named contacts: largest error of {coarse} points over its bar", max(covered), most=1.0),
         Check("named contacts converged and resolved, share", known, least=1.0),
         *_reference_checks(solutions[0], 2e-3 if quick else 2e-4),
     )
     caption = f"{fine} points along x, judged by it {coarse}:"
     return Section(
-        title="Grid-converged films",
-        text=text("films"),
-        checks=checks,
-        tables=(Table(caption, HEAD, tuple(rows)),),
+        title="Grid-converged films", text=text("films"), checks=checks, tables=(Table(caption, HEAD, tuple(rows)),)
     )
 
 
@@ -82,9 +73,7 @@ def _row(contact: Named, s: ContactSolution, ratios: list[float]) -> tuple[str, 
     box = ", ".join(f"{end:.4g}" for end in s.domain)
     unit = None if s.film_scale is None else 1e6 * s.film_scale
     films = ((film.value, film.uncertainty) for film in (central, minimum))
-    lengths = [
-        "" if unit is None else value_with_error(unit * value, unit * bar) for value, bar in films
-    ]
+    lengths = ["" if unit is None else value_with_error(unit * value, unit * bar) for value, bar in films]
     turned = f", grid at {degrees(s.frame_angle):.0f}°" if s.frame_angle else ""
     return (
         contact.name,

@@ -11,17 +11,7 @@ from ehl.conditions import moes_groups
 from ehl.multigrid.history import CENTRAL
 from ehl.units import MICROMETRE
 
-from .contacts import (
-    CIRCULAR_20_10,
-    CIRCULAR_BOX,
-    MINERAL_OIL,
-    OIL,
-    Box,
-    Conditions,
-    from_groups,
-    moes,
-    race_6208,
-)
+from .contacts import CIRCULAR_20_10, CIRCULAR_BOX, MINERAL_OIL, OIL, Box, Conditions, from_groups, moes, race_6208
 from .converged_films import solve_in_box
 from .page import Check, Picture, Section, Table, columns, each, percent, text
 from .plots import Curve, draw_hertz
@@ -37,18 +27,10 @@ def hertz_limit(quick: bool = False) -> Section:
     slower = SLOWER[:3] if quick else SLOWER
     points = 129 if quick else 1025
     contacts = [moes(20.0 * s**0.75, 10.0 * s**-0.25, oil=OIL) for s in slower]
-    solutions = each(
-        lambda c: solve_contact(c, SolverOptions(points=points, domain=CIRCULAR_BOX)), contacts
-    )
-    head = columns(
-        "M | L | H_c | rms of P − P_Hertz | P(0, 0) | approach | approach, formula | resolved"
-    )
+    solutions = each(lambda c: solve_contact(c, SolverOptions(points=points, domain=CIRCULAR_BOX)), contacts)
+    head = columns("M | L | H_c | rms of P − P_Hertz | P(0, 0) | approach | approach, formula | resolved")
     curves = [
-        Curve(
-            label=f"M {s.moes_load:.0f}, L {s.moes_lubricant:.1f}",
-            x=tuple(s.X),
-            y=tuple(s.P[:, s.Y.size // 2]),
-        )
+        Curve(label=f"M {s.moes_load:.0f}, L {s.moes_lubricant:.1f}", x=tuple(s.X), y=tuple(s.P[:, s.Y.size // 2]))
         for s in solutions
         if s.resolved
     ]
@@ -79,10 +61,7 @@ def _hertz_row(s: ContactSolution) -> tuple[str, ...]:
 def _hertz_checks(resolved: list[ContactSolution], share: float) -> tuple[Check, ...]:
     """Checks on the resolved solutions, fastest first."""
     fitted = [s for s in resolved if s.moes_load <= 1000.0]
-    misses = [
-        -s.approach_dimensionless.value / approach_formula(s.moes_load, s.moes_lubricant) - 1.0
-        for s in fitted
-    ]
+    misses = [-s.approach_dimensionless.value / approach_formula(s.moes_load, s.moes_lubricant) - 1.0 for s in fitted]
     first = resolved[0]
     last = resolved[-1]
     return (
@@ -91,12 +70,7 @@ def _hertz_checks(resolved: list[ContactSolution], share: float) -> tuple[Check,
             _distance(last) / _distance(first),
             most=share,
         ),
-        Check(
-            "pressure at the centre over Hertz', slowest resolved",
-            _centre(last),
-            least=0.99,
-            most=1.01,
-        ),
+        Check("pressure at the centre over Hertz', slowest resolved", _centre(last), least=0.99, most=1.01),
         Check(
             "approach against the formula for M 20 to 1000, largest difference",
             max(abs(miss) for miss in misses),
@@ -134,23 +108,14 @@ def same_contact(quick: bool = False) -> Section:
         checks.append(Check(f"films of {name}", difference, most=limit))
     head = columns("the same contact | central, minimum | central, minimum | difference")
     tables = [
-        Table(
-            f"Films of the finest grid, {points} points, in µm (first row) or in units of a²/R_x:",
-            head,
-            tuple(rows),
-        )
+        Table(f"Films of the finest grid, {points} points, in µm (first row) or in units of a²/R_x:", head, tuple(rows))
     ]
     if not quick:
         table, change = _boxes()
         tables.append(table)
-        checks.append(
-            Check("open box: largest change of the film when the box doubles", change, most=0.001)
-        )
+        checks.append(Check("open box: largest change of the film when the box doubles", change, most=0.001))
     return Section(
-        title="One contact, posed in different ways",
-        text=text("same"),
-        checks=tuple(checks),
-        tables=tuple(tables),
+        title="One contact, posed in different ways", text=text("same"), checks=tuple(checks), tables=tuple(tables)
     )
 
 
@@ -184,12 +149,7 @@ def _pairs() -> list[tuple[str, Posed, Posed, float]]:
         ("6208 in SI and in Moes' groups", (inner, WIDE), (groups, WIDE), 1e-8),
         ("an entrainment and its mirror image", (oblique, None), (mirrored, None), 2e-3),
         ("a rotation and its mirror image", (spin, None), (back, None), 2e-3),
-        (
-            "a circle, entrainment at 0° and at 40°",
-            (circle, box),
-            (replace(circle, entrainment_angle=0.7), box),
-            2e-3,
-        ),
+        ("a circle, entrainment at 0° and at 40°", (circle, box), (replace(circle, entrainment_angle=0.7), box), 2e-3),
     ]
 
 
@@ -211,12 +171,7 @@ BOX_SCALES = ((1.0, 65), (2.0, 129), (4.0, 257))
 
 def _boxes() -> tuple[Table, float]:
     """Central film over the size of the box at one mesh size, and its last change."""
-    jobs = [
-        (name, is_open, *scale)
-        for name in BOX_CONTACTS
-        for is_open in (False, True)
-        for scale in BOX_SCALES
-    ]
+    jobs = [(name, is_open, *scale) for name in BOX_CONTACTS for is_open in (False, True) for scale in BOX_SCALES]
     films = each(lambda job: box_film(*job), jobs)
     rows = []
     changes = []

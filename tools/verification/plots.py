@@ -36,9 +36,7 @@ def _slope(axes: Axes, x: tuple[float, float], y: float, power: int) -> None:
     """A dashed line of a power of x."""
     ends = np.array(x)
     axes.plot(ends, y * (ends / ends[0]) ** power, color=REFERENCE, linestyle="--", linewidth=0.9)
-    axes.annotate(
-        f"order {power}", (ends[1], y * (ends[1] / ends[0]) ** power), fontsize=7, color=REFERENCE
-    )
+    axes.annotate(f"order {power}", (ends[1], y * (ends[1] / ends[0]) ** power), fontsize=7, color=REFERENCE)
 
 
 def draw_orders(figure: Figure, curves: Sequence[Curve]) -> None:
@@ -83,9 +81,7 @@ def draw_moes(figure: Figure, curves: Sequence[Curve], fits: Sequence[Curve]) ->
     """Central film (h/Rx)(2U)^(-1/2) [-] over M [-], one curve each L; fits as lines."""
     figure.set_size_inches(0.8 * PAGE_WIDTH, 3.8)
     axes: Axes = figure.subplots()
-    for number, (colour, curve, fit) in enumerate(
-        zip(_colours(len(curves)), curves, fits, strict=True)
-    ):
+    for number, (colour, curve, fit) in enumerate(zip(_colours(len(curves)), curves, fits, strict=True)):
         axes.loglog(fit.x, fit.y, color=colour, linewidth=0.9)
         style: Any = {"color": colour, "markersize": 4, "label": f"L = {curve.label}"}
         axes.loglog(curve.x, curve.y, MARKERS[number], **style)
@@ -115,9 +111,7 @@ def draw_formulas(figure: Figure, maps: Sequence[FormulaMap], columns: int) -> N
     image: Any = None
     for axes, shown in zip(panels.ravel(), maps, strict=True):
         percent = 100.0 * np.ma.masked_invalid(shown.share)
-        image = axes.imshow(
-            percent, cmap="RdBu_r", vmin=-60.0, vmax=60.0, origin="lower", aspect="auto"
-        )
+        image = axes.imshow(percent, cmap="RdBu_r", vmin=-60.0, vmax=60.0, origin="lower", aspect="auto")
         for (j, i), value in np.ndenumerate(shown.share):
             text = "×" if np.isnan(value) else f"{100.0 * value:+.0f}"
             style: Any = {"ha": "center", "va": "center", "fontsize": 6}
@@ -129,9 +123,7 @@ def draw_formulas(figure: Figure, maps: Sequence[FormulaMap], columns: int) -> N
         axes.set_xlabel("$M$ [-]")
     for axes in panels[:, 0]:
         axes.set_ylabel("$L$ [-]")
-    figure.colorbar(
-        image, ax=panels, label="formula over solved film, less one [%]", extend="both", aspect=40
-    )
+    figure.colorbar(image, ax=panels, label="formula over solved film, less one [%]", extend="both", aspect=40)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -153,9 +145,7 @@ def draw_scaling(figure: Figure, curves: Sequence[ScalingCurve]) -> None:
     for number, (colour, curve) in enumerate(zip(_colours(len(curves)), curves, strict=True)):
         style: dict[str, Any] = {"color": colour, "marker": MARKERS[number], "markersize": 3.5}
         panels[0].loglog(curve.unknowns, curve.time, label=_mathematical(curve.label), **style)
-        panels[0].loglog(
-            curve.unknowns, curve.deflection, color=colour, linestyle="--", linewidth=0.8
-        )
+        panels[0].loglog(curve.unknowns, curve.deflection, color=colour, linestyle="--", linewidth=0.8)
         panels[1].semilogx(curve.unknowns, curve.cycles, **style)
         panels[2].semilogx(curve.unknowns, curve.memory, **style)
     panels[0].set_ylabel("time per unknown [µs]\n(dashed: one deflection)")

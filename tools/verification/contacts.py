@@ -32,26 +32,16 @@ class Named:
     box: Box | None = None
 
 
-def moes(
-    m: float, l: float, ratio: float = 1.0, angle: float = 0.0, oil: Lubricant = MINERAL_OIL
-) -> MoesConditions:
+def moes(m: float, l: float, ratio: float = 1.0, angle: float = 0.0, oil: Lubricant = MINERAL_OIL) -> MoesConditions:
     """A contact by M, L, Rx/Ry [-] and the angle of its entrainment [rad]."""
     return MoesConditions(
-        load_parameter=m,
-        lubricant_parameter=l,
-        radius_ratio=ratio,
-        entrainment_angle=angle,
-        lubricant=oil,
+        load_parameter=m, lubricant_parameter=l, radius_ratio=ratio, entrainment_angle=angle, lubricant=oil
     )
 
 
 # a thin film in an ellipse, the entrainment oblique: cycles alone may fail on coarse grids
 SKEWED = moes(
-    1924.0,
-    1.596,
-    0.0473,
-    72.0 * DEGREE,
-    Lubricant(viscosity=0.04, pressure_viscosity=20.35e-9, roelands_z=0.6256),
+    1924.0, 1.596, 0.0473, 72.0 * DEGREE, Lubricant(viscosity=0.04, pressure_viscosity=20.35e-9, roelands_z=0.6256)
 )
 # an ellipse whose entrainment turns from place to place
 TURNING = ContactConditions(
@@ -126,9 +116,7 @@ def race_6208(load: float, outer: bool = False) -> ContactConditions:
 CIRCULAR_20_10 = Named("M 20, L 10", moes(20.0, 10.0, oil=OIL), box=CIRCULAR_BOX)
 CIRCULAR_200_10 = Named("M 200, L 10", moes(200.0, 10.0, oil=OIL), box=CIRCULAR_BOX)
 INNER_500N = Named("6208 inner race, 500 N", race_6208(500.0), box=(-16.5, 1.5, 2.25))
-OBLIQUE = Named(
-    "M 100, L 8, R_x/R_y 0.3, entrainment at 30°", moes(100.0, 8.0, 0.3, 30.0 * DEGREE)
-)
+OBLIQUE = Named("M 100, L 8, R_x/R_y 0.3, entrainment at 30°", moes(100.0, 8.0, 0.3, 30.0 * DEGREE))
 SPINNING = Named(
     "M 100, L 8, R_x/R_y 0.1, rotation 0.3 u_m at the end of the ellipse",
     from_groups(moes(100.0, 8.0, 0.1), rotation=0.3),

@@ -67,9 +67,7 @@ def check_page(directory: Path, page: str) -> None:
     path = directory / page
     title = f"# {TITLES[page]}\n"
     if path.exists() and not path.read_text(encoding="utf-8", errors="replace").startswith(title):
-        raise ForeignFileError(
-            f"{path}: not written by oilfilm, will not be replaced; choose another -o"
-        )
+        raise ForeignFileError(f"{path}: not written by oilfilm, will not be replaced; choose another -o")
 
 
 def write_page(sections: Sequence[Section], directory: Path, page: str) -> None:
@@ -101,10 +99,7 @@ def document(sections: Sequence[Section]) -> dict[str, Any]:
             for check in checks
         ],
         "sections": [
-            {
-                "title": section.title,
-                "tables": [{"head": t.head, "rows": t.rows} for t in section.tables],
-            }
+            {"title": section.title, "tables": [{"head": t.head, "rows": t.rows} for t in section.tables]}
             for section in sections
         ],
     }

@@ -19,11 +19,7 @@ from .plots import ScalingCurve, draw_scaling
 
 POINTS = (65, 129, 257, 513, 1025, 2049)
 FEW_POINTS = (65, 129, 257)
-CONTACTS = (
-    CIRCULAR_20_10,
-    CIRCULAR_200_10,
-    Named("6208 outer race, 1612 N", race_6208(1611.8, outer=True)),
-)
+CONTACTS = (CIRCULAR_20_10, CIRCULAR_200_10, Named("6208 outer race, 1612 N", race_6208(1611.8, outer=True)))
 # cost per unknown may grow by this factor from here to the finest grid
 GROWTH_FROM = 257
 GROWTH = 2.2
@@ -65,12 +61,7 @@ def deflection_time(solution: ContactSolution, repeats: int = 11) -> float:
     x = solution.X
     y = solution.Y
     grid = Grid(
-        x_in=float(x[0]),
-        hx=float(x[1] - x[0]),
-        hy=float(y[1] - y[0]),
-        nx=x.size,
-        ny=(y.size + 1) // 2,
-        symmetric=True,
+        x_in=float(x[0]), hx=float(x[1] - x[0]), hy=float(y[1] - y[0]), nx=x.size, ny=(y.size + 1) // 2, symmetric=True
     )
     kernel = deflection_kernel(grid, 1.0)
     pressure = np.random.default_rng(17).random((grid.ny, grid.nx))
@@ -129,10 +120,7 @@ def costs(quick: bool = False, run_bearing: Callable[[], BearingResults] | None 
         )
         for name, costs in measured.items()
     ]
-    caption = (
-        "Time per unknown (deflection alone dashed), "
-        "cycles on the finest grid and memory per unknown"
-    )
+    caption = "Time per unknown (deflection alone dashed), cycles on the finest grid and memory per unknown"
     return Section(
         title="Cost",
         text=text("costs"),
@@ -185,8 +173,7 @@ def _bearing_table(run_bearing: Callable[[], BearingResults]) -> Table:
     times = (f"{seconds:.2f}", f"{seconds / alone:.0f}")
     row = (BEARING, str(best.case["ehl"]["points"]), contacts, str(converged), *times)
     return Table(
-        "All contacts of the bearing, in as many threads as there are cores, "
-        "equal ones solved once:",
+        "All contacts of the bearing, in as many threads as there are cores, equal ones solved once:",
         ("case", "points", "contacts", "converged", "time, s", "time/sum of one deflection each"),
         (row,),
     )

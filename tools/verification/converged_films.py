@@ -53,6 +53,4 @@ def fully_converged_films(conditions: Conditions, box: Box | None, points: int) 
         change = max(abs(new / old - 1.0) for new, old in zip(films, before, strict=True))
         if change < FILM_CHANGE:
             break
-    return ConvergedFilms(
-        points=points, hx=level.grid.hx, central=films[0], minimum=films[1], change=change
-    )
+    return ConvergedFilms(points=points, hx=level.grid.hx, central=films[0], minimum=films[1], change=change)

@@ -33,12 +33,8 @@ FORMULAS: dict[str, tuple[str, Formula]] = {
 
 def formulas(quick: bool = False) -> Section:
     """Deviation of the formulas over M, L and Rx/Ry."""
-    loads, lubricant, ratios = (
-        ((15.0, 150.0), (5.0, 10.0), (1.0,)) if quick else (LOADS, LUBRICANT, RATIOS)
-    )
-    options = SolverOptions(
-        points=257 if quick else 1025, tolerance=2.5 * TOLERANCE if quick else TOLERANCE
-    )
+    loads, lubricant, ratios = ((15.0, 150.0), (5.0, 10.0), (1.0,)) if quick else (LOADS, LUBRICANT, RATIOS)
+    options = SolverOptions(points=257 if quick else 1025, tolerance=2.5 * TOLERANCE if quick else TOLERANCE)
     jobs = [(ratio, l, m) for ratio in ratios for l in lubricant for m in loads]
     contacts = [from_groups(moes(m, l, ratio)) for ratio, l, m in jobs]
     solutions = dict(zip(jobs, each(lambda c: solve_contact(c, options), contacts), strict=True))
@@ -48,26 +44,19 @@ def formulas(quick: bool = False) -> Section:
         own = maps[k * len(ratios) : (k + 1) * len(ratios)]
         rows.append((name, *(_range(one.share) for one in own)))
     head = ("formula", *(f"R_x/R_y {ratio:g}" for ratio in ratios))
-    tables = [
-        Table("Smallest and largest deviation, and the median of its size:", head, tuple(rows))
-    ]
+    tables = [Table("Smallest and largest deviation, and the median of its size:", head, tuple(rows))]
     if not quick:
         tables.append(_named(options))
     used = sum(s.converged and s.resolved for s in solutions.values()) / len(solutions)
     return Section(
         title="Film formulas",
         text=text("formulas"),
-        checks=(
-            Check(
-                "formulas: share of the contacts solved to the wanted error bar", used, least=0.9
-            ),
-        ),
+        checks=(Check("formulas: share of the contacts solved to the wanted error bar", used, least=0.9),),
         tables=tuple(tables),
         pictures=(
             Picture(
                 "verification_formulas",
-                "Deviation of film formulas from solved films; "
-                "crossed: not solved to the wanted bar",
+                "Deviation of film formulas from solved films; crossed: not solved to the wanted bar",
                 partial(draw_formulas, maps=maps, columns=len(ratios)),
             ),
         ),
@@ -83,14 +72,9 @@ def _maps(
     """A map of each formula at each Rx/Ry."""
     maps = []
     for (name, (which, formula)), ratio in product(FORMULAS.items(), ratios):
-        share = [
-            [_deviation(formula, which, solutions[(ratio, l, m)]) for m in loads]
-            for l in lubricant
-        ]
+        share = [[_deviation(formula, which, solutions[(ratio, l, m)]) for m in loads] for l in lubricant]
         title = f"{name}, $R_x/R_y$ {ratio:g}"
-        maps.append(
-            FormulaMap(title=title, loads=loads, lubricant=lubricant, share=np.array(share))
-        )
+        maps.append(FormulaMap(title=title, loads=loads, lubricant=lubricant, share=np.array(share)))
     return maps
 
 
@@ -118,8 +102,6 @@ def _named(options: SolverOptions) -> Table:
     solutions = each(lambda c: solve_contact(c.conditions, options), named)
     rows = []
     for contact, s in zip(named, solutions, strict=True):
-        deviations = [
-            percent(_deviation(formula, which, s), 1) for which, formula in FORMULAS.values()
-        ]
+        deviations = [percent(_deviation(formula, which, s), 1) for which, formula in FORMULAS.values()]
         rows.append((contact.name, f"{s.moes_load:.1f}", f"{s.moes_lubricant:.1f}", *deviations))
     return Table("Contacts of the 6208:", ("contact", "M", "L", *FORMULAS), tuple(rows))

@@ -26,12 +26,7 @@ REGIMES = {  # M, L, Rx/Ry and the factor on M or L over which the power is take
     "EP": ((500.0, 5.0, 1.0), "M", 2.0),
 }
 POWERS = {"RI": -2.0, "EI": -2.0 / 15.0, "RP": 2.0 / 3.0, "EP": -1.0 / 12.0}
-NAMES = {
-    "RI": "rigid isoviscous",
-    "EI": "elastic isoviscous",
-    "RP": "rigid piezoviscous",
-    "EP": "elastic piezoviscous",
-}
+NAMES = {"RI": "rigid isoviscous", "EI": "elastic isoviscous", "RP": "rigid piezoviscous", "EP": "elastic piezoviscous"}
 POWER_TOLERANCE = {"RI": 0.1, "EI": 0.05, "RP": 0.1, "EP": 0.05}
 
 
@@ -63,9 +58,7 @@ def moes_film(solution: ContactSolution) -> float:
 def _solve(job: tuple[float, float, float, int], tolerance: float = TOLERANCE) -> ContactSolution:
     m, l, ratio, points = job
     oil = OIL if l > 0.0 else WATER_LIKE
-    return solve_contact(
-        moes(m, l, ratio, oil=oil), SolverOptions(points=points, tolerance=tolerance)
-    )
+    return solve_contact(moes(m, l, ratio, oil=oil), SolverOptions(points=points, tolerance=tolerance))
 
 
 def moes_diagram(quick: bool = False) -> Section:
@@ -83,26 +76,17 @@ def moes_diagram(quick: bool = False) -> Section:
             if job[1] == l and s.converged and s.resolved
         ]
         dense = tuple(float(m) for m in np.geomspace(loads[0], loads[-1], 200))
-        curves.append(
-            Curve(label=f"{l:g}", x=tuple(m for m, _ in films), y=tuple(h for _, h in films))
-        )
-        fits.append(
-            Curve(label="fit", x=dense, y=tuple(moes_film_nijenbanning(m, l, 1.0) for m in dense))
-        )
+        curves.append(Curve(label=f"{l:g}", x=tuple(m for m, _ in films), y=tuple(h for _, h in films)))
+        fits.append(Curve(label="fit", x=dense, y=tuple(moes_film_nijenbanning(m, l, 1.0) for m in dense)))
     # the rigid films are not resolved on the 129 points of the quick diagram
     table, checks = _regimes(257, ("RI", "RP")) if quick else _regimes(points, tuple(REGIMES))
-    caption = (
-        "Central film over load for five L: solved (dots), "
-        "fit of Nijenbanning, Venner and Moes (lines)"
-    )
+    caption = "Central film over load for five L: solved (dots), fit of Nijenbanning, Venner and Moes (lines)"
     return Section(
         title="Moes' asymptotes",
         text=text("asymptotes"),
         checks=checks,
         tables=(table,),
-        pictures=(
-            Picture("verification_moes", caption, partial(draw_moes, curves=curves, fits=fits)),
-        ),
+        pictures=(Picture("verification_moes", caption, partial(draw_moes, curves=curves, fits=fits)),),
     )
 
 
@@ -136,8 +120,6 @@ def _regimes(points: int, names: Sequence[str]) -> tuple[Table, tuple[Check, ...
                 most=round(theory + within, 3),
             )
         )
-    head = columns(
-        "regime | M | L | film, solved | asymptote |  | whole formula | power | of the asymptote"
-    )
+    head = columns("regime | M | L | film, solved | asymptote |  | whole formula | power | of the asymptote")
     caption = "(h/R_x)(2U)^(−1/2), circular contact:"
     return Table(caption, head, tuple(rows)), tuple(checks)

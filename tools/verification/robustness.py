@@ -62,11 +62,7 @@ class Finished:
         """
         if self.message.startswith(OUTSIDE):
             return False
-        return (
-            (self.converged and self.resolved)
-            or self.fineness is None
-            or self.fineness >= RESOLVABLE
-        )
+        return (self.converged and self.resolved) or self.fineness is None or self.fineness >= RESOLVABLE
 
     @property
     def errors(self) -> tuple[tuple[float, float], ...]:
@@ -132,11 +128,7 @@ def _check(draw: Draw, solution: ContactSolution) -> tuple[float, ...] | None:
 
 
 def _films(solution: ContactSolution) -> tuple[float, ...]:
-    values = (
-        solution.film_central_dimensionless,
-        solution.film_minimum_dimensionless,
-        solution.approach_dimensionless,
-    )
+    values = (solution.film_central_dimensionless, solution.film_minimum_dimensionless, solution.approach_dimensionless)
     return tuple(float(x) for value in values for x in (value.value, value.uncertainty))
 
 
@@ -166,10 +158,7 @@ def sweep(
     done = {finished.number: finished for finished in _take_over(file, head)}
     # draws before it were begun when the sweep was stopped: the longest, taken last
     last = max(done, default=-1)
-    waiting = sorted(
-        (d for d in draws(count, seed) if d.number not in done),
-        key=lambda d: (d.number < last, d.number),
-    )
+    waiting = sorted((d for d in draws(count, seed) if d.number not in done), key=lambda d: (d.number < last, d.number))
     lock = threading.Lock()
     progress(len(done), count, "random contacts")
     with film_threads(cores()) as pool:
@@ -178,9 +167,7 @@ def sweep(
             finished = job.result()
             done[finished.number] = finished
             with lock, file.open("a", encoding="utf-8") as lines:
-                lines.write(
-                    json.dumps(asdict(finished), ensure_ascii=False, allow_nan=False) + "\n"
-                )
+                lines.write(json.dumps(asdict(finished), ensure_ascii=False, allow_nan=False) + "\n")
             progress(len(done), count, "random contacts")
     return [done[number] for number in sorted(done) if number < count]
 
@@ -212,13 +199,10 @@ def read_finished(file: Path, head: dict[str, Any] | None = None) -> list[Finish
         if "seed" not in own or any(set(line) != keys for line in lines):
             raise ValueError(file)
     except (OSError, ValueError, TypeError):
-        raise ForeignFileError(
-            f"{file}: is no sweep of random contacts; move it away, or choose another -o"
-        ) from None
+        raise ForeignFileError(f"{file}: is no sweep of random contacts; move it away, or choose another -o") from None
     if head is not None and own != head:
         raise ForeignFileError(
-            f"{file}: holds the sweep with {own}, wanted is {head}; "
-            f"choose another -o, or --seed {own['seed']}"
+            f"{file}: holds the sweep with {own}, wanted is {head}; choose another -o, or --seed {own['seed']}"
         )
     names = ("measures", "films", "check")
     return [Finished(**(line | {name: _tuple(line[name]) for name in names})) for line in lines]

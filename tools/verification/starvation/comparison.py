@@ -34,18 +34,8 @@ class Compared:
 
 
 CONTACTS = (
-    Compared(
-        name="M 20, L 10",
-        conditions=moes(20.0, 10.0, oil=OIL),
-        box=(-6.0, 1.6, 3.5),
-        cells=(122, 56),
-    ),
-    Compared(
-        name="M 200, L 10",
-        conditions=moes(200.0, 10.0, oil=OIL),
-        box=(-4.0, 1.5, 2.5),
-        cells=(154, 70),
-    ),
+    Compared(name="M 20, L 10", conditions=moes(20.0, 10.0, oil=OIL), box=(-6.0, 1.6, 3.5), cells=(122, 56)),
+    Compared(name="M 200, L 10", conditions=moes(200.0, 10.0, oil=OIL), box=(-4.0, 1.5, 2.5), cells=(154, 70)),
     Compared(
         name="M 100, L 10, R_x/R_y 0.3",
         conditions=moes(100.0, 10.0, 0.3, oil=OIL),
@@ -93,10 +83,7 @@ def starvation(quick: bool = False) -> Section:
         caption = f"{contact.name}, multigrid {points} points, {nx} × {ny} cells:"
         tables.append(Table(caption, head, tuple(rows)))
     return Section(
-        title="Contacts behind a layer of oil",
-        text=text("starvation"),
-        checks=tuple(checks),
-        tables=tuple(tables),
+        title="Contacts behind a layer of oil", text=text("starvation"), checks=tuple(checks), tables=tuple(tables)
     )
 
 
@@ -121,9 +108,7 @@ def _checks(name: str, r: float, ours: Shares, theirs: Shares) -> list[Check]:
     return checks
 
 
-def shares_by_newton(
-    contact: Compared, ratios: tuple[float, ...], *, coarse: bool = False
-) -> list[Shares]:
+def shares_by_newton(contact: Compared, ratios: tuple[float, ...], *, coarse: bool = False) -> list[Shares]:
     """By Newton's method: the flooded film from Hertz' pressure, each layer from the solution
     before or, where that fails, from Hertz' pressure.
     """

@@ -92,9 +92,7 @@ class Faces:
         one_y = sp.identity(ny)
         along = _line(nx, cells.hx, closed=False)
         across = _line(ny, cells.hy, closed=True)
-        pairs = [
-            (sp.kron(one_y, a), sp.kron(b, one_x)) for a, b in zip(along, across, strict=True)
-        ]
+        pairs = [(sp.kron(one_y, a), sp.kron(b, one_x)) for a, b in zip(along, across, strict=True)]
         # gradient and mean of the faces, and what leaves the cells, each (along X, along Y)
         self.grade, self.mean, self.leave = (tuple(m.tocsr() for m in pair) for pair in pairs)
         self.carry = sp.kron(one_y, _carried(nx)).tocsr()

@@ -20,5 +20,6 @@
 | robustness_page | its tables and map |
 | starvation | contacts behind a layer of oil by a second solution |
 | plots | pictures of the page |
-| run | all sections and the files they write |
+| sections | all sections and the files that they write |
+| run | the command that computes pages and sweeps |
 """
