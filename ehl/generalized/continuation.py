@@ -26,7 +26,7 @@ from ..multigrid.full_multigrid import ATTEMPTS, Attempt, AttemptResult, contact
 from ..multigrid.history import CENTRAL, MINIMUM, start_history
 from ..multigrid.levels import Multigrid
 from ..multigrid.settling import DIVERGED, PLAIN_CYCLES, guarded_cycle, restore, snapshot
-from ..multigrid.verdict import judged, resolution_message
+from ..multigrid.verdict import resolution_message, with_status
 from ..options import SolverOptions
 from ..scaling import scale_contact
 from ..solution import ContactSolution, FilmValue
@@ -57,7 +57,7 @@ TEMPERATURE_RELAXATION = 0.3  # +8, -4 with heat
 # 129 points it was 0.03 at most where the bar in proportion alone missed (100 N at 20 m/s: 3.8 %)
 CHANGE_SHARE = 0.05
 # largest change in a cycle [K] at which cycles are accelerated; none
-SETTLED_TEMPERATURE = 1.0
+REST_TEMPERATURE_CHANGE = 1.0
 
 
 def solve_by_continuation(
@@ -78,16 +78,16 @@ def solve_by_continuation(
         return with_fallbacks(replace(plain, message=message), fallbacks), None
     # 2. share of rheology and heat
     start, attempt = _start(plain, options, flow)
-    state, share, halvings = _raise_share(start, flow)
+    state, fraction, halvings = _raise_share(start, flow)
     fallbacks += halvings * (SMALLER_STEP,)
     # 3. cycles at the full share
     result = AttemptResult(state=state, attempt=attempt)
-    if share == 1.0:
+    if fraction == 1.0:
         _finish(result, CYCLES_FACTOR * options.max_cycles)
     if result.levels:
         solution = _solution(plain, result)
     else:
-        where = f"from the Newtonian film at {share:.0%} of rheology and heat"
+        where = f"from the Newtonian film at {fraction:.0%} of rheology and heat"
         message = f"not converged: diverged {where}; try more points"
         solution = replace(plain, converged=False, message=message)
     return with_fallbacks(solution, fallbacks), last_flow(flow, state, solution)
@@ -108,7 +108,7 @@ def last_flow(
     last: FlowState | None = level.flow_state
     if last is None or not solution.converged:
         return last
-    return flow.rested(state.contact, level.grid, level.P, level.H, last)
+    return flow.with_converged_heat(state.contact, level.grid, level.P, level.H, last)
 
 
 def _start(
@@ -147,7 +147,7 @@ def _raise_share(state: Multigrid, flow: GeneralizedFlow) -> tuple[Multigrid, fl
         flow_before = state.levels[index].flow_state
         at_share = replace(flow, continuation=replace(damped, share=share))
         step = replace(state, flow_model=at_share)
-        if _settles(step, FOLLOWING_CYCLES if follows else STEP_CYCLES):
+        if _cycles_to_rest(step, FOLLOWING_CYCLES if follows else STEP_CYCLES):
             state = step
             reached = share
             share = min(STEP_GROWTH * share, 1.0, reached + largest)
@@ -163,7 +163,7 @@ def _raise_share(state: Multigrid, flow: GeneralizedFlow) -> tuple[Multigrid, fl
     return state, reached, halvings
 
 
-def _settles(state: Multigrid, cycles: int) -> bool:
+def _cycles_to_rest(state: Multigrid, cycles: int) -> bool:
     """Cycle at a share until the flow has settled; False if a cycle diverged."""
     level = state.levels[-1]
     for count in range(1, cycles + 1):
@@ -192,8 +192,8 @@ def _finish(result: AttemptResult, cycles: int) -> None:
         flow: FlowState = level.flow_state
         if history.finished(None) and flow.change <= FLOW_TOLERANCE:
             break
-        settled = flow.heat is None or flow.heat.change < SETTLED_TEMPERATURE
-        if settled and PLAIN_CYCLES < len(history.residual) < cycles:
+        at_rest = flow.heat is None or flow.heat.change < REST_TEMPERATURE_CHANGE
+        if at_rest and PLAIN_CYCLES < len(history.residual) < cycles:
             level.P, state.approach = acceleration.next(before, (level.P, state.approach))
             update_film(state, index)
     result.levels = [history]
@@ -216,16 +216,16 @@ def _solution(plain: ContactSolution, result: AttemptResult) -> ContactSolution:
         H=H,
         film_central_dimensionless=central,
         film_minimum_dimensionless=minimum,
-        approach_dimensionless=_moved(plain, result),
+        approach_dimensionless=_shifted_approach(plain, result),
         resolved=resolved,
         converged=result.converged,
         message=message,
         record=record,
     )
-    return judged(solution)
+    return with_status(solution)
 
 
-def _moved(plain: ContactSolution, result: AttemptResult) -> FilmValue:
+def _shifted_approach(plain: ContactSolution, result: AttemptResult) -> FilmValue:
     """H0, extrapolated by the step of the Newtonian one."""
     history = result.levels[-1]
     before = plain.approach_dimensionless

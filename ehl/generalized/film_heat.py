@@ -21,7 +21,7 @@ from .section import FilmFields, Section, wall_slopes
 Mask = NDArray[np.bool_]
 
 # [K]. Films of 19 contacts within 2.5e-4 of those with all columns in each sweep (0.15 K: 1e-3)
-LEAST_UNSEEN = 0.05
+SMALLEST_PENDING_CHANGE = 0.05
 SMALLEST_FILM = 1e-12  # keeps a relative change finite [m]
 
 
@@ -39,8 +39,8 @@ class HeatState:
     dissipation: Array  # heat of shear over the film, shape (ny, nx) [W/m^2]
     recirculates: Mask  # whether oil of a column flows against the entrainment, shape (ny, nx)
     # what the temperatures of a column do not follow yet, infinite: any, shape (ny, nx) [K]
-    unseen: Array
-    least: float = LEAST_UNSEEN  # unseen from which on a column is solved [K]
+    pending_change: Array
+    least: float = SMALLEST_PENDING_CHANGE  # unseen from which on a column is solved [K]
     fields: FilmFields | None = None  # of the last cycle on this grid
     change: float = 0.0  # largest change of a temperature in the last cycle [K]
     unsolved_columns: int = 0  # that did not converge in the last sweep [-]
@@ -57,7 +57,7 @@ class HeatState:
             upwind_flux=np.stack([fine(part) for part in self.upwind_flux]),
             dissipation=fine(self.dissipation),
             recirculates=fine(self.recirculates.astype(np.float64)) > 0.0,
-            unseen=np.full_like(fine(self.unseen), np.inf),
+            pending_change=np.full_like(fine(self.pending_change), np.inf),
             fields=None,
         )
 
@@ -118,7 +118,7 @@ class FilmHeat:
         shape = fields.p.shape
         state = deepcopy(replace(last, fields=None)) if last else self._initial(shape, section)
         if last and last.fields:
-            state.unseen[:] += self._unfollowed(last.temperature, last.fields, fields)
+            state.pending_change[:] += self._unfollowed(last.temperature, last.fields, fields)
         before = state.temperature.copy()
         rooms = _kernels.column_rooms(section.nodes.size)
         unsolved = 0
@@ -131,7 +131,7 @@ class FilmHeat:
                 *(self.inlet, self.bulk, np.stack(response), weights),
                 *(state.upwind_temperature, state.upwind_flux, state.temperature, state.flux),
                 *(middle, state.mass, state.dissipation),
-                *(state.recirculates, state.unseen, state.least, rooms),
+                *(state.recirculates, state.pending_change, state.least, rooms),
             )
         change = float(np.abs(state.temperature - before).max())
         return replace(state, fields=fields, change=change, unsolved_columns=int(unsolved))
@@ -144,10 +144,10 @@ class FilmHeat:
         oil = self.conditions.lubricant
         h = np.maximum(now.h, SMALLEST_FILM)
         per_gradient = h**2 / (12.0 * viscosity(now.p, oil) * self.conditions.entrainment_speed)
-        share = 2.0 * np.abs(now.h - before.h) / h
-        share += oil.pressure_viscosity * np.abs(now.p - before.p)
-        share += per_gradient * np.abs(now.gradient - before.gradient).sum(axis=0)
-        return np.abs(temperature - self.inlet).max(axis=-1) * share
+        fraction = 2.0 * np.abs(now.h - before.h) / h
+        fraction += oil.pressure_viscosity * np.abs(now.p - before.p)
+        fraction += per_gradient * np.abs(now.gradient - before.gradient).sum(axis=0)
+        return np.abs(temperature - self.inlet).max(axis=-1) * fraction
 
     def _initial(self, shape: tuple[int, ...], section: Section) -> HeatState:
         """Oil at the temperature of the inflow between walls at those of the bodies."""
@@ -161,5 +161,5 @@ class FilmHeat:
             upwind_flux=np.zeros((2, *shape)),
             dissipation=np.zeros(shape),
             recirculates=np.zeros(shape, dtype=np.bool_),
-            unseen=np.full(shape, np.inf),
+            pending_change=np.full(shape, np.inf),
         )

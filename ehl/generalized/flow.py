@@ -41,7 +41,7 @@ from ..oil.rheology import Rheology, divide_stresses, kernel_rheology, limiting_
 from ..scaling import ScaledContact
 from . import _kernels
 from ._stress_kernels import LIMIT_EXCESS, ROWS
-from .film_heat import LEAST_UNSEEN, FilmHeat, HeatState
+from .film_heat import SMALLEST_PENDING_CHANGE, FilmHeat, HeatState
 from .section import FilmFields, Section, film_section
 
 # change of ln(eta) by pressure, for a difference quotient
@@ -171,7 +171,7 @@ class GeneralizedFlow:
             over_limit_columns=self._over_limit_columns(fields, temperature),
         )
 
-    def rested(
+    def with_converged_heat(
         self, contact: ScaledContact, grid: Grid, P: Array, H: Array, last: FlowState
     ) -> FlowState:
         """The state of a film at rest with its heat swept on until that rests, too, and the stress
@@ -182,7 +182,7 @@ class GeneralizedFlow:
             return last
         fields = film_fields(contact, grid, P, H, self.conditions)
         rise = float(np.abs(last.heat.temperature - self.heat.inlet).max())
-        heat = replace(last.heat, least=min(RESTED_SHARE * rise, LEAST_UNSEEN))
+        heat = replace(last.heat, least=min(RESTED_SHARE * rise, SMALLEST_PENDING_CHANGE))
         middle = last.mid_stress.copy()
         for _ in range(MOST_SWEEPS):
             heat = self.heat.advance(
@@ -275,8 +275,8 @@ class GeneralizedFlow:
         higher = replace(fields, p=fields.p + rise)
         pressed = self._evaluate(higher, middle.copy(), temperature)[0]
         thicker = log_viscosity_ratio(higher.p, oil) - log_viscosity_ratio(fields.p, oil)
-        share = np.log(pressed / poiseuille) / np.maximum(thicker, SMALLEST_SLOPE)
-        return np.clip(share, 0.0, 1.0)
+        fraction = np.log(pressed / poiseuille) / np.maximum(thicker, SMALLEST_SLOPE)
+        return np.clip(fraction, 0.0, 1.0)
 
     def _last_factor(self, p: Array, last: FlowState) -> Array:
         """Poiseuille factor of the last cycle, at the new pressure if it follows it [-]."""

@@ -11,7 +11,7 @@ from ..closed_form.hertz import MEAN_PRESSURE_RATIO, hertz_contact
 from ..conditions import ContactConditions
 from ..grid import unfolded
 from ..multigrid.full_multigrid import ATTEMPTS, Attempt
-from ..multigrid.verdict import judged, tolerance_judged, tolerance_reached
+from ..multigrid.verdict import tolerance_judged, tolerance_reached, with_status
 from ..oil.film_state import FilmState, log_gradient_thinning, log_mean_fluidity
 from ..oil.rheology import Rheology, contact_rheology
 from ..options import GENERALIZED_POINTS, SolverOptions
@@ -129,7 +129,7 @@ def _with_heat_error(
         replace(film, uncertainty=film.uncertainty + error * abs(film.finest))
         for film in (contact.film_central_dimensionless, contact.film_minimum_dimensionless)
     )
-    wider = judged(
+    wider = with_status(
         replace(contact, film_central_dimensionless=central, film_minimum_dimensionless=minimum)
     )
     if tolerance is None or not tolerance_reached(contact, tolerance):  # which its message says

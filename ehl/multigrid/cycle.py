@@ -28,7 +28,14 @@ from ..solid.deformation import deflect
 from .far_field import edge_pressure, exterior_load
 from .kernels import _kernels, _relaxation_kernels
 from .levels import Damping, Level, Multigrid, TimeStep
-from .starved import Fields, flux_operator, march, march_all, oil_lost, restrict_flux
+from .starved import (
+    Fields,
+    flux_operator,
+    march_all_film_content,
+    march_film_content,
+    oil_imbalance,
+    restrict_flux,
+)
 from .transfer import full_weighting, inject, interpolate_cubic, interpolate_linear
 
 Array = NDArray[np.float64]
@@ -48,7 +55,7 @@ def start_level(state: Multigrid, index: int, pressure: Array) -> None:
     level.f = np.zeros_like(level.P)
     level.s = level.gap
     level.start = None
-    level.load = carried_load(state) - state.exterior
+    level.load = required_load(state) - state.exterior
     if state.far_field is None:
         _zero_edge(level.P, level.grid)
     update_film(state, index)
@@ -66,10 +73,12 @@ def update_film(state: Multigrid, index: int) -> None:
     level.H += level.s
     level.H += state.approach
     state.deflections[index] = state.deflections.get(index, 0) + 1
-    edge = state.on_edge(level) if level.s is level.gap else None
+    edge = state.edge_field(level) if level.s is level.gap else None
     if edge is not None:
-        layer = None if level.fill is None else level.fill.layer
-        edge_pressure(edge, level.H, level.P, layer)
+        inlet_film_thickness = (
+            None if level.film_content is None else level.film_content.inlet_film_thickness
+        )
+        edge_pressure(edge, level.H, level.P, inlet_film_thickness)
 
 
 def refresh_factors(state: Multigrid, index: int) -> None:
@@ -149,14 +158,14 @@ def relax(state: Multigrid, index: int) -> None:
     lines = _line_sweep(level, state.damping)
     first = 0 if grid.symmetric else 1
     for colour in (first, first + 1):
-        if level.fill is not None:
-            march(level.fill, _fields(level), grid, state.threads, colour)
+        if level.film_content is not None:
+            march_film_content(level.film_content, _fields(level), grid, state.threads, colour)
         state.threads.run(lines, range(colour, grid.ny - 1, 2), level.P.size)
     mesh = (grid.hx, grid.hy)
     changes = partial(
         _relaxation_kernels.spread_changes,
         level.P,
-        level.kinds,
+        level.node_types,
         level.scratch,
         *mesh,
         state.damping.jacobi,
@@ -168,12 +177,12 @@ def relax(state: Multigrid, index: int) -> None:
 def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
     """Relaxation of every second line of a range, the changes left to `spread_changes`."""
     grid = level.grid
-    fill = level.fill
+    film_content = level.film_content
     couette = (level.flow_x, level.slope_x, level.flow_y, level.slope_y)
     lateral = level.factors.couette_y is not None
-    oil = (level.scratch, level.kinds, level.scratch)  # in place of those of a layer
-    if fill is not None:
-        oil = (fill.residual, fill.empty, fill.share)
+    oil = (level.scratch, level.node_types, level.scratch)  # in place of those of a layer
+    if film_content is not None:
+        oil = (film_content.residual, film_content.empty, film_content.share)
     return partial(
         _relaxation_kernels.relax_lines,
         level.P,
@@ -187,11 +196,11 @@ def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
         grid.hx,
         grid.hy,
         grid.symmetric,
-        fill is not None,
+        film_content is not None,
         *oil,
         damping.gauss_seidel,
         damping.switch * max(1.0, grid.hy / grid.hx) ** 1.5,
-        level.kinds,
+        level.node_types,
         level.scratch,
     )
 
@@ -216,9 +225,9 @@ def reynolds_residual(state: Multigrid, index: int) -> Array:
     """
     level = state.levels[index]
     flow(state, level)
-    if level.fill is not None:
-        march_all(level.fill, _fields(level), level.grid, state.threads)
-        residual = np.where(level.fill.empty, 0.0, level.fill.residual)
+    if level.film_content is not None:
+        march_all_film_content(level.film_content, _fields(level), level.grid, state.threads)
+        residual = np.where(level.film_content.empty, 0.0, level.film_content.residual)
         _zero_edge(residual, level.grid)
         return residual
     residual = level.f - reynolds_operator(level)
@@ -240,8 +249,8 @@ def relative_residual(state: Multigrid, index: int) -> tuple[float, float]:
     )
     if not divergence > 0.0:
         return inf, inf
-    if level.fill is not None:
-        return size / divergence, oil_lost(level.fill, residual, level.grid)
+    if level.film_content is not None:
+        return size / divergence, oil_imbalance(level.film_content, residual, level.grid)
     return size / divergence, balance / divergence
 
 
@@ -270,7 +279,7 @@ def cycle(state: Multigrid, index: int) -> None:
         approach = state.approach
         # 3. its solution by cycles of the levels below
         lowest, highest = SINGLE_VISITS
-        twice = lowest < index < len(state.levels) - highest and not state.swings
+        twice = lowest < index < len(state.levels) - highest and not state.oscillates
         for _ in range(2 if twice else 1):
             cycle(state, index - 1)
         # 4. correction of pressure and film
@@ -310,9 +319,9 @@ def _restrict(state: Multigrid, index: int) -> Array:
     coarse.s = coarse.H - state.approach
     coarse.load = coarse.grid.integral(start) + fine.load - fine.grid.integral(fine.P)
     flow(state, coarse)
-    if fine.fill is not None and coarse.fill is not None:
-        restrict_flux(fine.fill, coarse.fill, _fields(coarse), coarse.grid)
-        operator = flux_operator(coarse.fill, _fields(coarse), coarse.grid, coarse.scratch)
+    if fine.film_content is not None and coarse.film_content is not None:
+        restrict_flux(fine.film_content, coarse.film_content, _fields(coarse), coarse.grid)
+        operator = flux_operator(coarse.film_content, _fields(coarse), coarse.grid, coarse.scratch)
     else:
         operator = reynolds_operator(coarse)
     coarse.f = operator + full_weighting(residual, coarse.grid.symmetric)
@@ -328,14 +337,14 @@ def _correct(state: Multigrid, index: int, start: Array, approach: float) -> Non
     """
     fine = state.levels[index]
     coarse = state.levels[index - 1]
-    share = state.damping.correction
+    fraction = state.damping.correction
     correction = interpolate_linear(coarse.P - start)
-    if fine.factors.couette_y is None and fine.fill is None:
+    if fine.factors.couette_y is None and fine.film_content is None:
         empty = (coarse.P <= 0.0) | (start <= 0.0)
         correction[interpolate_linear(empty.astype(np.float64)) > 0.0] = 0.0
-    fine.P = np.where(fine.P > 0.0, np.maximum(fine.P + share * correction, 0.0), 0.0)
+    fine.P = np.where(fine.P > 0.0, np.maximum(fine.P + fraction * correction, 0.0), 0.0)
     deflection = coarse.H - coarse.s - state.approach
-    fine.H += share * interpolate_cubic(deflection, fine.grid.symmetric)
+    fine.H += fraction * interpolate_cubic(deflection, fine.grid.symmetric)
     fine.H += state.approach - approach
 
 
@@ -346,20 +355,20 @@ def update_exterior(state: Multigrid, index: int) -> None:
     if state.far_field is None:
         return
     level = state.levels[index]
-    central = layer_at_centre(state)
+    central = inlet_film_at_centre(state)
     state.exterior = exterior_load(state.far_field, level.grid, level.H, central)
-    level.load = carried_load(state) - state.exterior
+    level.load = required_load(state) - state.exterior
 
 
-def carried_load(state: Multigrid) -> float:
+def required_load(state: Multigrid) -> float:
     """Integral of P that the contact carries, at the time of the step; inertia aside [-]."""
     return state.contact.load if state.time_step is None else state.time_step.load
 
 
-def layer_at_centre(state: Multigrid) -> float:
+def inlet_film_at_centre(state: Multigrid) -> float:
     """Of the oil at the inlet; without end in a flooded contact [-]."""
-    layer = state.contact.inlet_layer
-    return inf if layer is None else layer.central
+    inlet_film_thickness = state.contact.inlet_layer
+    return inf if inlet_film_thickness is None else inlet_film_thickness.central
 
 
 def _fields(level: Level) -> Fields:

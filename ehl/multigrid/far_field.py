@@ -34,7 +34,7 @@ Array = NDArray[np.float64]
 DIRECTIONS = 720
 FIRST_DIRECTIONS = 45
 MOST_PASSES = 100  # of that search on one set of directions
-KEPT = 64  # profiles of the last contacts
+CACHED_PROFILES = 64  # profiles of the last contacts
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -48,7 +48,7 @@ class FarField:
     curvature_x: float  # S, T, C of the gap
     curvature_y: float
     curvature_xy: float
-    squeeze: float = 0.0  # P H^2 by bodies that close in, see `over_time`
+    squeeze: float = 0.0  # P H^2 by bodies that close in, see `transient_far_field`
 
     def strength(self, X: Array, Y: Array) -> Array:
         """P H^2 = s r; with the rotation, or bodies that close in with k_V, max(K - k_xy X Y +
@@ -98,7 +98,7 @@ def far_field(contact: ScaledContact) -> FarField:
     )
 
 
-def over_time(
+def transient_far_field(
     field: FarField, contact: ScaledContact, speed: float, approach_rate: float
 ) -> FarField:
     """The solution for an entrainment along a direction, at its share of u_m, and with bodies that
@@ -146,7 +146,7 @@ class _Wedge(NamedTuple):
     speed: float
 
 
-@lru_cache(KEPT)
+@lru_cache(CACHED_PROFILES)
 def _profile(contact: _Wedge) -> Array:
     """s = f (q/2)^2 by Reynolds' condition, shape (DIRECTIONS,) [-], not to be written to: finite
     volumes over the angle, wet directions from half as many at a time. Kept, for a contact is
@@ -155,7 +155,7 @@ def _profile(contact: _Wedge) -> Array:
     count = FIRST_DIRECTIONS
     wet = _source(contact, count) < 0.0
     while True:
-        f, wet = _broken(contact, wet)
+        f, wet = _reynolds_condition(contact, wet)
         if count == DIRECTIONS:
             profile = f * (0.5 * _curvature(contact, _angles(count))) ** 2
             profile.setflags(write=False)
@@ -164,7 +164,9 @@ def _profile(contact: _Wedge) -> Array:
         wet = np.repeat(wet, 2)
 
 
-def _broken(contact: _Wedge, wet: NDArray[np.bool_]) -> tuple[Array, NDArray[np.bool_]]:
+def _reynolds_condition(
+    contact: _Wedge, wet: NDArray[np.bool_]
+) -> tuple[Array, NDArray[np.bool_]]:
     """f over the angle, zero outside the wet directions and not negative in them, and those
     directions; to start from.
     """
@@ -222,7 +224,7 @@ class EdgeField:
     columns: dict[int, Array]  # by the number of the column, shape (ny,)
 
 
-def on_edge(field: FarField, grid: Grid) -> EdgeField:
+def edge_field(field: FarField, grid: Grid) -> EdgeField:
     """The far field on the edge of a grid's box."""
     X, Y = grid.X, grid.Y
     rows = (-1,) if grid.symmetric else (0, -1)
@@ -233,61 +235,69 @@ def on_edge(field: FarField, grid: Grid) -> EdgeField:
     )
 
 
-def edge_pressure(edge: EdgeField, H: Array, P: Array, layer: Array | None = None) -> None:
+def edge_pressure(
+    edge: EdgeField, H: Array, P: Array, inlet_film_thickness: Array | None = None
+) -> None:
     """Set the far field on the edge of the box, in place; zero where the gap is wider than a
     layer, shape (ny,).
     """
     for row, strength in edge.rows.items():
         P[row] = strength / H[row] ** 2
-        if layer is not None:
-            P[row, H[row] > layer[row]] = 0.0
+        if inlet_film_thickness is not None:
+            P[row, H[row] > inlet_film_thickness[row]] = 0.0
     for column, strength in edge.columns.items():
         P[:, column] = strength / H[:, column] ** 2
-        if layer is not None:
-            P[H[:, column] > layer, column] = 0.0
+        if inlet_film_thickness is not None:
+            P[H[:, column] > inlet_film_thickness, column] = 0.0
 
 
-def exterior_load(field: FarField, grid: Grid, H: Array, layer: float = inf) -> float:
+def exterior_load(
+    field: FarField, grid: Grid, H: Array, inlet_film_thickness: float = inf
+) -> float:
     """Integral of the far field outside the box of a grid, from the film on its inlet edge, up to
     where the gap is as wide as a layer [-].
     """
-    load = load_outside(field, *_box_and_level(field, grid, H), layer)
+    load = load_outside(field, *_box_and_level(field, grid, H), inlet_film_thickness)
     if field.squeeze != 0.0:
-        load += field.squeeze * squeeze_load(field, grid, H, layer)
+        load += field.squeeze * squeeze_load(field, grid, H, inlet_film_thickness)
     return max(load, 0.0)  # bodies that part leave a cavity there
 
 
-def deflection_outside(field: FarField, grid: Grid, H: Array, layer: float = inf) -> float:
+def deflection_outside(
+    field: FarField, grid: Grid, H: Array, inlet_film_thickness: float = inf
+) -> float:
     """Double integral of P/r at the origin, of the far field outside the box of a grid up to where
     the gap is as wide as a layer [-].
     """
     box, level = _box_and_level(field, grid, H)
     rays = _rays(field, box)
-    rings = _inverse_square(rays, level, layer)
+    rings = _inverse_square(rays, level, inlet_film_thickness)
     return float(np.sum(rays.strength * rings)) * 2.0 * np.pi / DIRECTIONS
 
 
-def squeeze_load(field: FarField, grid: Grid, H: Array, layer: float = inf) -> float:
+def squeeze_load(
+    field: FarField, grid: Grid, H: Array, inlet_film_thickness: float = inf
+) -> float:
     """Integral of 1/H^2 outside the box of a grid where the far field carries pressure, all around
     without entrainment, up to where the gap is as wide as a layer [-]: of the pressure that bodies
     parting or closing in set up in a paraboloid.
     """
     box, level = _box_and_level(field, grid, H)
     rays = _rays(field, box)
-    rings = _inverse_square(rays, level, layer)
+    rings = _inverse_square(rays, level, inlet_film_thickness)
     wet = rays.strength > 0.0
     if not rays.strength.any():
         wet[:] = True
     return float(np.sum(rings[wet])) * 2.0 * np.pi / DIRECTIONS
 
 
-def _inverse_square(rays: "_Rays", level: float, layer: float) -> Array:
+def _inverse_square(rays: "_Rays", level: float, inlet_film_thickness: float) -> Array:
     """Integral from R of r/(h + q r^2/2)^2 dr = 1/(q (h + q R^2/2)) along each ray, up to where
     the gap is as wide as a layer [-].
     """
     outside = 2.0 / (rays.curvature**2 * (_distance(rays, level) + rays.radius**2))
-    if isfinite(layer):  # from the layer's gap on
-        outside = np.maximum(outside - 1.0 / (rays.curvature * layer), 0.0)
+    if isfinite(inlet_film_thickness):  # from the layer's gap on
+        outside = np.maximum(outside - 1.0 / (rays.curvature * inlet_film_thickness), 0.0)
     return np.asarray(outside)
 
 
@@ -302,7 +312,10 @@ def _box_and_level(
 
 
 def load_outside(
-    field: FarField, box: tuple[float, float, float], level: float, layer: float = inf
+    field: FarField,
+    box: tuple[float, float, float],
+    level: float,
+    inlet_film_thickness: float = inf,
 ) -> float:
     """Integral of the far field outside a box (x_in, x_out, y_half), up to where the gap is as
     wide as a layer [-].
@@ -318,10 +331,10 @@ def load_outside(
     # 2. gap h + q r^2/2 along each ray
     c = _distance(directions, level)
     # 3. integral along each ray, and over the angle
-    rays = _outside(radius, c)
-    if isfinite(layer):
-        end = np.sqrt(np.maximum(2.0 * (layer - level) / q, 0.0))
-        rays = np.where(end > radius, rays - _outside(np.maximum(end, radius), c), 0.0)
+    rays = _radial_integral(radius, c)
+    if isfinite(inlet_film_thickness):
+        end = np.sqrt(np.maximum(2.0 * (inlet_film_thickness - level) / q, 0.0))
+        rays = np.where(end > radius, rays - _radial_integral(np.maximum(end, radius), c), 0.0)
     return float(np.sum(strength * 4.0 / q**2 * rays)) * 2.0 * np.pi / DIRECTIONS
 
 
@@ -352,7 +365,7 @@ def _distance(rays: _Rays, level: float) -> Array:
     return np.maximum(2.0 * level / rays.curvature, -0.9 * rays.radius**2)
 
 
-def _outside(radius: Array, c: Array) -> Array:
+def _radial_integral(radius: Array, c: Array) -> Array:
     """Integral from a radius on of r^2/(r^2 + c)^2 dr [-]."""
     root = np.sqrt(np.maximum(np.abs(c), 1e-12))
     tail = np.where(

@@ -18,7 +18,7 @@ from .flow_model import FlowModel
 from .history import FILMS, RESOLVED, LevelHistory, central_film, start_history
 from .levels import Damping, Multigrid, make_multigrid
 from .newton import MOST_NODES, certify
-from .settling import Progress, settle
+from .settling import Progress, iterate_level
 from .threads import Threads
 from .transfer import interpolate_cubic, interpolate_linear
 
@@ -28,7 +28,7 @@ Array = NDArray[np.float64]
 COARSEST_CELLS = 16
 # full multigrid starts where hx is below 0.2 semi-axes or 0.55 sqrt(Hc)
 STARTING_MESH = (0.2, 0.55)
-SETTLING_CYCLES = 12  # most cycles on the other levels below the finest
+COARSE_LEVEL_CYCLES = 12  # most cycles on the other levels below the finest
 # Hmin/(S hx^2) from which a flow model acts on the level below the finest; it does on the finest
 LEAST_FINE = 1.0
 FLOW_STRICTNESS = 2.5  # on what cycles leave with a flow model on levels below the finest
@@ -63,9 +63,9 @@ class Attempt:
     # Newton's method in place of cycles, without a flow model or a layer at the inlet
     newton: bool = False
 
-    def applies(self, contact: ScaledContact, turned: ScaledContact) -> bool:
+    def applies(self, contact: ScaledContact, entrainment_aligned: ScaledContact) -> bool:
         """Whether the attempt differs for this contact from those before it."""
-        if self.along_entrainment and contact.frame_angle == turned.frame_angle:
+        if self.along_entrainment and contact.frame_angle == entrainment_aligned.frame_angle:
             return False
         return not self.long_only or contact.half_extent_x > contact.half_extent_y
 
@@ -150,9 +150,9 @@ def solve_with_fallbacks(
         if attempt.newton and state.levels[-1].P.size > MOST_NODES:
             continue
         if best is not None:
-            left = MOST_WORK * max(best.state.levels[-1].P.size, WORK_MESH)
-            left -= progress.deflected_nodes
-            if attempt.cycles_factor * ATTEMPT_WORK * state.levels[-1].P.size > left:
+            remaining_work = MOST_WORK * max(best.state.levels[-1].P.size, WORK_MESH)
+            remaining_work -= progress.deflected_nodes
+            if attempt.cycles_factor * ATTEMPT_WORK * state.levels[-1].P.size > remaining_work:
                 progress.fallbacks.append(f"{attempt.name}: {TOO_MUCH_WORK}")
                 continue
         progress.fallbacks += [] if attempt is ATTEMPTS[0] else [attempt.name]
@@ -179,9 +179,9 @@ def contact_multigrid(
     attempt: Attempt,
     flow_model: FlowModel | None = None,
     *,
-    whole: bool = False,
+    full_domain: bool = False,
 ) -> Multigrid:
-    """Levels for a box given in Hertz half-extents; in an open box the origin is a node. `whole`:
+    """Levels for a box given in Hertz half-extents; in an open box the origin is a node. `full_domain`:
     on both sides of y = 0 also where a contact is symmetric.
     """
     is_open = options.domain is None
@@ -193,7 +193,9 @@ def contact_multigrid(
         x_out = outlet * -x_in / (ORIGIN_CELLS - outlet)
     levels = ((options.most_points - 1) // COARSEST_CELLS).bit_length()
     aspect = attempt.mesh_y * contact.half_extent_y / contact.half_extent_x
-    symmetric = contact.symmetric and (flow_model is None or flow_model.symmetric) and not whole
+    symmetric = (
+        contact.symmetric and (flow_model is None or flow_model.symmetric) and not full_domain
+    )
     grids = grid_hierarchy(
         options.most_points,
         (x_in, x_out, y_half * contact.half_extent_y),
@@ -242,7 +244,9 @@ def full_multigrid(
             state.damping = result.attempt.damping
         # 2. cycles of the Newtonian film until its mesh is fine enough for the flow model
         if state.flow_model is not model:
-            below = settle(state, index, SETTLING_CYCLES, progress, below, options.strictness)
+            below = iterate_level(
+                state, index, COARSE_LEVEL_CYCLES, progress, below, options.strictness
+            )
             if below is None:
                 return
             if not _fine_enough(below, finest - index):
@@ -250,10 +254,10 @@ def full_multigrid(
             state.flow_model = model
             state.damping = result.attempt.damping
         # 3. cycles until film, load and equations are at rest
-        most = options.max_cycles if index == finest else SETTLING_CYCLES
-        left = FLOW_STRICTNESS if index < finest and model is not None else 1.0
-        strictness = left * options.strictness
-        below = settle(state, index, most, progress, below, strictness)
+        most = options.max_cycles if index == finest else COARSE_LEVEL_CYCLES
+        looser = FLOW_STRICTNESS if index < finest and model is not None else 1.0
+        strictness = looser * options.strictness
+        below = iterate_level(state, index, most, progress, below, strictness)
         if below is None:
             return
         levels.append(below)
@@ -285,7 +289,7 @@ def add_level(
     _start_from_below(state, finest)
     result = AttemptResult(state=state, attempt=coarse.attempt)
     most = coarse.attempt.cycles_factor * options.max_cycles
-    history = settle(state, finest, most, progress, coarse.levels[-1], options.strictness)
+    history = iterate_level(state, finest, most, progress, coarse.levels[-1], options.strictness)
     if history is not None:
         result.levels = [*coarse.levels, history]
     progress.deflected_nodes += state.deflected_nodes()
@@ -298,7 +302,7 @@ def _start_from_below(state: Multigrid, index: int) -> None:
     """
     below = state.levels[index - 1]
     pressure = interpolate_cubic(below.P, below.grid.symmetric)
-    if below.fill is not None:
+    if below.film_content is not None:
         pressure[interpolate_linear(below.P) <= 0.0] = 0.0
     start_level(state, index, pressure)
 
@@ -368,12 +372,12 @@ def _start_in_steps(
     for at in range(first, index + 1):
         if at > first:
             _start_from_below(step, at)
-        if settle(step, at, SETTLING_CYCLES, progress, None) is None:
+        if iterate_level(step, at, COARSE_LEVEL_CYCLES, progress, None) is None:
             return False
     # 2. heavier and heavier ones
     for contact in lighter[1:]:
         step = _heavier(step, index, contact)
-        if settle(step, index, STEP_CYCLES, progress, None) is None:
+        if iterate_level(step, index, STEP_CYCLES, progress, None) is None:
             return False
     start = _heavier(step, index, state.contact)
     state.approach = start.approach
@@ -391,10 +395,10 @@ def _heavier(before: Multigrid, index: int, contact: ScaledContact) -> Multigrid
     state = replace(before, contact=contact)
     level = state.levels[index]
     lighter = level.P
-    share = min(contact.film_guess / before.contact.film_guess, 1.0)
+    fraction = min(contact.film_guess / before.contact.film_guess, 1.0)
     dry = contact.dry_pressure(level.grid.X[None, :], level.grid.Y[:, None])
     state.approach = 0.0
     start_level(state, index, dry)
-    state.approach = share * before.approach - (1.0 - share) * float(level.H.min())
-    start_level(state, index, share * lighter + (1.0 - share) * dry)
+    state.approach = fraction * before.approach - (1.0 - fraction) * float(level.H.min())
+    start_level(state, index, fraction * lighter + (1.0 - fraction) * dry)
     return state

@@ -27,14 +27,16 @@ FINISHED = (2e-4, 1e-4)
 CONVERGED = (5e-3, 1e-3)
 # oil made or lost over the oil supplied, of a contact behind a layer: likewise; 1e-4 as the first
 # would save 5 % of the work (89 random contacts)
-OIL_LOST = (1e-5, 1e-2)
+OIL_IMBALANCE = (1e-5, 1e-2)
 # cycles with no smaller residual, all above CONVERGED, after which the finest level is given up
 STALLED_CYCLES = 6
-SWING = 0.5  # of the load error that a cycle leaves on the other side, above which cycles swing
+OSCILLATION_LIMIT = (
+    0.5  # of the load error that a cycle leaves on the other side, above which cycles swing
+)
 LARGEST_REMAINING = 0.03  # relative film change still to come, above which nothing has converged
 # the film is at rest where the cycles leave this share of the step between the levels, and no
 # less than the first nor more than the second of the film
-SETTLED_SHARE = 0.1
+REST_FRACTION = 0.1
 FILM_TOLERANCE = (1e-4, 2e-3)
 # relative error of a film over the residual, sum |R| / sum |div(rho u H)|: median 0.3 to 0.8, 9 of
 # 10 below 1 to 7 on 88 random contacts at 257 points
@@ -93,22 +95,24 @@ class LevelHistory:
         return min(residual[-STALLED_CYCLES:]) >= min(residual[:-STALLED_CYCLES])
 
     @property
-    def grew(self) -> bool:
+    def residual_grew(self) -> bool:
         """Whether the equations are further from holding than before the last cycle."""
         return len(self.residual) > 1 and self.residual[-1] > self.residual[-2]
 
     @property
-    def swings(self) -> bool:
+    def oscillates(self) -> bool:
         """Whether the last cycle took the load from one side to the other and hardly nearer, on a
         mesh that resolves the film: on coarser ones the load does so in heavy contacts, too.
         """
         if len(self.load) < 2 or not self.resolved:
             return False
         before, last = self.load[-2:]
-        return before * last < 0.0 and abs(last) > max(SWING * abs(before), CONVERGED[1])
+        return before * last < 0.0 and abs(last) > max(
+            OSCILLATION_LIMIT * abs(before), CONVERGED[1]
+        )
 
     @property
-    def nearing(self) -> bool:
+    def approaching_solution(self) -> bool:
         """Whether more cycles are worth it: the equations hold while the films still move, or came
         nearer by half in the last cycles.
         """
@@ -137,28 +141,36 @@ class LevelHistory:
         last cycle [-]; after one cycle its whole change, nothing after Newton's method. No less
         than what a flow that still changes leaves.
         """
-        return max(self._by_cycles(kind), FLOW_TO_FILM * self.flow)
+        return max(self._cycle_error(kind), FLOW_TO_FILM * self.flow)
 
-    def _by_cycles(self, kind: int) -> float:
+    def _cycle_error(self, kind: int) -> float:
         """What the cycles leave of a film by its own changes [-]."""
-        return 0.0 if self.certified else _left([_change(a, b, kind) for a, b in self._pairs()])
+        return (
+            0.0
+            if self.certified
+            else _remaining_change([_change(a, b, kind) for a, b in self._pairs()])
+        )
 
     def noise(self, kind: int) -> float:
         """Relative error of a film from cycles and equations that are not exact [-]."""
-        return max(self.remaining(kind), self._by_equations)
+        return max(self.remaining(kind), self._residual_error)
 
     @property
     def approach_noise(self) -> float:
         """Error of H0 from cycles, equations and a load balance that are not exact [-]."""
-        left = 0.0 if self.certified else _left([abs(b - a) for a, b in pairwise(self.approach)])
+        left = (
+            0.0
+            if self.certified
+            else _remaining_change([abs(b - a) for a, b in pairwise(self.approach)])
+        )
         balance = abs(self.load[-1]) if self.load else inf
-        return max(left, self._by_equations * self.film[-1][CENTRAL]) + balance
+        return max(left, self._residual_error * self.film[-1][CENTRAL]) + balance
 
     @property
-    def _by_equations(self) -> float:
+    def _residual_error(self) -> float:
         """Relative error of the films by the residual [-]."""
-        share = MENISCUS_SHARE if self.starved else 1.0
-        return share * RESIDUAL_TO_FILM * self.residual[-1] if self.residual else inf
+        fraction = MENISCUS_SHARE if self.starved else 1.0
+        return fraction * RESIDUAL_TO_FILM * self.residual[-1] if self.residual else inf
 
     def finished(self, below: "LevelHistory | None") -> bool:
         """Whether equations and load hold, the films are at rest, in proportion to their step from
@@ -167,17 +179,19 @@ class LevelHistory:
         residual, load = FINISHED
         if self.starved:
             residual /= MENISCUS_SHARE
-            if not (self.imbalance and abs(self.imbalance[-1]) < self.strictness * OIL_LOST[0]):
+            if not (
+                self.imbalance and abs(self.imbalance[-1]) < self.strictness * OIL_IMBALANCE[0]
+            ):
                 return False
         if not FLOW_TO_FILM * self.flow < self.strictness * FILM_TOLERANCE[1]:
             return False
         return self._holds((self.strictness * residual, load)) and all(
-            self._by_cycles(kind) < self._tolerance(below, kind) for kind in FILMS
+            self._cycle_error(kind) < self._tolerance(below, kind) for kind in FILMS
         )
 
     def converged(self) -> bool:
         """Whether films and load have come to rest where the equations hold."""
-        if self.starved and not (self.imbalance and abs(self.imbalance[-1]) < OIL_LOST[1]):
+        if self.starved and not (self.imbalance and abs(self.imbalance[-1]) < OIL_IMBALANCE[1]):
             return False
         return self._holds(CONVERGED) and all(
             self.remaining(kind) < LARGEST_REMAINING for kind in FILMS
@@ -196,7 +210,7 @@ class LevelHistory:
             return self.strictness * FILM_TOLERANCE[0]
         step = _change(below.film[-1], self.film[-1], kind) / 3.0
         least, most = (self.strictness * limit for limit in FILM_TOLERANCE)
-        return min(max(SETTLED_SHARE * step, least), most)
+        return min(max(REST_FRACTION * step, least), most)
 
     def _pairs(self) -> list[tuple[tuple[float, float], tuple[float, float]]]:
         return list(pairwise(self.film))
@@ -207,13 +221,13 @@ def start_history(state: Multigrid, index: int, strictness: float = 1.0) -> Leve
     grid = state.levels[index].grid
     mesh = state.contact.curvature_x * grid.hx**2
     film = [film_values(grid, state.levels[index].H)]
-    starved = state.levels[index].fill is not None
+    starved = state.levels[index].film_content is not None
     return LevelHistory(
         film=film, approach=[state.approach], mesh=mesh, strictness=strictness, starved=starved
     )
 
 
-def _left(changes: list[float]) -> float:
+def _remaining_change(changes: list[float]) -> float:
     """What cycles leave by the changes that they made, change * q/(1 - q) with q the contraction
     of the last one.
     """

@@ -24,7 +24,7 @@ from scipy import sparse
 from ..arrays import Array
 from ..grid import Grid
 from ..solid.deformation import deflect
-from .cycle import flow, layer_at_centre, log_viscosity, reynolds_operator, reynolds_residual
+from .cycle import flow, inlet_film_at_centre, log_viscosity, reynolds_operator, reynolds_residual
 from .far_field import edge_pressure, exterior_load
 from .flow_model import FlowFactors
 from .kernels import _kernels
@@ -82,11 +82,11 @@ def linearise(state: Multigrid, index: int) -> Linearisation:
     target, load, load_by_film = _open_edge(state, level)
     # 3. equations
     starved = None
-    if level.fill is None:
+    if level.film_content is None:
         operator = reynolds_operator(level)
     else:
         operator = -reynolds_residual(state, index)
-        starved = starved_flux(level.fill, level.flow_x, level.H, ratio)
+        starved = starved_flux(level.film_content, level.flow_x, level.H, ratio)
     return Linearisation(
         grid=level.grid,
         near=level.kernel.near,
@@ -174,12 +174,14 @@ def _oil_slopes(state: Multigrid, level: Level) -> tuple[Array, Array, Array]:
 def _open_edge(state: Multigrid, level: Level) -> tuple[Array, float, float]:
     """Pressure that the edge asks for, load of the box, and the slope of the exterior load."""
     target = np.zeros_like(level.P)
-    edge = state.on_edge(level)
+    edge = state.edge_field(level)
     if edge is None:
         return target, state.contact.load, 0.0
-    layer = None if level.fill is None else level.fill.layer
-    edge_pressure(edge, level.H, target, layer)
-    central = layer_at_centre(state)
+    inlet_film_thickness = (
+        None if level.film_content is None else level.film_content.inlet_film_thickness
+    )
+    edge_pressure(edge, level.H, target, inlet_film_thickness)
+    central = inlet_film_at_centre(state)
     exterior, more, less = (
         exterior_load(edge.field, level.grid, level.H * (1.0 + step), central)
         for step in (0.0, FILM_STEP, -FILM_STEP)
@@ -277,9 +279,9 @@ class _Nodes:
             rows.append((self.j * nx + self.i)[known])
             columns.append((j * nx + i)[known])
             values.append(value[known])
-        places = (np.concatenate(rows), np.concatenate(columns))
+        positions = (np.concatenate(rows), np.concatenate(columns))
         size = self.grid.ny * nx
-        return sparse.csr_matrix((np.concatenate(values), places), (size, size))
+        return sparse.csr_matrix((np.concatenate(values), positions), (size, size))
 
 
 def _nodes(grid: Grid, *, inside: bool) -> _Nodes:

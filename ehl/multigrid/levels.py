@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 from ..grid import Grid
 from ..scaling import ScaledContact
 from ..solid.deformation import DeflectionKernel, deflection_kernel
-from .far_field import EdgeField, FarField, on_edge
+from .far_field import EdgeField, FarField, edge_field
 from .flow_model import FlowFactors, FlowModel, entrainment_factors
-from .starved import Fill, make_fill
+from .starved import FilmContent, make_film_content
 from .threads import Threads
 
 Array = NDArray[np.float64]
@@ -68,11 +68,11 @@ class Level:
     flow_y: Array  # rho v; empty if nothing flows along Y
     slope_y: Array
     scratch: Array  # always zero on the edge
-    kinds: NDArray[np.int8]  # of the nodes in the last sweep
+    node_types: NDArray[np.int8]  # of the nodes in the last sweep
     factors: FlowFactors
     # density and its derivative by P over a time step, shape (2, ny, nx); empty in steady contacts
     storage: Array = field(default_factory=lambda: np.zeros((0, 0, 0)))
-    fill: Fill | None = None  # where the inlet carries a layer; None: flooded
+    film_content: FilmContent | None = None  # where the inlet carries a layer; None: flooded
     # pressure that s already holds the deflection of; below the level being solved
     start: Array | None = None
     load: float = 0.0
@@ -93,15 +93,17 @@ class Multigrid:
     approach: float = 0.0  # H0
     exterior: float = 0.0  # load outside the box
     time_step: TimeStep | None = None  # None: a steady contact
-    swings: bool = False  # whether cycles took the load from one side to the other, see `settle`
+    oscillates: bool = (
+        False  # whether cycles took the load from one side to the other, see `iterate_level`
+    )
     deflections: dict[int, int] = field(default_factory=dict)  # level -> number of deflection FFTs
 
-    def on_edge(self, level: Level) -> EdgeField | None:
+    def edge_field(self, level: Level) -> EdgeField | None:
         """The far field on the edge of a level, made when it is asked for; None without one."""
         if self.far_field is not None and (
             level.edge is None or level.edge.field is not self.far_field
         ):
-            level.edge = on_edge(self.far_field, level.grid)
+            level.edge = edge_field(self.far_field, level.grid)
         return None if self.far_field is None else level.edge
 
     def deflected_nodes(self) -> int:
@@ -132,11 +134,11 @@ def make_multigrid(
                 flow_y=np.zeros((0, 0) if grid.symmetric else shape),
                 slope_y=np.zeros((0, 0) if grid.symmetric else shape),
                 scratch=np.zeros(shape),
-                kinds=np.zeros(shape, dtype=np.int8),
+                node_types=np.zeros(shape, dtype=np.int8),
                 factors=entrainment_factors(contact, grid),
-                fill=None
+                film_content=None
                 if contact.inlet_layer is None
-                else make_fill(contact.inlet_layer, grid, contact.lateral),
+                else make_film_content(contact.inlet_layer, grid, contact.lateral),
             )
         )
     return Multigrid(contact=contact, far_field=far_field, levels=tuple(levels), damping=damping)

@@ -41,9 +41,9 @@ PRESSURE_STEP = 0.5  # largest change of pressure in a step [-]: half 4 % more, 
 LARGEST_FILM_LOSS = 0.7  # of the film in a step: half 1 % less, 0.9 no change
 # the factors serve again if no pressure changed by more [-]: 0.02 7 % less, 25 % more; 0.1 1 %
 # more, 6 % less
-KEPT_STEP = 0.05
+REUSE_STEP = 0.05
 # and if GMRES took no more products: half 3 % less, 55 % more; double 21 % more, 10 % less
-KEPT_PRODUCTS = 15
+REUSE_PRODUCTS = 15
 
 
 # of the residual, at which a contact that is to be differentiated counts as solved [-]: at the
@@ -104,7 +104,7 @@ def certify(state: Multigrid, index: int | None = None) -> Certificate:
     if message:
         level.P, state.approach = start
         after = films
-    _settle(state, index)
+    _update_level(state, index)
     return Certificate(
         certified=not message,
         message=message or "the discrete equations hold",
@@ -116,7 +116,7 @@ def certify(state: Multigrid, index: int | None = None) -> Certificate:
     )
 
 
-def polished(state: Multigrid, index: int) -> tuple[Linearisation, Factored]:
+def newton_polished(state: Multigrid, index: int) -> tuple[Linearisation, Factored]:
     """Equations of a solved level after Newton steps to a residual of 1e-6, and factors of the
     near field that serve for them.
 
@@ -159,26 +159,26 @@ def _newton(state: Multigrid, index: int, history: _History) -> str:
 
 
 def _step(
-    state: Multigrid, index: int, lin: Linearisation, kept: Factored | None, history: _History
+    state: Multigrid, index: int, lin: Linearisation, reusable: Factored | None, history: _History
 ) -> Factored | None:
     """One step, in place; the factors it took, if they serve for the next."""
     before = state.deflections[index]
     # 1. linear system
-    factored = kept
+    factored = reusable
     if factored is None:
         factored = factor(state, index, lin)
         history.factors += 1
     change, rise = _solved(state, index, lin, factored)
     products = state.deflections[index] - before
     # 2. share of its solution
-    share = _share(lin, change, deflected(state, index, change) + rise)
+    step_length = _step_length(lin, change, deflected(state, index, change) + rise)
     # 3. pressure, not negative inside, and approach
     level = state.levels[index]
-    P = lin.P + share * change
+    P = lin.P + step_length * change
     level.P = np.where(lin.edge, P, np.maximum(P, 0.0))
-    state.approach += share * rise
-    small = share == 1.0 and float(np.abs(change).max()) <= KEPT_STEP
-    return factored if small and products <= KEPT_PRODUCTS else None
+    state.approach += step_length * rise
+    small = step_length == 1.0 and float(np.abs(change).max()) <= REUSE_STEP
+    return factored if small and products <= REUSE_PRODUCTS else None
 
 
 def dry_nodes(lin: Linearisation, diagonal: Array) -> NDArray[np.bool_]:
@@ -237,7 +237,7 @@ def _solved(
     return np.where(dry, -lin.P, p.reshape(lin.P.shape)), h
 
 
-def _share(lin: Linearisation, change: Array, growth: Array) -> float:
+def _step_length(lin: Linearisation, change: Array, growth: Array) -> float:
     """Share of a step that keeps the change of pressure and the loss of film small [-]."""
     thinner = (growth < 0.0) & (lin.H > 0.0)
     losses = LARGEST_FILM_LOSS * lin.H[thinner] / -growth[thinner]
@@ -245,7 +245,7 @@ def _share(lin: Linearisation, change: Array, growth: Array) -> float:
     return min(1.0, PRESSURE_STEP / size, float(losses.min(initial=1.0)))
 
 
-def _settle(state: Multigrid, index: int) -> None:
+def _update_level(state: Multigrid, index: int) -> None:
     """Film, edge and exterior load that belong to the pressure of a level."""
     update_film(state, index)
     update_exterior(state, index)

@@ -7,7 +7,7 @@ from scipy.optimize import brentq
 from ..closed_form.hertz import hertz_deflection
 from ..scaling import ScaledContact
 from ..solution import FilmValue
-from .cycle import layer_at_centre
+from .cycle import inlet_film_at_centre
 from .far_field import FarField, deflection_outside, far_field, load_outside
 from .levels import Multigrid
 
@@ -63,14 +63,16 @@ def box_uncertainty(state: Multigrid, central: float) -> float:
     return _outside(state) * (BOX_ERROR + _by_rotation(state, central))
 
 
-def approach_by_box(state: Multigrid, central: float) -> FilmValue:
+def approach_outside_box(state: Multigrid, central: float) -> FilmValue:
     """What the deflection by the pressure outside an open box is of H0, and the error of H0 by the
     load outside [-].
     """
     deflection = 0.0
     if state.far_field is not None:
         level = state.levels[-1]
-        pressed = deflection_outside(state.far_field, level.grid, level.H, layer_at_centre(state))
+        pressed = deflection_outside(
+            state.far_field, level.grid, level.H, inlet_film_at_centre(state)
+        )
         deflection = state.contact.deformation * pressed
     error = (1.0 + central) * box_uncertainty(state, central)
     return FilmValue(value=deflection, uncertainty=error, finest=0.0)

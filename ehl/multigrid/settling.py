@@ -40,7 +40,7 @@ class Progress:
     deflected_nodes: int = 0  # nodes times deflection FFTs
 
 
-def settle(
+def iterate_level(
     state: Multigrid,
     index: int,
     most: int,
@@ -70,14 +70,16 @@ def settle(
             break
         if finest and state.flow_model is None and history.stalled:
             break
-        if cycles >= most and not history.nearing:
+        if cycles >= most and not history.approaching_solution:
             break
-        state.swings |= history.swings
-        if (state.swings or cycles > PLAIN_CYCLES) and cycles != most:
-            if history.grew and not state.swings:  # a combination that does harm is forgotten
+        state.oscillates |= history.oscillates
+        if (state.oscillates or cycles > PLAIN_CYCLES) and cycles != most:
+            if (
+                history.residual_grew and not state.oscillates
+            ):  # a combination that does harm is forgotten
                 acceleration = Acceleration()
             mixed, state.approach = acceleration.next(before, (level.P, state.approach))
-            level.P = mixed if level.fill is None else np.where(level.P > 0.0, mixed, 0.0)
+            level.P = mixed if level.film_content is None else np.where(level.P > 0.0, mixed, 0.0)
             update_film(state, index)
         before = (level.P.copy(), state.approach)
     return history

@@ -33,10 +33,10 @@ Array = NDArray[np.float64]
 
 
 @dataclass(slots=True, kw_only=True)
-class Fill:
+class FilmContent:
     """Oil that the nodes of one grid pass on; arrays of shape (ny, nx) unless said, all [-]."""
 
-    layer: Array  # (ny,) H_oil
+    inlet_film_thickness: Array  # (ny,) H_oil
     along: Array  # F through the outgoing faces along the lines
     across: Array  # and across them; empty if nothing flows there
     share: Array  # of what leaves a node that is not full along its line; empty likewise
@@ -56,12 +56,12 @@ class Fields:
     f: Array
 
 
-def make_fill(layer: InletLayer, grid: Grid, lateral: bool) -> Fill:
+def make_film_content(inlet_film_thickness: InletLayer, grid: Grid, lateral: bool) -> FilmContent:
     """An empty grid behind a layer [-]."""
     shape = (grid.ny, grid.nx)
     crossing = shape if lateral else (0, 0)
-    return Fill(
-        layer=layer.at(grid.Y),
+    return FilmContent(
+        inlet_film_thickness=inlet_film_thickness.at(grid.Y),
         along=np.zeros(shape),
         across=np.zeros(crossing),
         share=np.zeros(crossing),
@@ -70,24 +70,26 @@ def make_fill(layer: InletLayer, grid: Grid, lateral: bool) -> Fill:
     )
 
 
-def march(fill: Fill, fields: Fields, grid: Grid, threads: Threads, first: int) -> None:
+def march_film_content(
+    film_content: FilmContent, fields: Fields, grid: Grid, threads: Threads, first: int
+) -> None:
     """Flux, residual and empty nodes of every second line from `first`; of all lines where the oil
     flows across them [-].
     """
     common = (fields.P, fields.H, fields.eps)
-    mesh = (fill.layer, grid.hx, grid.hy)
-    if fill.across.size:
+    mesh = (film_content.inlet_film_thickness, grid.hx, grid.hy)
+    if film_content.across.size:
         _starved_kernels.march_columns(
             *common,
             fields.flow_x,
             fields.flow_y,
             fields.f,
             *mesh,
-            fill.along,
-            fill.across,
-            fill.share,
-            fill.residual,
-            fill.empty,
+            film_content.along,
+            film_content.across,
+            film_content.share,
+            film_content.residual,
+            film_content.empty,
         )
         return
     lines = partial(
@@ -96,22 +98,24 @@ def march(fill: Fill, fields: Fields, grid: Grid, threads: Threads, first: int) 
         fields.flow_x,
         fields.f,
         *mesh,
-        fill.along,
-        fill.residual,
-        fill.empty,
+        film_content.along,
+        film_content.residual,
+        film_content.empty,
     )
     threads.run(lines, range(first, grid.ny - 1, 2), fields.P.size)
 
 
-def march_all(fill: Fill, fields: Fields, grid: Grid, threads: Threads) -> None:
-    """As `march`, of all lines [-]."""
+def march_all_film_content(
+    film_content: FilmContent, fields: Fields, grid: Grid, threads: Threads
+) -> None:
+    """As `march_film_content`, of all lines [-]."""
     first = 0 if grid.symmetric else 1
-    march(fill, fields, grid, threads, first)
-    if not fill.across.size:
-        march(fill, fields, grid, threads, first + 1)
+    march_film_content(film_content, fields, grid, threads, first)
+    if not film_content.across.size:
+        march_film_content(film_content, fields, grid, threads, first + 1)
 
 
-def restrict_flux(fine: Fill, coarse: Fill, fields: Fields, grid: Grid) -> None:
+def restrict_flux(fine: FilmContent, coarse: FilmContent, fields: Fields, grid: Grid) -> None:
     """Flux of the coarser grid: injected, that of a full gap where there is pressure, and no more
     than it elsewhere [-].
     """
@@ -127,46 +131,46 @@ def restrict_flux(fine: Fill, coarse: Fill, fields: Fields, grid: Grid) -> None:
         lateral,
         grid.hx,
         grid.hy,
-        coarse.layer,
+        coarse.inlet_film_thickness,
         coarse.along,
         coarse.across,
     )
 
 
-def flux_operator(fill: Fill, fields: Fields, grid: Grid, out: Array) -> Array:
+def flux_operator(film_content: FilmContent, fields: Fields, grid: Grid, out: Array) -> Array:
     """L(P) of the flux that a grid holds, shape (ny, nx); `out` [-]."""
     _starved_kernels.flux_operator(
         fields.P,
         fields.eps,
         fields.flow_y,
-        bool(fill.across.size),
+        bool(film_content.across.size),
         grid.hx,
         grid.hy,
         grid.symmetric,
-        fill.along,
-        fill.across,
+        film_content.along,
+        film_content.across,
         out,
     )
     return out
 
 
-def supplied(fill: Fill, grid: Grid) -> float:
+def inlet_flow(film_content: FilmContent, grid: Grid) -> float:
     """Oil that enters the box with its layers in a unit of time [-]."""
     weights = np.ones(grid.ny)
     weights[-1] = 0.0
     weights[0] = 0.5 if grid.symmetric else 0.0
-    inflow = float(weights @ fill.along[:, 0]) * grid.hy
-    if fill.across.size:
-        edges = np.where(fill.across[0] > 0.0, fill.across[0], 0.0)
-        edges = edges + np.where(fill.across[-1] > 0.0, fill.across[-1], 0.0)
+    inflow = float(weights @ film_content.along[:, 0]) * grid.hy
+    if film_content.across.size:
+        edges = np.where(film_content.across[0] > 0.0, film_content.across[0], 0.0)
+        edges = edges + np.where(film_content.across[-1] > 0.0, film_content.across[-1], 0.0)
         inflow += float(edges.sum()) * grid.hx
     return (2.0 if grid.symmetric else 1.0) * inflow
 
 
-def oil_lost(fill: Fill, residual: Array, grid: Grid) -> float:
+def oil_imbalance(film_content: FilmContent, residual: Array, grid: Grid) -> float:
     """Oil that the nodes of a grid make or lose, shape (ny, nx) of `residual`, over what enters
     the box [-].
     """
-    entering = supplied(fill, grid)
+    entering = inlet_flow(film_content, grid)
     lost = grid.integral(residual)
     return lost / entering if entering > 0.0 else np.inf

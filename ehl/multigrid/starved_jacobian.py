@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from ..arrays import Array
 from ..grid import Grid
 from .kernels import _starved_kernels
-from .starved import Fill
+from .starved import FilmContent
 
 Numbers = NDArray[Any]  # real or complex
 
@@ -47,12 +47,14 @@ class FluxChange:
     content: Numbers  # C'
 
 
-def starved_flux(fill: Fill, flow: Array, H: Array, density: Array) -> StarvedFlux:
+def starved_flux(film_content: FilmContent, flow: Array, H: Array, density: Array) -> StarvedFlux:
     """That of a level after its march; flow: rho u; H and density of shape (ny, nx) [-]."""
     content = flow * H
     entering = 0.5 * (content[:, 0] + content[:, 1])
     return StarvedFlux(
-        empty=fill.empty > 0, gap_enters=entering < flow[:, 0] * fill.layer, speed=flow / density
+        empty=film_content.empty > 0,
+        gap_enters=entering < flow[:, 0] * film_content.inlet_film_thickness,
+        speed=flow / density,
     )
 
 

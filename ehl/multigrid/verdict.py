@@ -10,7 +10,7 @@ from ..solution import ContactSolution, FilmValue
 from .extrapolation import extrapolate, extrapolate_approach
 from .full_multigrid import AttemptResult
 from .history import CENTRAL, MINIMUM, RESOLVED
-from .open_box import approach_by_box, box_uncertainty
+from .open_box import approach_outside_box, box_uncertainty
 
 LARGEST_BAR = 0.15  # relative error bar above which a film is reported as unresolved
 CALIBRATED_LUBRICANT = 30.0  # L of the contacts that the error bars were chosen on, at most
@@ -26,8 +26,8 @@ def film_value(result: AttemptResult, kind: int) -> FilmValue:
     oblique = not contact.symmetric
     film = extrapolate(result.levels, kind, oblique=oblique)
     wider = 1.0 if contact.moes_lubricant <= CALIBRATED_LUBRICANT else BEYOND_CALIBRATION
-    by_box = error_by_box(result) * abs(film.value)
-    return replace(film, uncertainty=wider * film.uncertainty + by_box)
+    box_error = error_by_box(result) * abs(film.value)
+    return replace(film, uncertainty=wider * film.uncertainty + box_error)
 
 
 def error_by_box(result: AttemptResult) -> float:
@@ -40,7 +40,7 @@ def approach_value(result: AttemptResult) -> FilmValue:
     the box leaves open.
     """
     approach = extrapolate_approach(result.levels)
-    outside = approach_by_box(result.state, _centre(result))
+    outside = approach_outside_box(result.state, _centre(result))
     return replace(
         approach,
         value=approach.value - outside.value,
@@ -73,17 +73,17 @@ def tolerance_judged(solution: ContactSolution, tolerance: float, mesh: str) -> 
     return replace(solution, message=message)
 
 
-def judged(solution: ContactSolution, by_box: float = 0.0) -> ContactSolution:
+def with_status(solution: ContactSolution, box_error: float = 0.0) -> ContactSolution:
     """The solution as its films let it stand: the minimum not above the centre, not converged
     where the film is outside the model, unresolved where a bar is wider than `LARGEST_BAR` or the
-    minimum lies far below all nodes; `by_box`: relative error by the load outside the box [-].
+    minimum lies far below all nodes; `box_error`: relative error by the load outside the box [-].
     """
     solution = _minimum_below_centre(solution)
     if not solution.converged:
         return solution
-    share = film_over_radius(solution)
-    if share > MAX_FILM_OVER_RADIUS:
-        size = f"{share:.1%} of" if share < 1.0 else "thicker than"
+    fraction = film_over_radius(solution)
+    if fraction > MAX_FILM_OVER_RADIUS:
+        size = f"{fraction:.1%} of" if fraction < 1.0 else "thicker than"
         message = (
             f"outside the model: the film is {size} Rx, where the gap is no paraboloid; no film "
             "is given"
@@ -97,8 +97,8 @@ def judged(solution: ContactSolution, by_box: float = 0.0) -> ContactSolution:
     advice = "try more points"
     if bar > LARGEST_BAR:
         why = f"error bar {bar:.0%} of the film" if bar < 1.0 else "error bar wider than the film"
-        if by_box > 0.5 * bar:
-            why += f", by the load outside the box ({by_box:.0%}) while the entrainment turns"
+        if box_error > 0.5 * bar:
+            why += f", by the load outside the box ({box_error:.0%}) while the entrainment turns"
             advice = "no mesh narrows it"
     elif dip > LARGEST_DIP:
         why = f"the film at the nodes is {dip:.0%} above the minimum between them"

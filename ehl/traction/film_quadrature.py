@@ -132,7 +132,7 @@ def hertz_zone(solution: ContactSolution) -> HertzZone:
     p = solution.pressure
     edge_pressure = HIGH_PRESSURE * p.max()
     high = p > edge_pressure
-    window = tuple(_around(high.any(axis=1 - axis)) for axis in (0, 1))
+    window = tuple(_index_window(high.any(axis=1 - axis)) for axis in (0, 1))
     x, y = x[window[0]], y[window[1]]
     film = scipy.interpolate.RectBivariateSpline(x, y, h[window])
     pressure = scipy.interpolate.RectBivariateSpline(x, y, p[window])
@@ -171,9 +171,9 @@ def strip_places(y: Array, width: Array) -> tuple[Array, Array]:
     edges = _strip_edges(y.shape[0])
     half = 0.5 * y.shape[0] * width[:1]
     middle = 0.5 * (y[:1] + y[-1:])
-    places = middle + half * (0.5 * (edges[1:] + edges[:-1]))[:, None]
+    positions = middle + half * (0.5 * (edges[1:] + edges[:-1]))[:, None]
     width = half * np.diff(edges)[:, None]
-    return places, np.broadcast_to(width, places.shape)
+    return positions, np.broadcast_to(width, positions.shape)
 
 
 def on_strips(values: Array) -> Array:
@@ -194,24 +194,24 @@ def _strip_edges(lines: int) -> Array:
 def _strip_weights(lines: int) -> Array:
     """Of equidistant lines at the middles of their strips, shape (strips, lines) [-]."""
     edges = _strip_edges(lines)
-    places = (np.arange(lines) + 0.5) * (2.0 / lines) - 1.0
-    wanted = np.clip(0.5 * (edges[1:] + edges[:-1]), places[0], places[-1])
-    return np.asarray(scipy.interpolate.CubicSpline(places, np.eye(lines))(wanted))
+    positions = (np.arange(lines) + 0.5) * (2.0 / lines) - 1.0
+    wanted = np.clip(0.5 * (edges[1:] + edges[:-1]), positions[0], positions[-1])
+    return np.asarray(scipy.interpolate.CubicSpline(positions, np.eye(lines))(wanted))
 
 
 @cache
 def node_shares() -> tuple[Array, Array]:
     """Places of a line's nodes from edge to edge and their weights, each of shape (n,) [-]."""
-    places: list[float] = []
+    positions: list[float] = []
     weights: list[float] = []
     for low, high, count in PANELS:
         nodes, own = np.polynomial.legendre.leggauss(count)
-        places.extend(low + 0.5 * (high - low) * (nodes + 1.0))
+        positions.extend(low + 0.5 * (high - low) * (nodes + 1.0))
         weights.extend(0.5 * (high - low) * own)
-    return np.array(places), np.array(weights)
+    return np.array(positions), np.array(weights)
 
 
-def _around(chosen: NDArray[np.bool_]) -> slice:
+def _index_window(chosen: NDArray[np.bool_]) -> slice:
     """From a few nodes before the first chosen one to a few after the last."""
     indices = np.flatnonzero(chosen)
     return slice(max(int(indices[0]) - 3, 0), int(indices[-1]) + 4)

@@ -71,7 +71,7 @@ def film_instruments(
     assert isinstance(conditions, ContactConditions)
     oil = conditions.lubricant
     centre = solution.film_central_dimensionless
-    pressed = pressed_permittivity(solution.pressure, oil, permittivity)
+    pressed = permittivity_at_pressure(solution.pressure, oil, permittivity)
     film = np.maximum(dimensional_grid(solution)[2] + (centre.value - centre.finest) * scale, 0.0)
     inside, of_hertz, slope = _within_box(solution, film, pressed)
     bar = scale * centre.uncertainty
@@ -102,12 +102,12 @@ def breakdown_voltages(film: float, uncertainty: float) -> tuple[float, float, f
     return sqrt(low * high) * film, low * least, high * (film + uncertainty)
 
 
-def pressed_permittivity(pressure: Array, oil: Lubricant, permittivity: float) -> Array:
+def permittivity_at_pressure(pressure: Array, oil: Lubricant, permittivity: float) -> Array:
     """Relative permittivity of an oil under pressure [Pa] after Clausius and Mossotti [-], from
     that at ambient pressure.
     """
-    share = (permittivity - 1.0) / (permittivity + 2.0) * density(pressure, oil) / oil.density
-    return np.asarray((1.0 + 2.0 * share) / (1.0 - share))
+    fraction = (permittivity - 1.0) / (permittivity + 2.0) * density(pressure, oil) / oil.density
+    return np.asarray((1.0 + 2.0 * fraction) / (1.0 - fraction))
 
 
 def bulk_modulus(pressure: float, oil: Lubricant) -> float:

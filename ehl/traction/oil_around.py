@@ -33,7 +33,7 @@ class OilAround:
         self.height_scale = contact.semi_axis_x / contact.film_scale
         self.field: FarField = far_field(contact)
 
-    def share_without(self) -> Array:
+    def dry_moment_fraction(self) -> Array:
         """Share of each node's moment that there is no oil for, shape (nx, ny) [-]: beyond the
         meniscus, whose border is straight in a cell, and by the gap of circles.
         """
@@ -73,8 +73,8 @@ class OilAround:
         wet = every.film < self.layer  # the meniscus of the others is in the box
         ray = _Ray(self, every.x[wet], every.y[wet])
         span = np.log(ray.meniscus() / ray.start)[:, None]
-        places, weights = np.polynomial.legendre.leggauss(RAY_NODES)
-        r = ray.start[:, None] * np.exp(0.5 * span * (places + 1.0))
+        positions, weights = np.polynomial.legendre.leggauss(RAY_NODES)
+        r = ray.start[:, None] * np.exp(0.5 * span * (positions + 1.0))
         gap = np.maximum(ray.gap(r), ray.film[:, None])  # it opens outwards
         values = integrand(ray.x[:, None] * r, ray.y[:, None] * r, gap)
         rings = np.sum(0.5 * span * weights * values * r**2, axis=1)

@@ -59,8 +59,8 @@ def ellipse_rings(rings: int, rays: int, *, staggered: bool = False) -> Array:
     radius = np.sqrt(1.0 - (0.5 * (nodes + 1.0)) ** (2.0 / 3.0))[:, None]
     turn = 0.5 * (np.arange(rings) % 2)[:, None] + 0.25 if staggered else np.full((rings, 1), 0.5)
     angle = 2.0 * np.pi * (np.arange(rays) + turn) / rays
-    share = np.repeat(0.5 * weights / rays, rays)
-    return np.stack([(radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel(), share])
+    fraction = np.repeat(0.5 * weights / rays, rays)
+    return np.stack([(radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel(), fraction])
 
 
 def ellipse_lines(lines: int, nodes: int) -> Array:
@@ -73,11 +73,11 @@ def ellipse_lines(lines: int, nodes: int) -> Array:
     angle = np.pi * (np.arange(nodes) + 1.0) / (nodes + 1.0)
     along = 2.0 / (nodes + 1.0) * np.sin(angle) ** 2
     x = np.sqrt(1.0 - y**2)[:, None] * np.cos(angle)
-    share = 0.75 * ((1.0 - y**2) * across)[:, None] * along
-    return np.stack([x.ravel(), np.repeat(y, nodes), share.ravel()])
+    fraction = 0.75 * ((1.0 - y**2) * across)[:, None] * along
+    return np.stack([x.ravel(), np.repeat(y, nodes), fraction.ravel()])
 
 
 def unit_gauss(nodes: int) -> Array:
     """Nodes and weights of Gauss and Legendre on [0, 1], shape (2, nodes) [-]."""
-    places, weights = np.polynomial.legendre.leggauss(nodes)
-    return np.stack([0.5 * (places + 1.0), 0.5 * weights])
+    positions, weights = np.polynomial.legendre.leggauss(nodes)
+    return np.stack([0.5 * (positions + 1.0), 0.5 * weights])

@@ -108,7 +108,7 @@ def rolling_moment(solution: ContactSolution, layer: float | None = None) -> Rol
         )
     oil = OilAround(solution, contact, conditions.ball_radius, layer)
     beyond = scale * oil.moment_beyond_box()
-    value = box - float(np.sum(moments * oil.share_without())) + beyond
+    value = box - float(np.sum(moments * oil.dry_moment_fraction())) + beyond
     left = _solution_error(solution, contact, (value, change))
     extent = oil.meniscus_ahead()
     return RollingMoment(
@@ -176,13 +176,13 @@ def _by_law(solution: ContactSolution, layer: float, scale: float) -> RollingMom
     """
     supply = solution.supply
     assert supply is not None and supply.law is not None
-    share = supply.law.rolling_moment
+    fraction = supply.law.rolling_moment
     flooded = scale * sum(supply.flooded_moment)
-    value = share.value * flooded
+    value = fraction.value * flooded
     of_film = scale * abs(supply.flooded_moment[1]) + _left_by_cycles(solution, flooded)
     return RollingMoment(
         value=value,
-        uncertainty=hypot(share.value * of_film, share.uncertainty * flooded),
+        uncertainty=hypot(fraction.value * of_film, fraction.uncertainty * flooded),
         box=value,
         layer=layer,
         extent=None,

@@ -282,7 +282,7 @@ def with_outlet(solution: ContactSolution) -> ContactSolution:
     x, y, h = dimensional_grid(solution)
     assert solution.semi_axis_x is not None and solution.film_scale is not None
     start = max(x[-1] - x[-2], 1e-3 * solution.semi_axis_x)
-    further = further_lines(x[-1], start)
+    further = outlet_lines(x[-1], start)
     along, mixed = _curvatures(solution)
     opened = 0.5 * along * (further**2 - x[-1] ** 2)[:, None]
     opened = opened + mixed * (further - x[-1])[:, None] * y
@@ -303,7 +303,7 @@ def with_outlet(solution: ContactSolution) -> ContactSolution:
     )
 
 
-def further_lines(end: float, start: float) -> Array:
+def outlet_lines(end: float, start: float) -> Array:
     """Places of the lines beyond the end of a box, by the distance of the first, shape
     (OUTLET_NODES,) [m].
     """

@@ -29,7 +29,7 @@ def weights(ratio: float) -> tuple[float, float, float]:
     return (1.0 + 2.0 * ratio) / (1.0 + ratio), 1.0 + ratio, ratio**2 / (1.0 + ratio)
 
 
-def moved(content: Array, nodes: float) -> Array:
+def advected(content: Array, nodes: float) -> Array:
     """A content, shape (ny, nx), moved by so many nodes along the lines [-].
 
     Whole nodes exactly, else by cubics through four of them; beyond the ends the lines go on as
@@ -48,10 +48,10 @@ def moved(content: Array, nodes: float) -> Array:
     if part == 0.0:
         return at(whole).copy()
     # places in nodes upstream of the whole one: -1, 0, 1, 2
-    places = (-1.0, 0.0, 1.0, 2.0)
+    positions = (-1.0, 0.0, 1.0, 2.0)
     total = np.zeros_like(content)
-    for own in places:
-        others = [place for place in places if place != own]
+    for own in positions:
+        others = [place for place in positions if place != own]
         weight = np.prod([(part - place) / (own - place) for place in others])
         total += weight * at(whole + round(own))
     return total

@@ -190,8 +190,8 @@ class Profile:
         shape = (self.x.size,) if self.y is None else (self.x.size, self.y.size)
         if self.heights.shape != shape or self.x.size < 2:
             raise ValueError(f"heights must have the shape {shape}, got {self.heights.shape}")
-        for places in (self.x, self.x if self.y is None else self.y):
-            if not (np.diff(places) > 0.0).all():
+        for positions in (self.x, self.x if self.y is None else self.y):
+            if not (np.diff(positions) > 0.0).all():
                 raise ValueError("places of a profile must rise")
         if not np.isfinite(self.heights).all():
             raise ValueError("heights must be finite")

@@ -105,29 +105,29 @@ class TransientConditions:
         """Mean surface speed at a time [m/s]."""
         return self.contact.entrainment_speed if self.speed is None else self.speed.at(time)
 
-    def way(self, time: float) -> float:
+    def displacement(self, time: float) -> float:
         """Of the mean surface speed since t = 0 [m]."""
         if self.speed is None:
             return self.contact.entrainment_speed * time
         return self.speed.integral(time) - self.speed.integral(0.0)
 
-    def body_share(self, body: int) -> tuple[float, float]:
+    def body_speed_ratio(self, body: int) -> tuple[float, float]:
         """Speed of a body over u_m, along the entrainment and across [-]."""
         sign = 0.5 if body == 1 else -0.5
         c = self.contact
         return 1.0 + sign * c.slide_roll_ratio, sign * c.lateral_slide_ratio
 
-    def body_way(self, body: int, time: float) -> tuple[float, float]:
+    def body_displacement(self, body: int, time: float) -> tuple[float, float]:
         """Of the surface of a body since t = 0, along the entrainment and across [m]."""
-        along, across = self.body_share(body)
-        way = self.way(time)
-        return along * way, across * way
+        along, across = self.body_speed_ratio(body)
+        displacement = self.displacement(time)
+        return along * displacement, across * displacement
 
     @property
     def symmetric(self) -> bool:
         """Whether all features stay even in y."""
         return all(
-            one.symmetric and (self.body_share(one.body)[1] == 0.0) for one in self.features
+            one.symmetric and (self.body_speed_ratio(one.body)[1] == 0.0) for one in self.features
         )
 
 

@@ -44,10 +44,10 @@ def _step(conditions: TransientConditions, time: float, mesh: float, longest: fl
     """In which the film moves by a node, `longest` at most [s]."""
     if conditions.speed is None:
         return min(mesh / conditions.contact.entrainment_speed, longest)
-    begin = conditions.way(time)
+    start = conditions.displacement(time)
 
     def beyond(step: float) -> float:
-        return abs(conditions.way(time + step) - begin) - mesh
+        return abs(conditions.displacement(time + step) - start) - mesh
 
     if beyond(longest) <= 0.0:
         return longest
@@ -58,8 +58,8 @@ def nodes_moved(conditions: TransientConditions, times: Array, mesh: float) -> A
     """Nodes that the film moves by in each step, of either sign, shape (n,) [-]; whole
     numbers without round-off.
     """
-    way = np.array([conditions.way(float(time)) for time in times])
-    moved = np.diff(way) / mesh
+    displacement = np.array([conditions.displacement(float(time)) for time in times])
+    moved = np.diff(displacement) / mesh
     whole = np.round(moved)
     return np.where((np.abs(moved - whole) < 1e-6) & (whole != 0.0), whole, moved)
 

@@ -12,18 +12,18 @@ from .features import Feature
 from .inputs import Scheme, TransientConditions, TransientOptions
 from .plan import nodes_moved, step_times
 from .record import QUANTITIES, Frame, MeshError, StepRecord, TransientSolution
-from .start import Begin, NoStart, begin, levels_over_time
-from .step import Diverged, Move, Past, Stepper, StepReport
+from .start import InitialState, NoStart, initial_state, levels_over_time
+from .step import Diverged, Past, StepConditions, Stepper, StepReport
 
 DIVERGED = "step {step} of {planned}, t = {time:.4g} s, did not converge with any damping"
 # error of single steps over the tolerance, and share of all steps that may be above it: what they
 # leave is handed on to the next step and no more there
 MOST_EXCESS = 10.0
 MOST_MISSED = 0.02
-CLOSED = (
+FILM_NOT_POSITIVE = (
     "not converged: the film is not positive on this mesh at t = {time:.4g} s; try more points"
 )
-LEFT = "the cycles left {share:.1e} of the film or the feature, above {tolerance:g}"
+RESIDUAL_MESSAGE = "the cycles left {share:.1e} of the film or the feature, above {tolerance:g}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -82,7 +82,7 @@ class TransientRun:
             time = float(self.times[number])
             self.message = DIVERGED.format(step=number, planned=self.planned, time=time)
             return None
-        frame = self._frame(number, past) if number in self._kept() else None
+        frame = self._frame(number, past) if number in self._frame_steps() else None
         return StepResult(
             past=past,
             exterior=self.stepper.state.exterior,
@@ -132,7 +132,7 @@ class TransientRun:
         contact = self.stepper.state.contact
         grid = self.stepper.level.grid
         a, _ = _lengths(contact)
-        converged, message = self._verdict()
+        converged, message = self._status()
         return TransientSolution(
             conditions=self.conditions,
             options=self.options,
@@ -152,29 +152,32 @@ class TransientRun:
             starts=self.starts,
         )
 
-    def _verdict(self) -> tuple[bool, str]:
+    def _status(self) -> tuple[bool, str]:
         if self.message:
             return False, self.message
         least = QUANTITIES.index("film_minimum")
         for step in self.steps:
             if not step.values[least] > 0.0:
-                return False, CLOSED.format(time=float(step.values[0]))
+                return False, FILM_NOT_POSITIVE.format(time=float(step.values[0]))
         error = QUANTITIES.index("error")
         errors = np.array([step.values[error] for step in self.steps])
         tolerance = self.options.tolerance
         worst = float(errors.max())
         missed = float(np.mean(errors > tolerance))
         if worst > MOST_EXCESS * tolerance or missed > MOST_MISSED:
-            return False, f"not converged: {LEFT.format(share=worst, tolerance=tolerance)}"
+            return (
+                False,
+                f"not converged: {RESIDUAL_MESSAGE.format(share=worst, tolerance=tolerance)}",
+            )
         if self.done < self.planned:
             return False, f"not converged: {self.done} of {self.planned} steps made"
         return True, "converged"
 
-    def _kept(self) -> set[int]:
+    def _frame_steps(self) -> set[int]:
         count = min(self.options.frames, self.planned + 1)
         return set(np.round(np.linspace(0, self.planned, count)).astype(int).tolist())
 
-    def _move(self, number: int) -> Move:
+    def _move(self, number: int) -> StepConditions:
         contact = self.stepper.state.contact
         c = self.conditions.contact
         a, scale = _lengths(contact)
@@ -186,17 +189,19 @@ class TransientRun:
             # mu: mass times film scale over the square of the time, over the unit of the load
             force = c.load / contact.load
             mass = self.conditions.impact.mass * scale / unit**2 / force
-        return Move(
+        return StepConditions(
             step=step,
             nodes=float(self.nodes[number - 1]) if number else 0.0,
             speed=self.conditions.speed_at(time) / c.entrainment_speed,
             load=contact.load * self.conditions.load_at(time) / c.load,
-            rough=roughness(self.conditions, self.starts, self.stepper, time),
+            feature_gap=gap_by_features(self.conditions, self.starts, self.stepper, time),
             upstream=self.options.scheme is Scheme.UPSTREAM,
             mass=mass,
         )
 
-    def _record(self, number: int, move: Move, past: Past, report: StepReport) -> StepRecord:
+    def _record(
+        self, number: int, move: StepConditions, past: Past, report: StepReport
+    ) -> StepRecord:
         stepper = self.stepper
         state = stepper.state
         level = stepper.level
@@ -237,13 +242,13 @@ class TransientRun:
         contact = self.stepper.state.contact
         _, scale = _lengths(contact)
         full = past.content[0] if number == 0 else self.stepper.density_and_film()[1]
-        share = past.content[0] / np.where(full > 0.0, full, 1.0)
+        fraction = past.content[0] / np.where(full > 0.0, full, 1.0)
         return Frame(
             step=number,
             time=float(self.times[number]),
             pressure=level.P * contact.hertz_pressure,
             film=level.H * scale,
-            filled=np.clip(share, 0.0, 1.0),
+            filled=np.clip(fraction, 0.0, 1.0),
         )
 
 
@@ -271,7 +276,7 @@ def transient_run(conditions: TransientConditions, options: TransientOptions) ->
         tolerance=options.tolerance,
         cycles=(options.cycles, options.most_cycles),
     )
-    first = begin(conditions, options, roughness(conditions, starts, stepper, 0.0))
+    first = initial_state(conditions, options, gap_by_features(conditions, starts, stepper, 0.0))
     stepper.state = first.state
     stepper.smooth = first.smooth
     stepper.fields = first.fields
@@ -308,7 +313,7 @@ def _film(conditions: TransientConditions, stepper: Stepper) -> float:
     return float(level.H[origin, int(np.abs(level.grid.X).argmin())])
 
 
-def _before_the_start(conditions: TransientConditions, first: Begin, times: Array) -> Past:
+def _before_the_start(conditions: TransientConditions, first: InitialState, times: Array) -> Past:
     """What is steady, or bodies in free flight."""
     a, scale = _lengths(first.state.contact)
     unit = a / conditions.contact.entrainment_speed
@@ -335,7 +340,7 @@ def planned_steps(conditions: TransientConditions, options: TransientOptions) ->
     return len(step_times(conditions, mesh, options.largest_step)) - 1
 
 
-def roughness(
+def gap_by_features(
     conditions: TransientConditions, starts: tuple[float, ...], stepper: Stepper, time: float
 ) -> Array:
     """Gap by all features at a time, shape (ny, nx) [-]."""
@@ -344,7 +349,7 @@ def roughness(
     a, scale = _lengths(contact)
     gap = np.zeros((grid.ny, grid.nx))
     for one, start in zip(conditions.features, starts, strict=True):
-        along, across = conditions.body_way(one.body, time)
+        along, across = conditions.body_displacement(one.body, time)
         begin_at = 0.0 if start == inf else start
         x = grid.X[None, :] * a - along - begin_at
         y = grid.Y[:, None] * a - across
@@ -356,8 +361,8 @@ def _start(feature: Feature, conditions: TransientConditions, inlet: float) -> f
     """Place of a feature at t = 0 [m]: as given, else ahead of the box, everywhere at rest."""
     if feature.start is not None:
         return feature.start
-    share = conditions.body_share(feature.body)[0]
-    moving = share * conditions.speed_at(0.0)
+    fraction = conditions.body_speed_ratio(feature.body)[0]
+    moving = fraction * conditions.speed_at(0.0)
     if abs(moving) < 1e-9 * conditions.contact.entrainment_speed:
         return inf
     if moving < 0.0:

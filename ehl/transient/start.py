@@ -27,7 +27,7 @@ from ..solver import solve_attempts
 from .content import steady_content
 from .inputs import TransientConditions, TransientOptions
 from .record import MeshError
-from .step import directions
+from .step import far_fields_by_direction
 
 # share of K_00/hx below which nodes are relaxed distributively: with the 0.3 of steady contacts
 # the storage, which is of the pressure itself and not of its slope, lets single nodes grow 3 to 5
@@ -42,7 +42,7 @@ class NoStart(Exception):  # noqa: N818
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Begin:
+class InitialState:
     """A multigrid at the start of a run, and the oil that its nodes hold; all [-]."""
 
     state: Multigrid
@@ -65,7 +65,7 @@ def levels_over_time(
         domain,
         SolverOptions(points=options.points, domain=options.domain),
         Attempt(name="over time", damping=damping, along_entrainment=True),
-        whole=not conditions.symmetric,
+        full_domain=not conditions.symmetric,
     )
     return state, contact, domain
 
@@ -81,8 +81,10 @@ def _open_box(
     return (x_in, -x_in, y_half) if turns else (x_in, x_out, y_half)
 
 
-def begin(conditions: TransientConditions, options: TransientOptions, rough: Array) -> Begin:
-    """The multigrid with the steady film of t = 0, or with bodies apart; `rough`: gap by the
+def initial_state(
+    conditions: TransientConditions, options: TransientOptions, feature_gap: Array
+) -> InitialState:
+    """The multigrid with the steady film of t = 0, or with bodies apart; `feature_gap`: gap by the
     features then, shape (ny, nx) [-].
 
     Raises
@@ -93,8 +95,8 @@ def begin(conditions: TransientConditions, options: TransientOptions, rough: Arr
     state, contact, domain = levels_over_time(conditions, options)
     level = state.levels[-1]
     smooth = level.gap.copy()
-    level.gap = smooth + rough
-    fields = directions(contact) if state.far_field is not None else {}
+    level.gap = smooth + feature_gap
+    fields = far_fields_by_direction(contact) if state.far_field is not None else {}
     mesh = None
     if conditions.impact is None:
         mesh = _settle(conditions, options, state)
@@ -105,7 +107,7 @@ def begin(conditions: TransientConditions, options: TransientOptions, rough: Arr
         state.far_field = None
         start_level(state, len(state.levels) - 1, np.zeros_like(level.P))
     content = _content(state, conditions)
-    return Begin(
+    return InitialState(
         state=state, smooth=smooth, content=content, fields=fields, domain=domain, mesh=mesh
     )
 
@@ -124,19 +126,19 @@ def _settle(
         raise NoStart(f"steady film at the start: {solution.message}")
     # 1. onto this grid, backwards where it runs so
     index = len(state.levels) - 1
-    start = _carried(levels, solution.frame_angle, state, speed < 0.0)
+    start = _interpolated_pressure(levels, solution.frame_angle, state, speed < 0.0)
     contact = state.contact
     state.approach = _carried_approach(levels, state)
-    shares = (abs(speed) / c.entrainment_speed, load / c.load)
+    fractions = (abs(speed) / c.entrainment_speed, load / c.load)
     turn = 1.0 if speed > 0.0 else -1.0
     at_start = replace(
         contact,
-        speed=contact.speed * shares[0],
-        load=contact.load * shares[1],
+        speed=contact.speed * fractions[0],
+        load=contact.load * fractions[1],
         velocity_x=turn * contact.velocity_x,
     )
     state.contact = at_start
-    field = None if state.far_field is None else directions(at_start)[True]
+    field = None if state.far_field is None else far_fields_by_direction(at_start)[True]
     state.far_field = field
     for one in state.levels:
         one.factors = replace(one.factors, couette_x=np.full_like(one.P, turn))
@@ -182,7 +184,9 @@ def _carried_approach(levels: Multigrid, state: Multigrid) -> float:
     return levels.approach * own / scale
 
 
-def _carried(levels: Multigrid, angle: float, state: Multigrid, backwards: bool) -> Array:
+def _interpolated_pressure(
+    levels: Multigrid, angle: float, state: Multigrid, backwards: bool
+) -> Array:
     """Pressure of a solution on another grid, in its scales, shape (ny, nx) [-]."""
     level = levels.levels[-1]
     grid = level.grid
@@ -196,9 +200,9 @@ def _carried(levels: Multigrid, angle: float, state: Multigrid, backwards: bool)
     c, s = np.cos(turn), np.sin(turn)
     X, YY = np.meshgrid(target.X, target.Y)
     sign = -1.0 if backwards else 1.0
-    places = np.stack((YY * c + X * s, sign * (X * c - YY * s)), axis=-1) * length
+    positions = np.stack((YY * c + X * s, sign * (X * c - YY * s)), axis=-1) * length
     at = RegularGridInterpolator((Y, grid.X), P, bounds_error=False, fill_value=0.0)
-    return np.asarray(at(places)) * own.hertz_pressure / to.hertz_pressure
+    return np.asarray(at(positions)) * own.hertz_pressure / to.hertz_pressure
 
 
 def _content(state: Multigrid, conditions: TransientConditions) -> Array:
@@ -215,10 +219,10 @@ def _content(state: Multigrid, conditions: TransientConditions) -> Array:
     level.H = np.zeros_like(film)
     gained = reynolds_operator(level).copy()
     level.H = film
-    share = abs(speed) / conditions.contact.entrainment_speed
+    fraction = abs(speed) / conditions.contact.entrainment_speed
     empty = level.P <= 0.0
     turned = slice(None, None, 1 if speed > 0.0 else -1)
     content = steady_content(
-        full[:, turned], gained[:, turned] / share, empty[:, turned], level.grid.hx
+        full[:, turned], gained[:, turned] / fraction, empty[:, turned], level.grid.hx
     )
     return content[:, turned]

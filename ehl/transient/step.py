@@ -6,11 +6,11 @@ import numpy as np
 
 from ..arrays import Array
 from ..multigrid.cycle import cycle, flow, load_error, reynolds_operator, update_film
-from ..multigrid.far_field import FarField, far_field, over_time
+from ..multigrid.far_field import FarField, far_field, transient_far_field
 from ..multigrid.levels import Level, Multigrid, TimeStep
 from ..multigrid.settling import PRESSURE_LIMIT, snapshot
 from ..scaling import ScaledContact
-from .content import moved, weights
+from .content import advected, weights
 
 HALVINGS = 3  # of the damping in one step before the run is given up
 # over the load of the scales, that cycles may leave unbalanced
@@ -30,14 +30,14 @@ class Past:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Move:
+class StepConditions:
     """What one step does; all [-]."""
 
     step: float  # duration
     nodes: float  # by which the film moves along the lines
     speed: float  # over u_m, at the end of the step
     load: float  # integral of P at the end
-    rough: Array  # gap by the features at the end, shape (ny, nx)
+    feature_gap: Array  # gap by the features at the end, shape (ny, nx)
     upstream: bool  # the scheme to compare with
     mass: float = 0.0  # mu of the bodies; zero: they follow the load at once
 
@@ -80,7 +80,7 @@ class Stepper:
         density = self.level.storage[0] / self.state.time_step.rate
         return density, density * self.level.H
 
-    def advance(self, past: Past, move: Move) -> tuple[Past, StepReport]:
+    def advance(self, past: Past, move: StepConditions) -> tuple[Past, StepReport]:
         """Make a step; `Diverged` where no damping leads to one."""
         index = len(self.state.levels) - 1
         before = snapshot(self.state, index)
@@ -96,7 +96,7 @@ class Stepper:
             self.halvings += 1
         raise Diverged
 
-    def _begin(self, past: Past, move: Move) -> None:
+    def _begin(self, past: Past, move: StepConditions) -> None:
         """Equations of the step, and the first guess of pressure and H0."""
         first = past.step == 0.0
         ratio = 1.0 if first else move.step / past.step
@@ -104,7 +104,7 @@ class Stepper:
         nodes = (0.0, 0.0) if move.upstream else (move.nodes, move.nodes)
         back = nodes[1] + (0.0 if move.upstream else move.nodes if first else past.nodes)
         last, before = past.content
-        source = c1 * moved(last, nodes[0]) - c2 * moved(before, back)
+        source = c1 * advected(last, nodes[0]) - c2 * advected(before, back)
         # 1. the bodies, by second order backwards twice
         inertia = 0.0
         free = 0.0
@@ -122,7 +122,7 @@ class Stepper:
         )
         # 2. where everything stands
         level = self.level
-        level.gap = self.smooth + move.rough
+        level.gap = self.smooth + move.feature_gap
         level.s = level.gap
         level.f = -source / move.step
         self._open_edge(past, move)
@@ -135,15 +135,15 @@ class Stepper:
         level.load = move.load - self.state.exterior
         update_film(self.state, len(self.state.levels) - 1)
 
-    def _open_edge(self, past: Past, move: Move) -> None:
+    def _open_edge(self, past: Past, move: StepConditions) -> None:
         """Far field of an open box at the speed of the step, with the squeeze of the last one."""
         if not self.fields:
             return
         field = self.fields[move.speed >= 0.0]
         contact = self.state.contact
-        self.state.far_field = over_time(field, contact, abs(move.speed), past.rate[0])
+        self.state.far_field = transient_far_field(field, contact, abs(move.speed), past.rate[0])
 
-    def _cycles(self, move: Move) -> StepReport | None:
+    def _cycles(self, move: StepConditions) -> StepReport | None:
         """Cycle until the step is solved; None where the cycles diverge."""
         least, most = self.cycles
         for count in range(1, most + 1):
@@ -164,8 +164,8 @@ class Stepper:
         residual = self._residual()
         wet = level.P > 0.0
         residual = np.where(wet | (residual < 0.0), residual, 0.0)
-        share = self.film / np.maximum(level.H, self.film)
-        size = float((np.abs(residual) * share).sum()) / max(int(wet.sum()), 1)
+        fraction = self.film / np.maximum(level.H, self.film)
+        size = float((np.abs(residual) * fraction).sum()) / max(int(wet.sum()), 1)
         if not np.isfinite(size):
             return None
         step = state.time_step
@@ -188,7 +188,7 @@ class Stepper:
             residual[0] = 0.0
         return residual
 
-    def _ended(self, past: Past, move: Move) -> Past:
+    def _ended(self, past: Past, move: StepConditions) -> Past:
         """The step as the past of the next one."""
         assert self.state.time_step is not None
         level = self.level
@@ -216,7 +216,7 @@ class Diverged(Exception):  # noqa: N818
     """A step that no damping leads through."""
 
 
-def directions(contact: ScaledContact) -> dict[bool, FarField]:
+def far_fields_by_direction(contact: ScaledContact) -> dict[bool, FarField]:
     """Far field of an entrainment forwards (True) and backwards [-]."""
     back = replace(contact, velocity_x=-contact.velocity_x, velocity_y=-contact.velocity_y)
     return {True: far_field(contact), False: far_field(back)}

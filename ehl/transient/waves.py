@@ -50,13 +50,13 @@ def wave_results(solution: TransientSolution) -> tuple[WaveResult, ...]:
 def _wave(solution: TransientSolution, number: int, wave: Waviness) -> WaveResult:
     conditions = solution.conditions
     time = solution.series("time")
-    share = conditions.body_share(wave.body)[0]
+    fraction = conditions.body_speed_ratio(wave.body)[0]
     for name in ("speed", "load"):
         if np.ptp(solution.series(name)) > 0.0:
             return WaveResult(feature=number, reason=f"the {name} changes")
     if conditions.impact is not None:
         return WaveResult(feature=number, reason="the bodies meet")
-    speed = share * conditions.speed_at(0.0)
+    speed = fraction * conditions.speed_at(0.0)
     if speed == 0.0:
         return WaveResult(feature=number, reason="its body is at rest")
     frequency = abs(speed) / wave.wavelength

@@ -20,10 +20,14 @@ def starved_film_guess(flooded: float, ratio: float) -> float:
     return flooded * ratio / (1.0 + ratio**3) ** (1.0 / 3.0)
 
 
-def inlet_ratio(layer: float, flooded: ContactSolution, contact: ScaledContact) -> float:
+def inlet_ratio(
+    inlet_film_thickness: float, flooded: ContactSolution, contact: ScaledContact
+) -> float:
     """Layer over the oil that the flooded film takes along, rho(P(0, 0)) H_c [-]."""
     P = flooded.P[int(np.abs(flooded.X).argmin()), int(np.abs(flooded.Y).argmin())]
-    return layer / (_density(float(P), contact) * flooded.film_central_dimensionless.value)
+    return inlet_film_thickness / (
+        _density(float(P), contact) * flooded.film_central_dimensionless.value
+    )
 
 
 def _density(P: float, contact: ScaledContact) -> float:
@@ -52,20 +56,20 @@ def oil_supply(
 ) -> OilSupply:
     """What the layer does, from the finest of the levels of the starved solution [-]."""
     level = levels.levels[-1]
-    fill = level.fill
-    assert fill is not None
+    film_content = level.film_content
+    assert film_content is not None
     grid = level.grid
     # 1. share of the gap that is filled, at the outgoing faces; the edges as beside them
     own = level.flow_x * level.H
     full = 1.5 * own
     full[:, 1:] -= 0.5 * own[:, :-1]
     filled = np.ones_like(own)
-    np.divide(fill.along, full, out=filled, where=(fill.empty > 0) & (full > 0.0))
+    np.divide(film_content.along, full, out=filled, where=(film_content.empty > 0) & (full > 0.0))
     filled = np.clip(filled, 0.0, 1.0)
     filled[:, [0, -1]] = filled[:, [1, -2]]
     # 2. layer that leaves the box
     factor = level.factors.couette_x
-    outlet = fill.along[:, -2] / (1.0 if factor is None else factor[:, -2])
+    outlet = film_content.along[:, -2] / (1.0 if factor is None else factor[:, -2])
     for values in (filled, outlet):
         values[-1] = values[-2]
         if not grid.symmetric:
@@ -76,7 +80,7 @@ def oil_supply(
     return OilSupply(
         flooded=flooded,
         inlet_ratio=ratio,
-        meniscus=_meniscus(starved, fill.empty[0 if grid.symmetric else grid.ny // 2]),
+        meniscus=_meniscus(starved, film_content.empty[0 if grid.symmetric else grid.ny // 2]),
         rolling_moment_ratio=_moment(starved, levels) / _moment(flooded, levels),
         damping=contact_shares(along, ratio).damping,
         flooded_fft_equivalents=flooded.record.fft_equivalents * flooded.P.size / starved.P.size,

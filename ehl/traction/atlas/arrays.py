@@ -24,8 +24,8 @@ from .table import (
     LIGHT,
     SEAM,
     Patch,
-    bars_of,
-    heavy_share,
+    error_bars,
+    heavy_weight,
     oil_features,
     patch_base,
     patch_oils,
@@ -93,21 +93,21 @@ def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
     ValueError
         If the arrays cannot be brought to one shape.
     """
-    shape, columns = _columns(contacts)
+    shape, columns = _contact_columns(contacts)
     # 1. places in the table, those of contacts outside anywhere
     place = _places(columns)
     place.x[~place.inside] = np.log(SEAM[1]), 1.0, 0.0
     # 2. functions, films in a^2/Rx
     x = place.x
-    found = _found(place)
+    result = _interpolated(place)
     # 3. scales
     base = (place.alpha == BASE_ALPHA) & (place.z == BASE_Z)
-    bars = bars_of(x, base)
+    bars = error_bars(x, base)
     height = place.height
     heavy = x[:, 0] >= log(LIGHT)
-    central, minimum = (np.exp(found[:, k] - x[:, 0]) * height for k in (0, 1))
-    approach = central - found[:, 2] * height
-    rise = central * (found[:, 3] - 1.0) - found[:, 4] * height  # dh_0/dlnA
+    central, minimum = (np.exp(result[:, k] - x[:, 0]) * height for k in (0, 1))
+    approach = central - result[:, 2] * height
+    rise = central * (result[:, 3] - 1.0) - result[:, 4] * height  # dh_0/dlnA
     stiffness = -1.5 * columns[0] / (approach + rise)
     inside = place.inside & (central <= MAX_FILM_OVER_RADIUS * columns[1])
 
@@ -127,18 +127,20 @@ def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
     )
 
 
-def _found(place: "_Places") -> Array:
+def _interpolated(place: "_Places") -> Array:
     """The functions and the derivatives by ln A of first and last, shape (n, 5) [-]."""
-    share, rise = heavy_share(place.x[:, 0])
+    fraction, rise = heavy_weight(place.x[:, 0])
     features = oil_features(place.x, place.alpha, place.z)
-    found = np.zeros((len(share), KNOWN))
-    for lattice, shares in zip(_lattices(), ((1.0 - share, -rise), (share, rise)), strict=True):
+    result = np.zeros((len(fraction), KNOWN))
+    for lattice, fractions in zip(
+        _lattices(), ((1.0 - fraction, -rise), (fraction, rise)), strict=True
+    ):
         x = slanted(place.x, lattice.slant)
-        _lookup_kernels.look_up(x, features, np.stack(shares), *lattice[1:], found)
-    return found
+        _lookup_kernels.look_up(x, features, np.stack(fractions), *lattice[1:], result)
+    return result
 
 
-def _columns(c: ContactArrays) -> tuple[tuple[int, ...], list[Array]]:
+def _contact_columns(c: ContactArrays) -> tuple[tuple[int, ...], list[Array]]:
     """Shape of the contacts, and their numbers in the order of the fields, shape (n,)."""
     given = (c.load, c.radius_x, c.radius_y, c.reduced_modulus, c.entrainment_speed, c.viscosity)
     arrays = np.broadcast_arrays(*given, c.pressure_viscosity, c.roelands_z)
@@ -170,7 +172,7 @@ def _places(columns: list[Array]) -> _Places:
         unit = size**2 * (force / (modulus * along**2)) ** (2.0 / 3.0)
         heavy = unit / np.sqrt(twice)
         x[:, 0] = np.log(heavy)
-        inside = _inside((heavy, thick, ratio, z, alpha))
+        inside = _in_range((heavy, thick, ratio, z, alpha))
     return _Places(
         x=x,
         alpha=np.where(inside, alpha, BASE_ALPHA),
@@ -229,9 +231,9 @@ def _axes(log_ratio: Array) -> Array:
     return np.asarray(_lookup_kernels.axis_ratios(log_ratio, low, step, _axis_nodes()))
 
 
-def _inside(values: tuple[Array, ...]) -> NDArray[np.bool_]:
+def _in_range(values: tuple[Array, ...]) -> NDArray[np.bool_]:
     """Where A, L, D, z and alpha lie in the range of the atlas, shape (n,)."""
-    found = np.ones(values[0].shape, dtype=np.bool_)
+    result = np.ones(values[0].shape, dtype=np.bool_)
     for (low, high), value in zip(RANGE.values(), values, strict=True):
-        found &= (value >= low) & (value <= high)
-    return found
+        result &= (value >= low) & (value <= high)
+    return result

@@ -125,16 +125,16 @@ def field_vectors(x: Array, alpha: Array, z: Array, known: FieldTable | None = N
     cells as stiff to shear as in all; alpha [1/Pa]; known: None for the table as it is stored.
     """
     known = known or field_table()
-    found = known.mean + amplitudes(x, alpha, z, known) @ known.modes
+    result = known.mean + amplitudes(x, alpha, z, known) @ known.modes
     parts = layout()
-    for own in found:
-        own[parts.pressure] *= own[parts.load] / carried(own)
+    for own in result:
+        own[parts.pressure] *= own[parts.load] / carried_load_fraction(own)
         rows = own[parts.cells].reshape(CELL_ROWS, CELLS)[:2]
-        rows *= np.exp(own[parts.shear]) / sheared(own)
-    return np.asarray(found)
+        rows *= np.exp(own[parts.shear]) / sheared_area(own)
+    return np.asarray(result)
 
 
-def carried(vector: Array) -> float:
+def carried_load_fraction(vector: Array) -> float:
     """Share of the load that the zone's pressure carries [-]."""
     parts = layout()
     _, weights = node_shares()
@@ -144,7 +144,7 @@ def carried(vector: Array) -> float:
     return float(2.0 * width * (span * weights * p).sum() / (2.0 * pi / 3.0))
 
 
-def sheared(vector: Array) -> float:
+def sheared_area(vector: Array) -> float:
     """Area over film of all cells that oil shears in [-]."""
     area, by_film = vector[layout().cells].reshape(CELL_ROWS, CELLS)[:2]
     return float(by_film[np.minimum(area, by_film) > 0.0].sum())
@@ -201,14 +201,14 @@ def fields_of_vector(vector: Array, conditions: ContactConditions) -> ContactFie
     assert contact.semi_axis_x is not None and contact.film_scale is not None
     load = atlas_load(contact)
     parts = layout()
-    shares, weights = node_shares()
+    fractions, weights = node_shares()
     a = contact.semi_axis_x
     film_unit = contact.film_scale / load
     b = a * contact.semi_axis_ratio
     # 1. the zone of high pressure
     width = float(vector[parts.half_width][0]) * b / HALF
     span = (vector[parts.last] - vector[parts.first])[:, None] * a
-    x = vector[parts.first][:, None] * a + span * shares
+    x = vector[parts.first][:, None] * a + span * fractions
     y = np.broadcast_to(width * (np.arange(HALF) + 0.5)[:, None], x.shape)
     size = span * weights
     film = np.exp(vector[parts.film]).reshape(x.shape) * film_unit

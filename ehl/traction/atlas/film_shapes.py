@@ -27,7 +27,7 @@ from ..film_quadrature import HIGH_PRESSURE, LINES, PANELS, node_shares
 from .fields import CELL_ROWS, CELLS, FILE, HALF, LIGHT_FILE, amplitudes, field_table, layout
 from .films import oil_numbers
 from .oils import inlet_oil
-from .table import heavy_share
+from .table import heavy_weight
 
 HALF_LINES = 12  # on one side of the middle, all of one width
 PLACES = 14  # of Gauss' rule from edge to edge of each line
@@ -97,12 +97,12 @@ def shape_places(contacts: Sequence[ContactConditions], semi_axes: Array) -> Arr
 
 def film_shapes(places: Array, central: Array) -> FilmShapes:
     """Fields at places (n, 6) of `shape_places`, of contacts of central films (n,) over a^2/Rx."""
-    heavy = heavy_share(places[:, 0], SEAM)[0]
+    heavy = heavy_weight(places[:, 0], SEAM)[0]
     vectors = np.zeros((len(places), sum(SIZES)))
-    for path, share in ((LIGHT_FILE, 1.0 - heavy), (FILE, heavy)):
-        some = share > 0.0
+    for path, fraction in ((LIGHT_FILE, 1.0 - heavy), (FILE, heavy)):
+        some = fraction > 0.0
         if some.any():
-            vectors[some] += share[some, None] * _vectors(path, places[some])
+            vectors[some] += fraction[some, None] * _vectors(path, places[some])
     own = _split(vectors)
     load = np.exp(places[:, 0])
     # s^2
@@ -129,9 +129,9 @@ def _vectors(path: Path, places: Array) -> Array:
 
 def _zone(own: _Parts) -> Array:
     """Nodes of high pressure of one half, shape (5, n, m)."""
-    shares, weights = _gauss()
+    fractions, weights = _gauss()
     width = own.half_width / HALF_LINES
-    x = own.first[..., None] + own.span[..., None] * shares
+    x = own.first[..., None] + own.span[..., None] * fractions
     lines = np.arange(HALF_LINES) + 0.5
     y = np.broadcast_to((width[:, None] * lines)[..., None], x.shape)
     area = own.span[..., None] * weights * width[:, None, None]
@@ -144,9 +144,9 @@ def _zone(own: _Parts) -> Array:
 
 def _central(own: _Parts) -> Array:
     """ln(H A) at the middle of contacts, shape (n,)."""
-    shares = _gauss()[0]
-    place = np.clip(-own.middle[:, 0] / own.middle[:, 1], shares[0], shares[-1])
-    weights = lagrange_weights(np.broadcast_to(shares, (place.size, shares.size)), place)
+    fractions = _gauss()[0]
+    place = np.clip(-own.middle[:, 0] / own.middle[:, 1], fractions[0], fractions[-1])
+    weights = lagrange_weights(np.broadcast_to(fractions, (place.size, fractions.size)), place)
     return np.asarray((weights * own.central).sum(axis=1))
 
 
@@ -225,9 +225,11 @@ def _line_weights() -> Array:
     """Of the lines of the table's half on the middle and on the few lines, by cubic splines over
     both halves, shape (1 + HALF_LINES, HALF) [-].
     """
-    places = (np.arange(LINES) + 0.5) * (2.0 / LINES) - 1.0
+    positions = (np.arange(LINES) + 0.5) * (2.0 / LINES) - 1.0
     wanted = np.concatenate([[0.0], (np.arange(HALF_LINES) + 0.5) / HALF_LINES])
-    whole = scipy.interpolate.CubicSpline(places, np.eye(LINES))(np.minimum(wanted, places[-1]))
+    whole = scipy.interpolate.CubicSpline(positions, np.eye(LINES))(
+        np.minimum(wanted, positions[-1])
+    )
     return np.asarray(whole[:, HALF:] + whole[:, :HALF][:, ::-1])
 
 

@@ -22,8 +22,8 @@ from ...scaling import ScaledContact, scale_contact
 from ..kapitza import moment_lost_by_circles
 from .oils import LIGHT_DENSITY, by_density, density_excess, law_error, with_inlet_oil
 from .skewed import MIXED, SKEW_RANGE, Along, along_entrainment, mixed_functions, skew_bars
-from .table import BASE_ALPHA, BASE_Z, LIGHT, bars_of, functions
-from .turning import ROTATION, by_rotation, known_turning
+from .table import BASE_ALPHA, BASE_Z, LIGHT, error_bars, functions
+from .turning import ROTATION, rotation_effect, rotation_law
 
 # of A, L, D, Roelands' z [-] and alpha [1/Pa] between which the table was judged
 RANGE = {
@@ -93,10 +93,10 @@ def atlas_films(
     NotInAtlasError
         If the contact is none of those that the atlas covers; the message names the solver.
     """
-    (found,) = atlas_films_of([conditions], layer)
-    if isinstance(found, NotInAtlasError):
-        raise found
-    return found
+    (result,) = atlas_films_of([conditions], layer)
+    if isinstance(result, NotInAtlasError):
+        raise result
+    return result
 
 
 def atlas_films_of(
@@ -107,20 +107,22 @@ def atlas_films_of(
     """
     if layer is not None and not (isfinite(layer) and layer > 0.0):
         raise ValueError(f"layer must be positive and finite, got {layer!r}")
-    found: list[AtlasFilms | NotInAtlasError | None] = [None] * len(contacts)
-    places: dict[int, _Place] = {}
+    result: list[AtlasFilms | NotInAtlasError | None] = [None] * len(contacts)
+    positions: dict[int, _Place] = {}
     for n, conditions in enumerate(contacts):
         try:
-            places[n] = _place(conditions)
+            positions[n] = _place(conditions)
         except NotInAtlasError as refusal:
-            found[n] = refusal
-    known = list(places.values())
-    for n, place, values, bars in zip(places, known, _functions(known), _bars(known), strict=True):
+            result[n] = refusal
+    known = list(positions.values())
+    for n, place, values, bars in zip(
+        positions, known, _functions(known), _bars(known), strict=True
+    ):
         try:
-            found[n] = _films(place, values, bars, layer)
+            result[n] = _films(place, values, bars, layer)
         except NotInAtlasError as refusal:
-            found[n] = refusal
-    return [one for one in found if one is not None]
+            result[n] = refusal
+    return [one for one in result if one is not None]
 
 
 class _Place(NamedTuple):
@@ -156,7 +158,7 @@ def _films(place: _Place, found: Array, bars: Array, layer: float | None) -> Atl
     conditions, _, contact, along, _ = place
     load = along.load
     central, minimum = (exp(found[0, k]) / load for k in (0, 1))
-    lowered, lobes, moved = by_rotation(load, along.ratio, contact.turning)
+    lowered, lobes, moved = rotation_effect(load, along.ratio, contact.turning)
     minimum = min(minimum, central) * lowered
     middle = float(bars[0]) + moved
     # 1. k = -3/2 F/(a^2/Rx)/(H0 + dH0/dlnA), as a^2 goes with F^(2/3) where U is constant
@@ -225,18 +227,18 @@ def _functions(places: Sequence[_Place]) -> Array:
     x[1::3, 0] -= STEP
     x[2::3, 0] += STEP
     alpha, z = np.repeat([place.oil for place in places], 3, axis=0).T
-    found = functions(x[:, :3], alpha, z)
+    result = functions(x[:, :3], alpha, z)
     mixed = x[:, 3] > 0.0
     if mixed.any():
-        found[mixed, :MIXED] += mixed_functions(x[mixed], alpha[mixed], z[mixed])
+        result[mixed, :MIXED] += mixed_functions(x[mixed], alpha[mixed], z[mixed])
         turned = np.repeat([place.along.approach for place in places], 3)
-        found[mixed, MIXED - 1] += turned[mixed]
-    found = found.reshape(-1, 3, 6)
+        result[mixed, MIXED - 1] += turned[mixed]
+    result = result.reshape(-1, 3, 6)
     for n, place in enumerate(places):
         added = by_density(place.own, place.contact.hertz_pressure, place.along.load)
         if added.any():
-            found[n] = _with_density(found[n], x[3 * n : 3 * n + 3], added)
-    return found
+            result[n] = _with_density(result[n], x[3 * n : 3 * n + 3], added)
+    return result
 
 
 def _with_density(found: Array, x: Array, added: Array) -> Array:
@@ -260,7 +262,7 @@ def _bars(places: Sequence[_Place]) -> Array:
     if not places:
         return np.empty((0, 6))
     base = np.array([oil_numbers(place.own) == (BASE_ALPHA, BASE_Z) for place in places])
-    bars = bars_of(np.array([place.along.place for place in places])[:, :3], base)
+    bars = error_bars(np.array([place.along.place for place in places])[:, :3], base)
     for n, (_, own, _, along, _) in enumerate(places):
         if along.mixed:
             bars[n, :MIXED] = np.maximum(bars[n, :MIXED], skew_bars(along.ratio, bool(base[n])))
@@ -321,7 +323,7 @@ def require_covered(
     conditions: ContactConditions | MoesConditions, contact: ScaledContact, load: float
 ) -> None:
     """NotInAtlasError unless the equations are those of the atlas; load: A [-]."""
-    slim = known_turning(load, contact.radius_ratio)
+    slim = rotation_law(load, contact.radius_ratio)
     turning = ROTATION if slim is None else slim.largest
     turns = skewed(conditions.entrainment_angle) and contact.turning > 0.0
     layered = contact.coating is not None or contact.inlet_layer is not None
@@ -334,8 +336,8 @@ def require_covered(
         "coating_thickness_um: bodies without a coating": contact.coating is not None,
         "inlet_film_um: flooded contacts": contact.inlet_layer is not None,
     }
-    for fault, found in faults.items():
-        if found:
+    for fault, result in faults.items():
+        if result:
             raise NotInAtlasError(f"{fault} is what the film atlas covers")
 
 

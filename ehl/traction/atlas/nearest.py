@@ -16,7 +16,7 @@ from .films import (
 )
 from .oils import with_inlet_oil
 from .table import LIGHT
-from .turning import known_turning
+from .turning import rotation_law
 
 EDGE = 1e-9  # within a range [-]
 
@@ -33,7 +33,7 @@ def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | 
         return None, 0.0
     own = atlas_load(contact)
     wanted = _nearest("A = a^2/(Rx^2 sqrt(2U))", own)
-    slim = known_turning(wanted, contact.radius_ratio)
+    slim = rotation_law(wanted, contact.radius_ratio)
     if slim is not None and contact.turning > slim.largest:
         wanted = max(wanted, LIGHT)
     # 1. the oil; that of an isoviscous one does not count

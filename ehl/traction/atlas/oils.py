@@ -29,7 +29,7 @@ from ...oil.lubricant import (
     log_viscosity_ratio,
     roelands_rise,
 )
-from .table import heavy_share
+from .table import heavy_weight
 
 NODES = 96  # of the moments; half as many move alpha and z of library oils by less than 1e-5
 MOST_PRESSURE = (
@@ -104,8 +104,8 @@ def with_inlet_oil(
     )
     if isinstance(conditions, ContactConditions):
         return replace(conditions, lubricant=roelands)
-    share = own.pressure_viscosity / oil.pressure_viscosity
-    thick = conditions.lubricant_parameter * share
+    fraction = own.pressure_viscosity / oil.pressure_viscosity
+    thick = conditions.lubricant_parameter * fraction
     return replace(conditions, lubricant=roelands, lubricant_parameter=thick)
 
 
@@ -116,12 +116,12 @@ def by_density(oil: Lubricant, hertz_pressure: float, load: float) -> Array:
     """
     if oil.piezoviscous and oil.density_law is DensityLaw.DOWSON_HIGGINSON:
         return np.zeros(len(DENSITY))
-    heavy = float(heavy_share(np.log(load), DENSITY_SEAM)[0])
+    heavy = float(heavy_weight(np.log(load), DENSITY_SEAM)[0])
     if not oil.piezoviscous:
         return -heavy * np.array(ISOVISCOUS_DENSITY) * _log_density(oil, hertz_pressure)
     first = inlet_oil(oil).moment
     there = density_excess(oil, hertz_pressure)
-    added = [density_excess(oil, at * first) - share * there for share, at in DENSITY]
+    added = [density_excess(oil, at * first) - fraction * there for fraction, at in DENSITY]
     return heavy * np.array(added)
 
 
@@ -187,8 +187,8 @@ def _quadrature(scale: float) -> tuple[Array, Array]:
     """Pressures up to `MOST_PRESSURE` scales, and weights of Gauss' rule in p/(p + scale), in the
     unit of the scale.
     """
-    share, weights = _rule()
-    return scale * share / (1.0 - share), scale * weights / (1.0 - share) ** 2
+    fraction, weights = _rule()
+    return scale * fraction / (1.0 - fraction), scale * weights / (1.0 - fraction) ** 2
 
 
 @cache

@@ -109,8 +109,8 @@ def mixed_oil_terms(places: Array, alpha: Array, z: Array) -> Array:
 
 def mixed_radial(x: Array, known: Skew) -> Array:
     """m m_i k of places (m, 4) and those of the table, shape (m, n) [-]."""
-    shares = x[:, 3:] * known.places[None, :, 3]
-    return np.asarray(shares * radial(x, known.places, known.scales))
+    fractions = x[:, 3:] * known.places[None, :, 3]
+    return np.asarray(fractions * radial(x, known.places, known.scales))
 
 
 def mixed_functions(x: Array, alpha: Array, z: Array, known: Skew | None = None) -> Array:

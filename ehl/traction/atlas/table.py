@@ -85,7 +85,7 @@ def table() -> Table:
         return Table(light=light, heavy=heavy, bars=file["bars"], step_bars=file["step_bars"])
 
 
-def bars_of(x: Array, base: NDArray[np.bool_]) -> Array:
+def error_bars(x: Array, base: NDArray[np.bool_]) -> Array:
     """Errors of the six functions at x of shape (m, 3), shape (m, 6) [-]; base: whether the oil is
     that of the solves, shape (m,).
     """
@@ -101,7 +101,7 @@ def bars_of(x: Array, base: NDArray[np.bool_]) -> Array:
     return np.asarray(kinds[4 * first + 2 * wide + ~base])
 
 
-def heavy_share(log_load: Array, seam: tuple[float, float] = SEAM) -> tuple[Array, Array]:
+def heavy_weight(log_load: Array, seam: tuple[float, float] = SEAM) -> tuple[Array, Array]:
     """Share of the patch of heavy contacts at ln A, and its derivative, in its shape [-]."""
     low, high = np.log(seam)
     t = np.clip((log_load - low) / (high - low), 0.0, 1.0)
@@ -130,23 +130,25 @@ def radial(x: Array, places: Array, scales: Array) -> Array:
     return np.asarray((1.0 + t + t**2 / 3.0) * np.exp(-t))
 
 
-def near(x: Array, places: Array, scales: Array, step: Array) -> Array:
+def slanted_radial(x: Array, places: Array, scales: Array, step: Array) -> Array:
     """Radial functions of slanted places (n, 3) at x of shape (m, 3) with those around a step of
     `Patch`, shape (m, n) [-].
     """
-    found = radial(x, places, scales)
+    result = radial(x, places, scales)
     centre, width, variance = step[:3]
     if variance > 0.0:
         here, there = (np.exp(-0.5 * ((y[:, 0] - centre) / width) ** 2) for y in (x, places))
-        found += variance * np.outer(here, there) * radial(x, places, step[3:])
-    return found
+        result += variance * np.outer(here, there) * radial(x, places, step[3:])
+    return result
 
 
-def near_sums(x: Array, places: Array, scales: Array, step: Array, weights: Array) -> Array:
-    """The functions of `near` times weights (n, k) [-], shape (m, k), compiled."""
-    found = np.empty((len(x), len(places)))
-    near_functions(x, places, scales, step, found)
-    return np.asarray(found @ weights)
+def weighted_radial_sums(
+    x: Array, places: Array, scales: Array, step: Array, weights: Array
+) -> Array:
+    """The functions of `slanted_radial` times weights (n, k) [-], shape (m, k), compiled."""
+    result = np.empty((len(x), len(places)))
+    near_functions(x, places, scales, step, result)
+    return np.asarray(result @ weights)
 
 
 def oil_features(x: Array, alpha: Array, z: Array) -> Array:
@@ -172,7 +174,7 @@ def patch_base(patch: Patch, x: Array) -> Array:
     """
     own = slanted(x, patch.slant)
     base = patch.mean + trend_terms(own) @ patch.trend
-    base += near_sums(own, patch.places, patch.scales, patch.step, patch.weights)
+    base += weighted_radial_sums(own, patch.places, patch.scales, patch.step, patch.weights)
     return np.asarray(base)
 
 
@@ -181,7 +183,7 @@ def patch_oils(patch: Patch, x: Array) -> Array:
     line = np.concatenate([np.ones((len(x), 1)), x], axis=1)
     features, weights = patch.oil_features, patch.oil_weights
     products = (features[:, :, None] * weights[:, None, :]).reshape(len(weights), -1)
-    around = near_sums(x, patch.oil_places, patch.oil_scales, NO_STEP, products)
+    around = weighted_radial_sums(x, patch.oil_places, patch.oil_scales, NO_STEP, products)
     trend = np.einsum("mc,fck->mfk", line, patch.oil_trend.reshape(-1, 4, weights.shape[1]))
     return np.asarray(trend + around.reshape(trend.shape))
 
@@ -191,14 +193,14 @@ def functions(x: Array, alpha: Array, z: Array, known: Table | None = None) -> A
     table as it is stored.
     """
     known = known or table()
-    share = heavy_share(x[:, 0])[0]
+    fraction = heavy_weight(x[:, 0])[0]
     features = oil_features(x, alpha, z)
-    found = np.zeros((len(x), known.bars.shape[-1]))
-    for patch, weight in ((known.light, 1.0 - share), (known.heavy, share)):
+    result = np.zeros((len(x), known.bars.shape[-1]))
+    for patch, weight in ((known.light, 1.0 - fraction), (known.heavy, fraction)):
         own = weight > 0.0
         if own.any():
             values = patch_base(patch, x[own])
             if features[own].any():
                 values += np.einsum("mf,mfk->mk", features[own], patch_oils(patch, x[own]))
-            found[own] += weight[own, None] * values
-    return found
+            result[own] += weight[own, None] * values
+    return result

@@ -33,16 +33,16 @@ TURNING = (
 )
 
 
-def known_turning(load: float, ratio: float) -> Turning | None:
+def rotation_law(load: float, ratio: float) -> Turning | None:
     """What is known of a rotation at A and Rx/Ry; None in wide ellipses."""
     return next((own for own in TURNING if load < own.load and ratio <= own.ratio), None)
 
 
-def by_rotation(load: float, ratio: float, turning: float) -> tuple[float, float, float]:
+def rotation_effect(load: float, ratio: float, turning: float) -> tuple[float, float, float]:
     """What a rotation t of the entrainment leaves of the minimum film, its error and that of the
     central film [-].
     """
-    own = known_turning(load, ratio)
+    own = rotation_law(load, ratio)
     if own is None:
         return 1.0, ROTATION_WIDE * turning, TURNING[0].central_error * turning**2
     square = turning**2

@@ -120,14 +120,14 @@ class HeatedLines:
         one of them comes to a stop; from there on linear, and constant beyond the last ratio.
         """
         nodes = _ratio_nodes()
-        places = np.clip(slide_x / self.speed, nodes[0], nodes[-1])
+        positions = np.clip(slide_x / self.speed, nodes[0], nodes[-1])
         known = _difference(self.wall_response(nodes * self.speed))
-        at = _difference(self.wall_response(places * self.speed))
+        at = _difference(self.wall_response(positions * self.speed))
         count = nodes.size
-        inside = np.clip(np.searchsorted(nodes, places) - 2, 1, count - 5)
-        first = np.where(places < -2.0, 0, np.where(places > 2.0, count - 2, inside))
-        beyond = np.abs(places) > 2.0
-        weights = np.zeros((places.size, count))
+        inside = np.clip(np.searchsorted(nodes, positions) - 2, 1, count - 5)
+        first = np.where(positions < -2.0, 0, np.where(positions > 2.0, count - 2, inside))
+        beyond = np.abs(positions) > 2.0
+        weights = np.zeros((positions.size, count))
         for chosen, points in ((np.flatnonzero(~beyond), 4), (np.flatnonzero(beyond), 2)):
             columns = first[chosen, None] + np.arange(points)
             own = lagrange_weights(known[columns], at[chosen])
@@ -162,9 +162,9 @@ def heated_film(
     temperature, fluidity = log_mean_fluidity(solution.temperature, weights, contact.pressure, oil)
     # 1. lines where the pressure is high
     zone = hertz_zone(contact)
-    places = np.moveaxis(zone.fields[:2], 0, -1)
+    positions = np.moveaxis(zone.fields[:2], 0, -1)
     at_nodes = [
-        scipy.interpolate.RegularGridInterpolator((x, y), field)(places)
+        scipy.interpolate.RegularGridInterpolator((x, y), field)(positions)
         for field in (temperature, fluidity)
     ]
     lines = _lines(zone, at_nodes, oil, rheology, conditions.entrainment_speed)

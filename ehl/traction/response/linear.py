@@ -25,11 +25,11 @@ from numpy.typing import NDArray
 
 from ...arrays import Array
 from ...multigrid.bordered import Border, LinearSolverError, solve_bordered
-from ...multigrid.cycle import layer_at_centre
+from ...multigrid.cycle import inlet_film_at_centre
 from ...multigrid.far_field import squeeze_load
 from ...multigrid.jacobian import Linearisation, deflected, origin_line, poiseuille_change
 from ...multigrid.levels import Multigrid
-from ...multigrid.newton import Factored, dry_nodes, polished
+from ...multigrid.newton import Factored, dry_nodes, newton_polished
 from ...multigrid.starved_jacobian import FluxChange, flux_change
 
 Numbers = NDArray[Any]  # real or complex
@@ -105,7 +105,7 @@ class LinearContact:
         p, h = self._waved(gap, frequency)
         return np.asarray(self._film(p, h) + gap)
 
-    def apart(self, gap: Numbers, frequency: float) -> complex:
+    def body_separation(self, gap: Numbers, frequency: float) -> complex:
         """What the same gap moves the bodies apart by under constant load; of a long wave, its
         amplitude. Arguments and errors as of `film_wave`.
         """
@@ -196,7 +196,7 @@ def linear_contact(state: Multigrid) -> LinearContact:
     fill = state.levels[index].fill
     if fill is not None and fill.across.size:
         raise LinearSolverError("behind a layer no oil may flow across the lines of the grid")
-    lin, factored = polished(state, index)
+    lin, factored = newton_polished(state, index)
     squeeze = np.zeros_like(lin.P)
     load = 0.0
     if state.far_field is not None:
@@ -204,7 +204,7 @@ def linear_contact(state: Multigrid) -> LinearContact:
         kappa = state.contact.speed / (2.0 * curvature)
         wet = lin.edge & (lin.P > 0.0)
         squeeze[wet] = kappa / lin.H[wet] ** 2
-        load = kappa * squeeze_load(state.far_field, lin.grid, lin.H, layer_at_centre(state))
+        load = kappa * squeeze_load(state.far_field, lin.grid, lin.H, inlet_film_at_centre(state))
     return LinearContact(
         state=state, index=index, lin=lin, factored=factored, squeeze=squeeze, squeeze_load=load
     )

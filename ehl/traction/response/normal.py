@@ -128,7 +128,7 @@ def wave_transmission(
     parts = []
     for number in numbers:
         gap = np.exp(-1j * number * grid.X)[None, :] * np.ones((grid.ny, 1))
-        parts.append(-contact.apart(gap, number))
+        parts.append(-contact.body_separation(gap, number))
     return np.array(parts, dtype=np.complex128)
 
 
@@ -226,8 +226,8 @@ def _extrapolated(
 
     def stiffness(before: float, after: float) -> ResponseValue:
         edge = EDGE_ERROR / fine.points * abs(after) * abs(1.0 - after / dry)
-        found = value(before, after, 0.0)
-        return replace(found, uncertainty=max(found.uncertainty, edge))
+        result = value(before, after, 0.0)
+        return replace(result, uncertainty=max(result.uncertainty, edge))
 
     samples = list(zip(coarse.over_frequency, fine.over_frequency, strict=True))
     return NormalResponse(

@@ -18,11 +18,11 @@ from numpy.typing import NDArray
 from ...arrays import Array
 from ...multigrid.threads import film_threads
 from .._kernels import LOAD_POWER
-from .check import check_places, doubtful_places, of_responses, table_error
+from .check import adaptive_check_points, check_points, response_message, table_error
 from .film import FilmSample, film_sample
 from .packing import mirrored, stored_values
-from .responses import Place, log_responses, wanted_responses
-from .splines import left_out_error, spline_coefficients
+from .responses import Place, log_responses, response_nodes
+from .splines import leave_one_out_error, spline_coefficients
 from .table import TableContact, TableError, TableRange, TractionTable, load_place
 from .values import grid_values
 
@@ -94,7 +94,7 @@ def build_table(
             break
         # more nodes on the axis whose values are worst predicted by their neighbours
         forces = mirrored(raw)[..., :2]
-        axis = int(np.argmax([left_out_error(forces, axis) for axis in range(5)]))
+        axis = int(np.argmax([leave_one_out_error(forces, axis) for axis in range(5)]))
         n = study.counts[axis]
         study.counts[axis] = 2 * n - 1 if axis < 2 else int(np.ceil(GROWTH * n))
     return table
@@ -110,7 +110,7 @@ def _error(study: _Study, table: TractionTable) -> TableError:
     options = study.options
     drawn = options.check_motions, options.seed
     if options.check_doubtful:
-        study.doubtful = _solve(study, [(place, False) for place in doubtful_places(table)])
+        study.doubtful = _solve(study, [(place, False) for place in adaptive_check_points(table)])
     error = table_error(table, study.contact, study.checks + study.doubtful, *drawn)
     return replace(error, tolerance=options.tolerance)
 
@@ -127,7 +127,7 @@ def _study(
         progress=progress or (lambda done, total, state: None),
         counts=[_first_loads(nodes[0], options.narrow, limits), *nodes[1:]],
     )
-    wanted = check_places(limits, options.check_films, options.check_responses, options.seed)
+    wanted = check_points(limits, options.check_films, options.check_responses, options.seed)
     study.checks = _solve(study, wanted)
     return study
 
@@ -183,7 +183,7 @@ def _grid_films(study: _Study, axes: Array) -> list[list[FilmSample]]:
     rows = [[(float(q), float(u)) for u in _axis_nodes(axes[1])] for q in loads]
     keys = {place: (round(place[0], 9), round(place[1], 9)) for row in rows for place in row}
     known = [study.films.get(key) for key in keys.values()]
-    response = wanted_responses(
+    response = response_nodes(
         study.contact,
         list(keys),
         [film is not None and film.response is not None for film in known],
@@ -289,7 +289,7 @@ def _with_message(study: _Study, table: TractionTable, filled: int) -> TractionT
     message += _of_atlas(films)
     if error.largest_spin > error.tolerance:
         message += f"; moments of spin are off by up to {error.largest_spin:.2%} of their largest"
-    message += of_responses(study.checks, error)
+    message += response_message(study.checks, error)
     if filled:
         few = f"{filled} of {int(table.axes[0, 2] * table.axes[1, 2])} films"
         message += f"; stiffness and damping of {few} are those of neighbouring loads"

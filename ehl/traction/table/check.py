@@ -17,27 +17,27 @@ from .values import table_motions
 
 # error of stiffness or damping that a table's message tells: their own error bars are 2 to 5 % [-]
 RESPONSE_TOLERANCE = 0.05
-# smallest motions of `straight_motions`: slide over the entrainment, spin over that over R_x; at
+# smallest motions of `spin_free_motions`: slide over the entrainment, spin over that over R_x; at
 # smaller ones traction goes with the motion
 SMALLEST_SLIDE = 1e-7
 SMALLEST_SPIN = 1e-5
-# of `standing_motions`: the slow body's speed over half the entrainment, across the slide over it
+# of `standstill_motions`: slow body's speed over half the entrainment, across the slide over it
 SLOW = (1e-3, 0.25)
 SMALLEST_ACROSS = 1e-4
 
 
-def check_places(
+def check_points(
     limits: TableRange, films: int, responses: int, seed: int
 ) -> list[tuple[Place, bool]]:
     """Random places of so many films, and whether stiffness and damping are solved there, too: at
     the first ones.
     """
     ends = np.array([[log(end) for end in ends] for ends in (limits.load, limits.speed)])
-    places = latin_hypercube(ends, films, np.random.default_rng(seed)).T
-    return [((float(q), float(u)), k < responses) for k, (q, u) in enumerate(places)]
+    positions = latin_hypercube(ends, films, np.random.default_rng(seed)).T
+    return [((float(q), float(u)), k < responses) for k, (q, u) in enumerate(positions)]
 
 
-def doubtful_places(table: TractionTable) -> list[Place]:
+def adaptive_check_points(table: TractionTable) -> list[Place]:
     """Places between nodes of load and speed where fourth differences over the load, to which the
     error of a cubic spline goes, are largest: of the force and of the spin moment, at the slow and
     at the fast half of the speeds, between the last two nodes there; one where several are the
@@ -57,13 +57,13 @@ def doubtful_places(table: TractionTable) -> list[Place]:
     # 2. half-way between the nodes
     count = int(speeds[2])
     half = count // 2
-    found = []
+    result = []
     for kind in kinds:
         for own, at in ((kind[:, :half], 0.5), (kind[:, half:], count - 1.5)):
             row = int(np.argmax(own.max(axis=1)))
             place = loads[0] + (row + 0.5) / loads[1]
-            found.append((float(log(-place) / LOAD_POWER), float(speeds[0] + at / speeds[1])))
-    return list(dict.fromkeys(found))
+            result.append((float(log(-place) / LOAD_POWER), float(speeds[0] + at / speeds[1])))
+    return list(dict.fromkeys(result))
 
 
 def table_error(
@@ -74,16 +74,16 @@ def table_error(
     seed: int,
 ) -> TableError:
     """Error at films of a contact, each at so many motions drawn evenly in the table's
-    coordinates, as many `straight_motions`, and as many `standing_motions`.
+    coordinates, as many `spin_free_motions`, and as many `standstill_motions`.
     """
     rng, others, slow = (np.random.default_rng(seed + k) for k in (1, 2, 3))
     errors = []
     for film in films:
-        places = rng.uniform(-1.0, 1.0, (3, motions))
+        positions = rng.uniform(-1.0, 1.0, (3, motions))
         drawn = (
-            table_motions(contact, table.range, film, places),
-            straight_motions(contact, table.range, film.load, others, motions),
-            standing_motions(table.range, slow, motions),
+            table_motions(contact, table.range, film, positions),
+            spin_free_motions(contact, table.range, film.load, others, motions),
+            standstill_motions(table.range, slow, motions),
         )
         errors.append(_errors(contact, table, film, drawn))
     even, straight, standing = np.moveaxis(np.array(errors), 1, 0)
@@ -105,7 +105,7 @@ def table_error(
     )
 
 
-def straight_motions(
+def spin_free_motions(
     contact: TableContact, limits: TableRange, load: float, rng: np.random.Generator, count: int
 ) -> list[Array]:
     """Motions over u, u and u/R_x of rolling without spin and with little, where traction turns
@@ -127,7 +127,7 @@ def straight_motions(
     return [slide_x, slide_y, spin]
 
 
-def standing_motions(limits: TableRange, rng: np.random.Generator, count: int) -> list[Array]:
+def standstill_motions(limits: TableRange, rng: np.random.Generator, count: int) -> list[Array]:
     """Motions over u, u and u/R_x at which one body nearly stands still, where the traction turns
     with the heat that it takes up, narrower the faster the contact: slow speeds even in their
     logarithm, every eighth none; two of three with a slide across, every second with spin [-].
@@ -156,8 +156,8 @@ def _errors(
     expected[:, 0] -= 0.5 * contact.curvature_difference * film.moment
     expected[:, 3] -= film.moment
     slide_x, slide_y, spin = (part * film.speed for part in moved)
-    places = np.stack([slide_x, slide_y, spin / contact.radius_x], axis=1)
-    lookups = [table.forces(film.load, film.speed, *place)[:4] for place in places]
+    positions = np.stack([slide_x, slide_y, spin / contact.radius_x], axis=1)
+    lookups = [table.forces(film.load, film.speed, *place)[:4] for place in positions]
     unit = sizes.max(axis=0) + np.array([0.0, 0.0, film.moment])
     errors = _sizes(np.array(lookups) - expected) / unit
     return np.asarray(errors.reshape(len(kinds), -1, 3))
@@ -175,13 +175,13 @@ def _response_errors(table: TractionTable, films: Sequence[FilmSample]) -> Array
     for film in films:
         if film.response is None or not film.response.converged:
             continue
-        found = table.forces(film.load, film.speed, 0.0, 0.0, 0.0)
+        result = table.forces(film.load, film.speed, 0.0, 0.0, 0.0)
         solved = film.response.stiffness.value, film.response.damping.value
-        errors.append(np.abs(np.array([found.stiffness, found.damping]) / solved - 1.0))
+        errors.append(np.abs(np.array([result.stiffness, result.damping]) / solved - 1.0))
     return np.array(errors).reshape(-1, 2)
 
 
-def of_responses(checks: Sequence[FilmSample], error: TableError) -> str:
+def response_message(checks: Sequence[FilmSample], error: TableError) -> str:
     """By how much stiffness and damping are off between the films, beside their own error bars;
     nothing where that is little.
     """

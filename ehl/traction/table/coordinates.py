@@ -39,8 +39,10 @@ def vertex_slide(spin: Array, contact: TableContact, load: float) -> Array:
     if curvature <= 0.0:
         return 0.0 * spin
     far = 0.5 * spin / (curvature * b)
-    share = far / np.sqrt(np.sqrt(1.0 + far**4))
-    return np.asarray(b / contact.radius_x * (spin * share - curvature * b * share * share))
+    fraction = far / np.sqrt(np.sqrt(1.0 + far**4))
+    return np.asarray(
+        b / contact.radius_x * (spin * fraction - curvature * b * fraction * fraction)
+    )
 
 
 def at_vertex(slide_x: Array, shift: Array, limit: float) -> Array:
@@ -49,8 +51,8 @@ def at_vertex(slide_x: Array, shift: Array, limit: float) -> Array:
     their place there with any spin [-].
     """
     reach = min(limit, STANDING)
-    share = np.minimum(np.abs(slide_x) / reach, 1.0)
-    return np.asarray(slide_x + _bounded(shift, reach) * (1.0 - share * share))
+    fraction = np.minimum(np.abs(slide_x) / reach, 1.0)
+    return np.asarray(slide_x + _bounded(shift, reach) * (1.0 - fraction * fraction))
 
 
 def from_vertex(top: Array, shift: Array, limit: float) -> Array:
@@ -84,12 +86,12 @@ def spinning_scales(
     return along, np.hypot(scales[1], SPIN_SHARE_Y * spin * a / contact.radius_x)
 
 
-def no_part(size: Array | float) -> Array:
+def no_further_term(size: Array | float) -> Array:
     """Of the place of a spin: asinh alone [-]."""
     return np.full_like(size, np.nan)
 
 
-def standing_part(size: Array | float) -> Array:
+def standstill_term(size: Array | float) -> Array:
     """Of the place of a slide_x over u [-]: where one body is slow it takes up heat as the root of
     its speed, and the traction turns as that.
     """
@@ -97,12 +99,12 @@ def standing_part(size: Array | float) -> Array:
     return np.asarray(np.sqrt(whole) - np.sqrt(whole - np.minimum(size / STANDING, 1.0)))
 
 
-def even_part(size: Array | float) -> Array:
+def linear_term(size: Array | float) -> Array:
     """Of the place of a slide_y: even steps of the slide, where its heat counts [-]."""
     return np.asarray(size)
 
 
-PLACE_PARTS = (standing_part, even_part, no_part)  # of slide_x, slide_y and spin
+PLACE_PARTS = (standstill_term, linear_term, no_further_term)  # of slide_x, slide_y and spin
 
 
 def place_of(motion: Array, scale: Array | float, limit: float, part: Part) -> Array:
@@ -116,7 +118,7 @@ def place_of(motion: Array, scale: Array | float, limit: float, part: Part) -> A
     return np.copysign(np.where(np.isnan(further), place, mixed), motion)
 
 
-def motion_of(place: Array, scale: Array | float, limit: float, part: Part) -> Array:
+def motion_at(place: Array, scale: Array | float, limit: float, part: Part) -> Array:
     """S/u of a place in [-1, 1], inverse of `place_of` [-].
 
     In asinh(S/(u s)), over which the place is nearly a line, by the secant through two values on
@@ -130,16 +132,16 @@ def motion_of(place: Array, scale: Array | float, limit: float, part: Part) -> A
     at = ends[0]
     for _ in range(STEPS):
         apart = off[1] - off[0]
-        share = np.divide(-off[0], apart, out=np.zeros(place.shape), where=apart > 0.0)
+        fraction = np.divide(-off[0], apart, out=np.zeros(place.shape), where=apart > 0.0)
         last = at
-        at = ends[0] + share * (ends[1] - ends[0])
-        found = place_of(np.minimum(scale * np.sinh(at), limit), scale, limit, part) - wanted
-        if np.all((np.abs(found) <= INVERTED) | (np.abs(at - last) <= INVERTED * at)):
+        at = ends[0] + fraction * (ends[1] - ends[0])
+        result = place_of(np.minimum(scale * np.sinh(at), limit), scale, limit, part) - wanted
+        if np.all((np.abs(result) <= INVERTED) | (np.abs(at - last) <= INVERTED * at)):
             break
-        below = found < 0.0
+        below = result < 0.0
         off = [
-            np.where(below, found, np.where(side > 0.0, 0.5, 1.0) * off[0]),
-            np.where(below, np.where(side < 0.0, 0.5, 1.0) * off[1], found),
+            np.where(below, result, np.where(side > 0.0, 0.5, 1.0) * off[0]),
+            np.where(below, np.where(side < 0.0, 0.5, 1.0) * off[1], result),
         ]
         ends = [np.where(below, at, ends[0]), np.where(below, ends[1], at)]
         side = np.where(below, -1.0, 1.0)

@@ -16,7 +16,7 @@ from ..film_quadrature import FilmQuadrature, film_quadrature, sliding_forces
 from ..heated.film import HeatedFilm, heated_film, heated_forces
 from ..response.normal import NormalResponse, normal_response
 from ..rolling_moment import rolling_moment
-from .many_motions import many_heated_forces, many_sliding_forces
+from .many_motions import vectorised_heated_forces, vectorised_sliding_forces
 from .table import TableContact, TableRange
 
 # of the motion where the traction has risen by half, along, across and of spin: the scale there
@@ -40,15 +40,15 @@ class TableFilm:
         rolling: Array,
         curvature: float,
         *,
-        many: bool = False,
+        vectorised: bool = False,
     ) -> Array:
         """F_x, F_y [N] and M_n, M_y [N m] on body 1 by sliding, as `sliding_forces`; many: as
         `many_motions`.
         """
         if isinstance(self.quadrature, HeatedFilm):
-            heated = many_heated_forces if many else heated_forces
+            heated = vectorised_heated_forces if vectorised else heated_forces
             return heated(self.quadrature, slide, rolling, curvature)
-        forces = many_sliding_forces if many else sliding_forces
+        forces = vectorised_sliding_forces if vectorised else sliding_forces
         return forces(self.quadrature, slide, rolling, curvature)
 
 
@@ -156,7 +156,7 @@ def motion_scales(
     """
     none = np.zeros(SCALE_SAMPLES.size)
     scales = []
-    for axis, (limit, share) in enumerate(zip(limits.motions, SCALE_SHARE, strict=True)):
+    for axis, (limit, fraction) in enumerate(zip(limits.motions, SCALE_SHARE, strict=True)):
         motion = limit * SCALE_SAMPLES
         motions = [motion if axis == k else none for k in range(3)]
         values = relative_forces(contact, film, speed, motions)[:, axis]
@@ -164,7 +164,7 @@ def motion_scales(
         rise = np.abs(values - start) / np.abs(values - start).max()
         k = max(int(np.argmax(rise >= 0.5)), 1)
         between = (0.5 - rise[k - 1]) / (rise[k] - rise[k - 1])
-        scales.append(share * float(motion[k - 1] + between * (motion[k] - motion[k - 1])))
+        scales.append(fraction * float(motion[k - 1] + between * (motion[k] - motion[k - 1])))
     return scales[0], scales[1], scales[2]
 
 
@@ -174,7 +174,7 @@ def relative_forces(
     speed: float,
     motions: list[Array],
     *,
-    many: bool = False,
+    vectorised: bool = False,
 ) -> Array:
     """F_x, F_y, M_n, M_y by sliding, shape (n, 4) [N], [N m]; slides over u, spin over u/R_x; many
     as `TableFilm.forces`.
@@ -182,4 +182,4 @@ def relative_forces(
     slide_x = motions[0] * speed
     slide = (slide_x, motions[1] * speed, motions[2] * speed / contact.radius_x)
     rolling = speed / contact.radius_x - 0.5 * contact.curvature_difference * slide_x
-    return film.forces(slide, rolling, 0.5 / contact.curvature_radius, many=many)
+    return film.forces(slide, rolling, 0.5 / contact.curvature_radius, vectorised=vectorised)

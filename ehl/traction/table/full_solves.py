@@ -42,9 +42,9 @@ def full_solves(
     options = options or SolverOptions(points=POINTS)
     ratios = (SLIDE_RATIOS[0], min(SLIDE_RATIOS[1], limits.slide_x))
     ends = np.log([limits.load, limits.speed, ratios])
-    places = np.exp(latin_hypercube(ends, count, np.random.default_rng(SEED))).T
+    positions = np.exp(latin_hypercube(ends, count, np.random.default_rng(SEED))).T
     solves = []
-    for number, (load, speed, ratio) in enumerate(places.tolist()):
+    for number, (load, speed, ratio) in enumerate(positions.tolist()):
         if progress is not None:
             progress(number + 1, count, "full solves")
         solves.append(_both(contact, load, speed, ratio, options))

@@ -14,14 +14,14 @@ from ..film_quadrature import FilmQuadrature
 from ..heated.film import HeatedFilm, HeatedLines, slide_axis
 from . import _many_kernels
 from ._many_kernels import COARSE, FINE, NO_FACTOR, SHIFT
-from .patches import FAR, Patches, Singles, patches
+from .patches import MIN_SLIDING_RATIO, Float32Array, NodeClusters, node_clusters
 
 # smallest over largest sliding in the table of pulls, below which the drag goes with the sliding
 SMALLEST = 1e-9
 Slide = tuple[Array, Array, Array]
 
 
-def many_sliding_forces(
+def vectorised_sliding_forces(
     film: FilmQuadrature, slide: Slide, rolling: Array, curvature: float
 ) -> Array:
     """As `film_quadrature.sliding_forces`, faster for thousands of motions, within 0.06 % of the
@@ -30,7 +30,9 @@ def many_sliding_forces(
     return _forces(*film.parts(), film, None, (slide, rolling, curvature))
 
 
-def many_heated_forces(film: HeatedFilm, slide: Slide, rolling: Array, curvature: float) -> Array:
+def vectorised_heated_forces(
+    film: HeatedFilm, slide: Slide, rolling: Array, curvature: float
+) -> Array:
     """As `heated.film.heated_forces` for thousands of motions, within 0.06 % of the largest
     force.
     """
@@ -56,18 +58,18 @@ def _forces(
     if largest == 0.0:
         return out
     squares = _squares(SMALLEST * largest, largest)
-    pulls = _pulls(flat, film.rheology, squares)
-    of_strips, of_low = np.split(pulls, [flat.shape[1] - low.shape[1]])
+    shear_per_sliding = _shear_per_sliding(flat, film.rheology, squares)
+    of_strips, of_low = np.split(shear_per_sliding, [flat.shape[1] - low.shape[1]])
     of_strips = of_strips.reshape(*strips.shape[1:], squares.coarse.size)
     changed = int(np.searchsorted(squares.coarse, change**2)) - 1
-    own = patches(
+    own = node_clusters(
         (strips, of_strips),
         (low, of_low),
         film.half_width,
         min(max(changed, 0), squares.coarse.size - 1),
     )
     _many_kernels.patch_sums(
-        (_single(own.nodes), _refined(own.pulls, squares), own.rows),
+        (_single(own.nodes), _refined(own.shear_per_sliding, squares), own.rows),
         (own.groups, _single(own.boxes), _single(own.strips), _least(), own.starts),
         _heat(own, lines, squares, of_strips.sum(axis=1)),
         squares.fine,
@@ -82,8 +84,8 @@ def _forces(
 class _Squares(NamedTuple):
     """Squares of the sliding at which pulls are tabulated [m^2/s^2]."""
 
-    fine: Singles
-    coarse: Singles  # each fourth, from before the first to beyond the last
+    fine: Float32Array
+    coarse: Float32Array  # each fourth, from before the first to beyond the last
 
 
 def _squares(smallest: float, largest: float) -> _Squares:
@@ -97,15 +99,17 @@ def _squares(smallest: float, largest: float) -> _Squares:
     return _Squares(fine=fine, coarse=coarse)
 
 
-def _pulls(nodes: Array, rheology: Rheology, squares: _Squares) -> Singles:
+def _shear_per_sliding(nodes: Array, rheology: Rheology, squares: _Squares) -> Float32Array:
     """Pulls of nodes at the coarse squares, shape (nodes, squares) [N s/m]."""
-    pulls = np.empty((nodes.shape[1], squares.coarse.size), np.float32)
+    shear_per_sliding = np.empty((nodes.shape[1], squares.coarse.size), np.float32)
     law = kernel_rheology(rheology)[:4]
-    _many_kernels.node_pulls(nodes, law, np.sqrt(squares.coarse.astype(np.float64)), pulls)
-    return pulls
+    _many_kernels.node_pulls(
+        nodes, law, np.sqrt(squares.coarse.astype(np.float64)), shear_per_sliding
+    )
+    return shear_per_sliding
 
 
-def _refined(pulls: Singles, squares: _Squares) -> Singles:
+def _refined(shear_per_sliding: Float32Array, squares: _Squares) -> Float32Array:
     """Pulls at the fine squares by cubics in their logarithm, shape (nodes, squares) [N s/m]."""
     # of mantissas 1 + k/16, which stand between each fourth from half the first to twice the last
     fine = 1.0 + np.arange(FINE) / FINE
@@ -113,14 +117,14 @@ def _refined(pulls: Singles, squares: _Squares) -> Singles:
     known = np.log(np.concatenate([0.5 * every[-1:], every, 2.0 * every[:2]]))
     near = known[np.arange(FINE)[:, None] // COARSE + np.arange(4)]
     weights = _single(lagrange_weights(near, np.log(fine)).T)
-    out = np.empty((pulls.shape[0], squares.fine.size), np.float32)
-    _many_kernels.refined_pulls(pulls, weights, out)
+    out = np.empty((shear_per_sliding.shape[0], squares.fine.size), np.float32)
+    _many_kernels.refined_pulls(shear_per_sliding, weights, out)
     return out
 
 
 def _heat(
-    own: Patches, lines: HeatedLines | None, squares: _Squares, strip_pulls: Array
-) -> tuple[Singles, Array, Singles]:
+    own: NodeClusters, lines: HeatedLines | None, squares: _Squares, strip_pulls: Array
+) -> tuple[Float32Array, Array, Float32Array]:
     """Factors, shape (K, R, squares), the one of each row, and one over its area."""
     count = own.rows.shape[0]
     of_row = np.full(count, NO_FACTOR)
@@ -142,20 +146,20 @@ def _heat(
 
 
 def _patch_factors(
-    own: Patches, lines: HeatedLines, squares: _Squares, strip_pulls: Array
+    own: NodeClusters, lines: HeatedLines, squares: _Squares, strip_pulls: Array
 ) -> Array:
     """Factors of the rows of groups, shape (rows, R, S): means of the strips' by what each pulls,
     shape (K, squares), in the patch.
     """
-    places = np.searchsorted(squares.coarse, lines.slides**2)
-    pulls = strip_pulls[:, np.minimum(places, squares.coarse.size - 1)]
+    positions = np.searchsorted(squares.coarse, lines.slides**2)
+    shear_per_sliding = strip_pulls[:, np.minimum(positions, squares.coarse.size - 1)]
     of_strips = lines.strip_factors
-    parts = own.shares[:, :, None] * pulls
+    parts = own.shares[:, :, None] * shear_per_sliding
     means = np.einsum("jkm,krm->jrm", parts, of_strips) / parts.sum(axis=1)[:, None]
     return np.clip(means, 0.5 * of_strips.min(), 2.0 * of_strips.max())
 
 
-def _ratio_weights(lines: HeatedLines | None, slide_x: Array) -> Singles:
+def _ratio_weights(lines: HeatedLines | None, slide_x: Array) -> Float32Array:
     """Weights of the factors' slide-roll ratios, shape (n, R) [-]; without heat none."""
     if lines is None:
         return np.empty((0, 0), np.float32)
@@ -163,12 +167,12 @@ def _ratio_weights(lines: HeatedLines | None, slide_x: Array) -> Singles:
     return _single(lines.ratio_weights(slides))[place]
 
 
-def _least() -> Singles:
+def _least() -> Float32Array:
     """Squares of what sliding over its change must be at least, of groups and strips [-]."""
-    return _single(np.array(FAR) ** 2)
+    return _single(np.array(MIN_SLIDING_RATIO) ** 2)
 
 
-def _single(numbers: Array) -> Singles:
+def _single(numbers: Array) -> Float32Array:
     """In single precision."""
     return np.ascontiguousarray(numbers, dtype=np.float32)
 

@@ -99,7 +99,7 @@ def whole_numbers(values: Values) -> tuple[Numbers, float]:
     return np.rint(turned / unit).astype(np.int16, order="C"), unit
 
 
-def packed(values: Values) -> NDArray[np.uint8] | Values:
+def compressed(values: Values) -> NDArray[np.uint8] | Values:
     """Bytes of values of `stored_values`; others, as of tables between temperatures, as they are
     [-].
     """
@@ -116,8 +116,8 @@ def packed(values: Values) -> NDArray[np.uint8] | Values:
     return np.frombuffer(data, dtype=np.uint8)
 
 
-def unpacked(data: NDArray[np.uint8] | Values, shape: tuple[int, ...]) -> Values:
-    """The inverse of `packed`, by the shape of the values; ValueError or one of `DAMAGED` where
+def decompressed(data: NDArray[np.uint8] | Values, shape: tuple[int, ...]) -> Values:
+    """The inverse of `compressed`, by the shape of the values; ValueError or one of `DAMAGED` where
     they are not of that shape.
     """
     if data.dtype == np.float32:

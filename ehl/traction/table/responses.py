@@ -41,7 +41,7 @@ Place = tuple[float, float]  # ln(load), ln(speed)
 Mask = NDArray[np.bool_]
 
 
-def wanted_responses(
+def response_nodes(
     contact: TableContact, places: Sequence[Place], known: Sequence[bool]
 ) -> list[bool]:
     """At which nodes of a table to have the response: known ones, those of films that turn and of
@@ -68,7 +68,7 @@ def log_responses(
     none near them that did, and at how many. ValueError where it did at none.
     """
     rows = [film for row in films for film in row]
-    places = [film.place for film in rows]
+    positions = [film.place for film in rows]
     asked = np.array([film.response is not None for film in rows])
     values = np.full((len(rows), 2), np.nan)
     for value, film in zip(values, rows, strict=True):
@@ -76,7 +76,7 @@ def log_responses(
             value[:] = np.log([film.response.stiffness.value, film.response.damping.value])
     unit = [dry_stiffness(contact.conditions(film.load, film.speed)) for film in rows]
     values[:, 0] -= np.log(unit)
-    _interpolate(values, asked, _coordinates(places, SPEED_SCALE))
+    _interpolate(values, asked, _coordinates(positions, SPEED_SCALE))
     values[:, 0] += np.log(unit)
     gaps = int(np.count_nonzero(np.isnan(values[:, 0])))
     return _filled(values.reshape(len(films), -1, 2)), gaps

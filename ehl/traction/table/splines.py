@@ -73,7 +73,7 @@ def spline_weights(place: float, nodes: int) -> tuple[int, Array]:
     return i, np.array([r**3, inner, outer, t**3]) / 6.0
 
 
-def left_out_error(values: Numbers, axis: int) -> float:
+def leave_one_out_error(values: Numbers, axis: int) -> float:
     """How well cubics through the four nearest other nodes predict each inner node [same unit]:
     the largest over all, 64/9 times the error of a cubic half-way between its inner nodes.
     """

@@ -22,7 +22,7 @@ from ...oil.lubricant import DensityLaw, Lubricant, ThermalProperties, Viscosity
 from ...oil.pressure_laws import PressureModulus, ScaledVolume
 from ...oil.rheology import Rheology, ShearLaw
 from ...solid.heat import SolidThermal
-from .packing import DAMAGED, packed, unpacked
+from .packing import DAMAGED, compressed, decompressed
 from .table import FullSolve, TableContact, TableError, TableRange, TractionTable
 
 FORMAT = "oilfilm traction table"
@@ -77,7 +77,7 @@ def save_table(table: TractionTable, path: Path) -> None:
 def write_table(table: TractionTable, file: IO[bytes]) -> None:
     """Write a table to an open file."""
     arrays: dict[str, Any] = {name: getattr(table, name) for name in ARRAYS}
-    arrays["values"] = packed(table.values)
+    arrays["values"] = compressed(table.values)
     document = {
         "format": FORMAT,
         "format_version": FORMAT_VERSION,
@@ -115,7 +115,7 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
         raise ValueError(f"{path}: format version {version}, this program {needed}")
     try:
         parts = {name: _restored(document[name]) for name in PARTS}
-        values = unpacked(arrays["values"], tuple(document["shape"]))
+        values = decompressed(arrays["values"], tuple(document["shape"]))
         plain = {name: document[name] for name in PLAIN}
         spacing = map(float, [*plain["spacing"], 0.0][:3])  # older files have no REST_SHARE
         plain["spacing"] = tuple(spacing)

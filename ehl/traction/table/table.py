@@ -95,8 +95,8 @@ def latin_hypercube(ends: Array, count: int, rng: np.random.Generator) -> Array:
     shape (d, count) [same unit].
     """
     layers = np.stack([rng.permutation(count) for _ in ends])
-    shares = (layers + rng.random(layers.shape)) / count
-    return np.asarray(ends[:, :1] + (ends[:, 1:] - ends[:, :1]) * shares)
+    fractions = (layers + rng.random(layers.shape)) / count
+    return np.asarray(ends[:, :1] + (ends[:, 1:] - ends[:, :1]) * fractions)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

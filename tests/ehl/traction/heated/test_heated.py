@@ -23,7 +23,7 @@ from ehl.traction.shear import integrate_traction
 from ehl.traction.table.build import TableOptions, build_table
 from ehl.traction.table.film import table_film
 from ehl.traction.table.full_solves import full_solves
-from ehl.traction.table.many_motions import many_heated_forces
+from ehl.traction.table.many_motions import vectorised_heated_forces
 from ehl.traction.table.table import TableContact, TableRange
 
 from ....reference.ehl import heated as reference
@@ -263,7 +263,7 @@ def test_forces_of_thousands_of_motions_are_those_of_each(film):
     slide = SPEED * rng.choice([-1.0, 1.0], size.shape) * size * np.array([[1.0], [1.0], [50.0]])
     slide[:, :3] = 0.0
     rolling = np.full(400, SPEED / 8e-3)
-    several, each = (f(film.quadrature, tuple(slide), rolling, 50.0) for f in (many_heated_forces, heated_forces))
+    several, each = (f(film.quadrature, tuple(slide), rolling, 50.0) for f in (vectorised_heated_forces, heated_forces))
     assert np.all(np.abs(several - each) < 6e-4 * np.abs(each).max(axis=0))
     none = np.zeros(2)
-    assert np.all(many_heated_forces(film.quadrature, (none, none, none), none, 0.0) == 0.0)
+    assert np.all(vectorised_heated_forces(film.quadrature, (none, none, none), none, 0.0) == 0.0)
