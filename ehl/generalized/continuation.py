@@ -63,11 +63,27 @@ REST_TEMPERATURE_CHANGE = 1.0
 def solve_by_continuation(
     flow: GeneralizedFlow, options: SolverOptions, newtonian: ContactSolution | None = None
 ) -> tuple[ContactSolution, FlowState | None]:
-    """The contact reached from its Newtonian film, not converged if that did not or if no step
-    succeeded, and the flow of its last cycle; options without a tolerance.
+    """Solve a contact with shear and heat from its Newtonian film.
 
-    Film values keep the extrapolation and the error bar of the Newtonian film, in proportion; the
-    bar has a share of what shear and heat take, too.
+    It has not converged if the Newtonian film did not or if no step succeeded. Film values keep
+    the extrapolation and the error bar of the Newtonian film, in proportion; the bar includes a
+    fraction of what shear and heat take.
+
+    Parameters
+    ----------
+    flow : GeneralizedFlow
+        flow model at its full share
+    options : SolverOptions
+        options of the solver, without a tolerance
+    newtonian : ContactSolution | None, optional
+        Newtonian solution of the contact; None: it is solved first
+
+    Returns
+    -------
+    solution
+        contact with shear and heat
+    state
+        flow of the last cycle; None without one
     """
     # 1. Newtonian film
     plain = newtonian or solve_contact(flow.conditions, options)
@@ -94,15 +110,43 @@ def solve_by_continuation(
 
 
 def with_fallbacks(solution: ContactSolution, fallbacks: tuple[str, ...]) -> ContactSolution:
-    """The solution whose record names these fallbacks."""
+    """Replace the fallbacks in the record of a solution.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+    fallbacks : tuple[str, ...]
+        names of the fallbacks
+
+    Returns
+    -------
+    ContactSolution
+        solution with this record
+    """
     return replace(solution, record=replace(solution.record, fallbacks=fallbacks))
 
 
 def last_flow(
     flow: GeneralizedFlow, state: Multigrid, solution: ContactSolution
 ) -> FlowState | None:
-    """Flow of the last cycle on the finest grid, with heat and stress at rest where the solution
-    converged; None without one.
+    """Give the flow of the last cycle on the finest grid; where the solution converged, with heat
+    and
+    stress at rest.
+
+    Parameters
+    ----------
+    flow : GeneralizedFlow
+        flow model
+    state : Multigrid
+        levels of the contact
+    solution : ContactSolution
+        solution of these levels
+
+    Returns
+    -------
+    FlowState | None
+        flow; None without one
     """
     level = state.levels[-1]
     last: FlowState | None = level.flow_state

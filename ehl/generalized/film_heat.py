@@ -97,12 +97,32 @@ class FilmHeat:
         across: tuple[Section, Rheology],
         last: HeatState | None,
     ) -> HeatState:
-        """Heat after one more sweep against and one along the flow; that against it moves heat up
-        the recirculation of the inlet. With none against it after the first two cycles of a grid
-        the 7014C at 20000 r/min fell back on continuation, in eight times the time.
+        """Sweep the heat of a film once more against and once along the flow.
 
-        middle: stress in the middle of the film, shape (2, ny, nx), a first guess that the
-        solution replaces [Pa]; last: of the last cycle on this grid, None in its first.
+        The sweep against it moves heat up the recirculation of the inlet. With none against it after
+        the first two cycles of a grid the 7014C at 20000 r/min fell back on continuation, in eight
+        times the time.
+
+        Parameters
+        ----------
+        contact : ScaledContact
+            scaled contact
+        grid : Grid
+            grid of the level
+        fields : FilmFields
+            pressure, film and velocities in SI
+        middle : Array
+            stress in the middle of the film, shape (2, ny, nx), a first guess that the solution
+            replaces [Pa]
+        across : tuple[Section, Rheology]
+            nodes across the film, and the rheology
+        last : HeatState | None
+            heat of the last cycle on this grid; None in its first
+
+        Returns
+        -------
+        HeatState
+            heat after the sweeps
         """
         oil = self.conditions.lubricant
         section, rheology = across

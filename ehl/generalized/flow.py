@@ -129,7 +129,29 @@ class GeneralizedFlow:
     def factors(
         self, contact: ScaledContact, grid: Grid, P: Array, H: Array, last: FlowState | None = None
     ) -> tuple[FlowFactors, FlowState]:
-        """Factors at pressure and film [-], and the state for the grid's next cycle."""
+        """Evaluate the factors on the flow at pressure and film, with the state for the next
+        cycle.
+
+        Parameters
+        ----------
+        contact : ScaledContact
+            scaled contact
+        grid : Grid
+            grid of the level
+        P : Array
+            pressure, shape (ny, nx) [-]
+        H : Array
+            film, shape (ny, nx) [-]
+        last : FlowState | None, optional
+            state of the last cycle on this grid; None in its first
+
+        Returns
+        -------
+        factors
+            factors on the flow [-]
+        state
+            state for the grid's next cycle
+        """
         speed = self.conditions.entrainment_speed
         fields = film_fields(contact, grid, P, H, self.conditions)
         # 1. temperature across the film, with the stress in its middle of the last cycle
@@ -174,9 +196,29 @@ class GeneralizedFlow:
     def with_converged_heat(
         self, contact: ScaledContact, grid: Grid, P: Array, H: Array, last: FlowState
     ) -> FlowState:
-        """The state of a film at rest with its heat swept on until that rests, too, and the stress
-        of these temperatures: the eddy ahead of the contact, which hardly touches the film, takes
-        longer than pressure and film.
+        """Sweep the heat of a film at rest until it converges, and evaluate the stress at its
+        temperatures.
+
+        The eddy ahead of the contact, which hardly touches the film, takes longer than pressure and
+        film.
+
+        Parameters
+        ----------
+        contact : ScaledContact
+            scaled contact
+        grid : Grid
+            grid of the level
+        P : Array
+            pressure, shape (ny, nx) [-]
+        H : Array
+            film, shape (ny, nx) [-]
+        last : FlowState
+            state of the last cycle on this grid
+
+        Returns
+        -------
+        FlowState
+            state with converged heat
         """
         if self.heat is None or last.heat is None:
             return last
@@ -194,12 +236,33 @@ class GeneralizedFlow:
         return replace(last, mid_stress=middle, heat=heat, unsolved_stresses=unsolved)
 
     def change(self, state: FlowState) -> float:
-        """Of ln(Poiseuille factor) before the last cycle, weighted with the flow [-]."""
+        """Measure the change of ln(Poiseuille factor) before the last cycle, weighted with the
+        flow.
+
+        Parameters
+        ----------
+        state : FlowState
+            state after that cycle
+
+        Returns
+        -------
+        float
+            change [-]
+        """
         return state.change
 
     def refined(self, state: FlowState) -> FlowState | None:
-        """Heat and stress of a grid on the next finer one, for its first cycle there; None where
-        some are not numbers.
+        """Interpolate heat and stress to the next finer grid, for its first cycle.
+
+        Parameters
+        ----------
+        state : FlowState
+            state of the coarser grid
+
+        Returns
+        -------
+        FlowState | None
+            state of the finer grid; None where some values are not numbers
         """
         fine = interpolate_linear
         heat = state.heat
@@ -323,8 +386,25 @@ class GeneralizedFlow:
 def film_fields(
     contact: ScaledContact, grid: Grid, P: Array, H: Array, conditions: ContactConditions
 ) -> FilmFields:
-    """Pressure and film of a grid [-] in SI, with the entrainment of the solver and the sliding of
-    the conditions; the contact has a length scale.
+    """Convert pressure and film of a grid to SI, with entrainment and sliding of the conditions.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        scaled contact with a length scale
+    grid : Grid
+        grid of the level
+    P : Array
+        pressure, shape (ny, nx) [-]
+    H : Array
+        film, shape (ny, nx) [-]
+    conditions : ContactConditions
+        conditions with the sliding
+
+    Returns
+    -------
+    FilmFields
+        fields in SI
     """
     a = contact.semi_axis_x
     film_scale = contact.film_scale

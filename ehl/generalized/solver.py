@@ -72,17 +72,38 @@ def solve_generalized(
     oil_temperature: float | None = None,
     options: SolverOptions | None = None,
 ) -> GeneralizedSolution:
-    """Pressure, film, shear stress and temperature of a steady flooded contact, Yang and Wen
-    (1990). Newtonian and of uniform temperature it is that of `solve_contact`; otherwise it is
-    solved on 257 points where the options have neither points nor a tolerance.
+    """Solve pressure, film, shear stress and temperature of a steady flooded contact, Yang and Wen
+    (1990).
 
-    solids: body 1 and body 2, None: uniform temperature; oil_temperature: of the oil that flows in
-    [K], None: the lubricant's temperature of operation. ValueError where the lubricant has no
-    temperature or thermal properties that heat needs, or where conditions give an inlet layer.
+    Newtonian and of uniform temperature it is that of `solve_contact`; otherwise it is solved on
+    257 points where the options have neither points nor a tolerance. Shear and heat are two
+    multigrid cycles behind pressure and film. The time of the record covers all methods that were
+    tried; its FFTs are those of the last one, with those of the Newtonian film that it started
+    from.
 
-    Shear and heat are two multigrid cycles behind pressure and film. The time of the record covers
-    all methods that were tried; its FFTs are those of the last one, with those of the Newtonian
-    film that it started from.
+    Parameters
+    ----------
+    conditions : ContactConditions
+        flooded contact with its sliding
+    rheology : Rheology
+        shear law of the oil
+    solids : tuple[SolidThermal, SolidThermal] | None, optional
+        thermal properties of body 1 and body 2; None: uniform temperature
+    oil_temperature : float | None, optional
+        temperature of the oil that flows in; None: that of the lubricant's operation [K]
+    options : SolverOptions | None, optional
+        options of the solver; None: its defaults
+
+    Returns
+    -------
+    GeneralizedSolution
+        contact, stress and temperature
+
+    Raises
+    ------
+    ValueError
+        if the lubricant lacks a temperature or thermal properties that heat needs, or conditions
+        have an inlet film
     """
     options = options or SolverOptions()
     if rheology.newtonian and solids is None:

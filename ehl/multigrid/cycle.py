@@ -49,7 +49,22 @@ SINGLE_VISITS = (2, 2)
 
 
 def start_level(state: Multigrid, index: int, pressure: Array) -> None:
-    """Make level `index` the one being solved, from a first guess of the pressure."""
+    """Make a level the one being solved, from an initial guess of the pressure.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+    pressure : Array
+        initial guess, shape (ny, nx) [-]
+
+    Returns
+    -------
+    None
+        the level is set in place
+    """
     level = state.levels[index]
     level.P = np.maximum(pressure, 0.0)
     level.f = np.zeros_like(level.P)
@@ -62,10 +77,22 @@ def start_level(state: Multigrid, index: int, pressure: Array) -> None:
 
 
 def update_film(state: Multigrid, index: int) -> None:
-    """H = H0 + s + deflection; on the level being solved an open edge takes its pressure from the
-    new film.
+    """Set H = H0 + s + deflection on a level.
 
-    Below it s holds the film injected from above, and only the change of pressure is deflected.
+    On the level being solved an open edge takes its pressure from the new film. Below it s holds
+    the film injected from above, and only the change of pressure is deflected.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+
+    Returns
+    -------
+    None
+        the film is set in place
     """
     level = state.levels[index]
     pressure = level.P if level.start is None else level.P - level.start
@@ -82,7 +109,20 @@ def update_film(state: Multigrid, index: int) -> None:
 
 
 def refresh_factors(state: Multigrid, index: int) -> None:
-    """New factors of the flow model on level `index`, injected into the coarser levels."""
+    """Evaluate the flow model on a level, and inject its factors into the coarser levels.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+
+    Returns
+    -------
+    None
+        the factors are set in place
+    """
     if state.flow_model is None:
         return
     level = state.levels[index]
@@ -99,7 +139,20 @@ def refresh_factors(state: Multigrid, index: int) -> None:
 
 
 def flow(state: Multigrid, level: Level) -> None:
-    """Flow coefficient, and density times velocity, of a level from its pressure and film."""
+    """Set flow coefficient, and density times velocity, of a level from its pressure and film.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, with flow model and step in time
+    level : Level
+        level whose flow is set in place
+
+    Returns
+    -------
+    None
+        the flow is set in place
+    """
     factors = level.factors
     _oil(state, level)
     if state.time_step is not None:
@@ -142,7 +195,20 @@ def _oil(state: Multigrid, level: Level) -> None:
 
 
 def log_viscosity(contact: ScaledContact, P: Array) -> Array:
-    """ln(eta/eta_0) at a pressure P, shape of `P` [-]."""
+    """Evaluate ln(eta/eta_0) at a pressure.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        scaled contact
+    P : Array
+        pressure over Hertz' pressure, any shape [-]
+
+    Returns
+    -------
+    Array
+        logarithm of the viscosity ratio, shape of `P` [-]
+    """
     c = contact
     if c.oil is not None:
         return log_viscosity_ratio(np.maximum(P, 0.0) * c.hertz_pressure, c.oil)
@@ -151,7 +217,20 @@ def log_viscosity(contact: ScaledContact, P: Array) -> Array:
 
 
 def relax(state: Multigrid, index: int) -> None:
-    """One line sweep, even lines before odd ones, and the film that belongs to it."""
+    """Relax a level by one line sweep, even lines before odd ones, and update its film.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+
+    Returns
+    -------
+    None
+        pressure and film are set in place
+    """
     level = state.levels[index]
     grid = level.grid
     flow(state, level)
@@ -206,7 +285,18 @@ def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
 
 
 def reynolds_operator(level: Level) -> Array:
-    """L(P) of a level whose flow is up to date, shape (ny, nx); the level's own scratch [-]."""
+    """Evaluate L(P) of a level whose flow is up to date.
+
+    Parameters
+    ----------
+    level : Level
+        level with pressure, film and flow
+
+    Returns
+    -------
+    Array
+        L(P), shape (ny, nx), in the scratch array of the level [-]
+    """
     grid = level.grid
     lateral = level.factors.couette_y is not None
     couette = (level.flow_x, level.flow_y, lateral)
@@ -220,8 +310,22 @@ def reynolds_operator(level: Level) -> Array:
 
 
 def reynolds_residual(state: Multigrid, index: int) -> Array:
-    """f - L(P), shape (ny, nx); zero on the edge and at cavitated nodes that obey L(P) <= f, or
-    whose oil does not fill the gap.
+    """Evaluate the residual f - L(P) of Reynolds' equation.
+
+    It is zero on the edge and at cavitated nodes that obey L(P) <= f, or whose oil does not fill
+    the gap.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+    index : int
+        number of the level, 0 the coarsest [-]
+
+    Returns
+    -------
+    Array
+        residual, shape (ny, nx) [-]
     """
     level = state.levels[index]
     flow(state, level)
@@ -237,9 +341,24 @@ def reynolds_residual(state: Multigrid, index: int) -> Array:
 
 
 def relative_residual(state: Multigrid, index: int) -> tuple[float, float]:
-    """Sum of |f - L(P)|, and that of f - L(P) over the fluid nodes, both over the sum of |div(rho
-    u H)| there: how far the equations are from holding, and the oil that appears or is lost; of a
-    layer at the inlet that over what enters [-].
+    """Relate the residual of a level to its flow.
+
+    Sums over the fluid nodes are taken over the sum of |div(rho u H)| there; behind an inlet
+    film the imbalance is taken over the oil that enters.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+    index : int
+        number of the level, 0 the coarsest [-]
+
+    Returns
+    -------
+    residual
+        sum of |f - L(P)| over that of the flow [-]
+    imbalance
+        oil that appears or is lost, signed [-]
     """
     level = state.levels[index]
     residual = reynolds_residual(state, index)
@@ -255,18 +374,43 @@ def relative_residual(state: Multigrid, index: int) -> tuple[float, float]:
 
 
 def load_error(state: Multigrid, index: int) -> float:
-    """(integral of P - load)/load of the contact [-]."""
+    """Evaluate (integral of P - load)/load of the contact.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+    index : int
+        number of the level, 0 the coarsest [-]
+
+    Returns
+    -------
+    float
+        relative error of the load balance [-]
+    """
     level = state.levels[index]
     return (level.grid.integral(level.P) - level.load) / state.contact.load
 
 
 def cycle(state: Multigrid, index: int) -> None:
-    """One cycle from level `index` down; the coarsest level also moves H0 towards the load
-    balance, Venner and Lubrecht (2000), chapters 3 and 6.
+    """Run one cycle from a level down, Venner and Lubrecht (2000), chapters 3 and 6.
 
-    W between the levels of `SINGLE_VISITS`, V above and below; V alone where cycles swing: thick
-    films near the edge of the box press there the more the thinner they are, which the coarser
-    levels do not know, and two visits overshoot twice as far.
+    The coarsest level also moves H0 towards the load balance. W between the levels of
+    `SINGLE_VISITS`, V above and below; V alone where cycles oscillate: thick films near the edge
+    of the box press there the more the thinner they are, which the coarser levels do not know,
+    and two visits overshoot twice as far.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+
+    Returns
+    -------
+    None
+        the levels are changed in place
     """
     if index == 0:
         _solve_coarsest(state)
@@ -349,8 +493,21 @@ def _correct(state: Multigrid, index: int, start: Array, approach: float) -> Non
 
 
 def update_exterior(state: Multigrid, index: int) -> None:
-    """Load outside an open box by the film of the level being solved, and what it leaves for the
-    box; a closed box carries the whole load.
+    """Set the load outside an open box by the film of a level, and the load that the box carries.
+
+    A closed box carries the whole load.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level being solved [-]
+
+    Returns
+    -------
+    None
+        both loads are set in place
     """
     if state.far_field is None:
         return
@@ -361,12 +518,34 @@ def update_exterior(state: Multigrid, index: int) -> None:
 
 
 def required_load(state: Multigrid) -> float:
-    """Integral of P that the contact carries, at the time of the step; inertia aside [-]."""
+    """Give the integral of P that the contact carries at the time of the step, without inertia.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+
+    Returns
+    -------
+    float
+        load [-]
+    """
     return state.contact.load if state.time_step is None else state.time_step.load
 
 
 def inlet_film_at_centre(state: Multigrid) -> float:
-    """Of the oil at the inlet; without end in a flooded contact [-]."""
+    """Give the inlet film thickness on the line y = 0.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+
+    Returns
+    -------
+    float
+        inlet film thickness; infinite in a flooded contact [-]
+    """
     inlet_film_thickness = state.contact.inlet_layer
     return inf if inlet_film_thickness is None else inlet_film_thickness.central
 

@@ -72,6 +72,16 @@ def extrapolate(levels: Sequence[LevelHistory], kind: int, *, oblique: bool = Fa
 def extrapolate_approach(levels: Sequence[LevelHistory]) -> FilmValue:
     """H0 as the films, with an error bar that is no share of it: H0 passes zero; not a number
     without levels. Coarsest level first.
+
+    Parameters
+    ----------
+    levels : Sequence[LevelHistory]
+        histories of the levels, coarsest first
+
+    Returns
+    -------
+    FilmValue
+        H0 with its error bar [-]
     """
     if not levels:
         return FilmValue(value=nan, uncertainty=nan, finest=nan)
@@ -123,6 +133,18 @@ def second_order(films: Sequence[float], noise: float) -> FilmValue:
     """A film of the last two of several meshes, each twice as fine as the one before, by
     Richardson extrapolation of second order; the bar is the whole difference and a relative noise
     [-].
+
+    Parameters
+    ----------
+    films : Sequence[float]
+        films of the levels, coarsest first [-]
+    noise : float
+        relative errors by which the cycles of each level are off [-]
+
+    Returns
+    -------
+    FilmValue
+        extrapolated film with its error bar [-]
     """
     finest = float(films[-1])
     if len(films) < 2:

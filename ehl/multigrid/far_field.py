@@ -51,8 +51,22 @@ class FarField:
     squeeze: float = 0.0  # P H^2 by bodies that close in, see `transient_far_field`
 
     def strength(self, X: Array, Y: Array) -> Array:
-        """P H^2 = s r; with the rotation, or bodies that close in with k_V, max(K - k_xy X Y +
-        k_V, 0) + s r - max(K, 0), K of Kapitza's solution without [-].
+        """Evaluate P H^2 of the far field.
+
+        s r without rotation; with it, or with bodies that approach with k_V, max(K - k_xy X Y + k_V,
+        0) + s r - max(K, 0), K that of Kapitza's solution.
+
+        Parameters
+        ----------
+        X : Array
+            position along the grid, any shape [-]
+        Y : Array
+            position across, of a shape that fits [-]
+
+        Returns
+        -------
+        Array
+            P H^2, of the common shape [-]
         """
         X, Y = np.broadcast_arrays(X, Y)
         straight = np.interp(
@@ -67,14 +81,23 @@ class FarField:
 
 
 def far_field(contact: ScaledContact) -> FarField:
-    """The solution for a contact's gap and entrainment.
+    """Solve the far field of a contact's gap and entrainment, Kapitza (1955).
 
-    Kapitza's (1955):
     div(H^3 grad P) = lambda dH/dX' holds for P = -lambda X'/((3 + 2 D) H^2) with principal
     curvatures 1 and D; the entrainment along y has 1 and D exchanged, and both superpose. In the
     principal directions the rotation u = -Omega Y, v = Omega X has div(H^3 grad P) = lambda Omega
-    (T - S) X Y, and P = -k_xy X Y/H^2 with k_xy = lambda Omega (T - S)/(3 (S + T)); in others that
-    part is left out. All quantities [-].
+    (T - S) X Y, and P = -k_xy X Y/H^2 with k_xy = lambda Omega (T - S)/(3 (S + T)); in other
+    directions that term is left out.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        scaled contact
+
+    Returns
+    -------
+    FarField
+        far field of its gap [-]
     """
     c = cos(contact.frame_angle)
     s = sin(contact.frame_angle)
@@ -101,11 +124,26 @@ def far_field(contact: ScaledContact) -> FarField:
 def transient_far_field(
     field: FarField, contact: ScaledContact, speed: float, approach_rate: float
 ) -> FarField:
-    """The solution for an entrainment along a direction, at its share of u_m, and with bodies that
-    part.
+    """Scale a far field to an entrainment speed, and add the squeeze of bodies that part.
 
     div(H^3 grad P) = lambda dH0/dT holds for P = -lambda dH0/dT/(2 (S + T) H^2) in the gap of a
-    paraboloid, in any directions; it is added to Kapitza's solution. approach_rate: dH0/dT [-].
+    paraboloid, in any directions; it is added to Kapitza's solution.
+
+    Parameters
+    ----------
+    field : FarField
+        far field at the speed u_m
+    contact : ScaledContact
+        scaled contact
+    speed : float
+        entrainment speed over u_m [-]
+    approach_rate : float
+        dH0/dT [-]
+
+    Returns
+    -------
+    FarField
+        far field at the time [-]
     """
     kappa = contact.speed / (2.0 * (contact.curvature_x + contact.curvature_y))
     return replace(
@@ -225,7 +263,20 @@ class EdgeField:
 
 
 def edge_field(field: FarField, grid: Grid) -> EdgeField:
-    """The far field on the edge of a grid's box."""
+    """Evaluate a far field on the edge of a grid's box.
+
+    Parameters
+    ----------
+    field : FarField
+        far field
+    grid : Grid
+        grid of the box
+
+    Returns
+    -------
+    EdgeField
+        P H^2 on the edge [-]
+    """
     X, Y = grid.X, grid.Y
     rows = (-1,) if grid.symmetric else (0, -1)
     return EdgeField(
@@ -238,8 +289,23 @@ def edge_field(field: FarField, grid: Grid) -> EdgeField:
 def edge_pressure(
     edge: EdgeField, H: Array, P: Array, inlet_film_thickness: Array | None = None
 ) -> None:
-    """Set the far field on the edge of the box, in place; zero where the gap is wider than a
-    layer, shape (ny,).
+    """Set the pressure of the far field on the edge of the box, in place.
+
+    Parameters
+    ----------
+    edge : EdgeField
+        far field on the edge
+    H : Array
+        film, shape (ny, nx) [-]
+    P : Array
+        pressure, shape (ny, nx), of which the edge is set [-]
+    inlet_film_thickness : Array | None, optional
+        shape (ny,); zero pressure where the gap is wider; None: flooded [-]
+
+    Returns
+    -------
+    None
+        the edge of `P` is set in place
     """
     for row, strength in edge.rows.items():
         P[row] = strength / H[row] ** 2
@@ -254,8 +320,23 @@ def edge_pressure(
 def exterior_load(
     field: FarField, grid: Grid, H: Array, inlet_film_thickness: float = inf
 ) -> float:
-    """Integral of the far field outside the box of a grid, from the film on its inlet edge, up to
-    where the gap is as wide as a layer [-].
+    """Integrate the far field outside the box of a grid, from the film on its inlet edge.
+
+    Parameters
+    ----------
+    field : FarField
+        far field
+    grid : Grid
+        grid of the box
+    H : Array
+        film, shape (ny, nx) [-]
+    inlet_film_thickness : float, default inf
+        gap up to which oil carries load; infinite: flooded [-]
+
+    Returns
+    -------
+    float
+        load outside the box [-]
     """
     load = load_outside(field, *_box_and_level(field, grid, H), inlet_film_thickness)
     if field.squeeze != 0.0:
@@ -266,8 +347,23 @@ def exterior_load(
 def deflection_outside(
     field: FarField, grid: Grid, H: Array, inlet_film_thickness: float = inf
 ) -> float:
-    """Double integral of P/r at the origin, of the far field outside the box of a grid up to where
-    the gap is as wide as a layer [-].
+    """Integrate P/r of the far field outside the box of a grid, for the deflection at the origin.
+
+    Parameters
+    ----------
+    field : FarField
+        far field
+    grid : Grid
+        grid of the box
+    H : Array
+        film, shape (ny, nx) [-]
+    inlet_film_thickness : float, default inf
+        gap up to which oil carries load; infinite: flooded [-]
+
+    Returns
+    -------
+    float
+        double integral of P/r at the origin [-]
     """
     box, level = _box_and_level(field, grid, H)
     rays = _rays(field, box)
@@ -278,9 +374,26 @@ def deflection_outside(
 def squeeze_load(
     field: FarField, grid: Grid, H: Array, inlet_film_thickness: float = inf
 ) -> float:
-    """Integral of 1/H^2 outside the box of a grid where the far field carries pressure, all around
-    without entrainment, up to where the gap is as wide as a layer [-]: of the pressure that bodies
-    parting or closing in set up in a paraboloid.
+    """Integrate 1/H^2 outside the box of a grid where the far field carries pressure.
+
+    It is the load of the pressure that bodies parting or approaching set up in a paraboloid, all
+    around without entrainment.
+
+    Parameters
+    ----------
+    field : FarField
+        far field
+    grid : Grid
+        grid of the box
+    H : Array
+        film, shape (ny, nx) [-]
+    inlet_film_thickness : float, default inf
+        gap up to which oil carries load; infinite: flooded [-]
+
+    Returns
+    -------
+    float
+        integral of 1/H^2 [-]
     """
     box, level = _box_and_level(field, grid, H)
     rays = _rays(field, box)
@@ -317,13 +430,28 @@ def load_outside(
     level: float,
     inlet_film_thickness: float = inf,
 ) -> float:
-    """Integral of the far field outside a box (x_in, x_out, y_half), up to where the gap is as
-    wide as a layer [-].
+    """Integrate the far field outside a box.
 
     In polar coordinates the gap is h + q r^2/2 with the level h seen on the inlet edge (negative
     where the Hertz approach outweighs the deflection), and with c = 2h/q each ray carries integral
     from R of r^2/(h + q r^2/2)^2 dr = (4/q^2) [R/(2(R^2 + c)) + tail], tail = atan(sqrt(c)/R)/(2
     sqrt(c)).
+
+    Parameters
+    ----------
+    field : FarField
+        far field
+    box : tuple[float, float, float]
+        x_in, x_out and y_half [-]
+    level : float
+        gap h at the origin that the inlet edge sees [-]
+    inlet_film_thickness : float, default inf
+        gap up to which oil carries load; infinite: flooded [-]
+
+    Returns
+    -------
+    float
+        load outside the box [-]
     """
     # 1. rays from the origin to the edge of the box
     directions = _rays(field, box)

@@ -64,7 +64,20 @@ class Attempt:
     newton: bool = False
 
     def applies(self, contact: ScaledContact, entrainment_aligned: ScaledContact) -> bool:
-        """Whether the attempt differs for this contact from those before it."""
+        """Tell whether the attempt differs for a contact from those before it.
+
+        Parameters
+        ----------
+        contact : ScaledContact
+            contact on a grid along a principal direction
+        entrainment_aligned : ScaledContact
+            the same contact on a grid along the entrainment
+
+        Returns
+        -------
+        bool
+            True if the attempt is to be made
+        """
         if self.along_entrainment and contact.frame_angle == entrainment_aligned.frame_angle:
             return False
         return not self.long_only or contact.half_extent_x > contact.half_extent_y
@@ -133,12 +146,32 @@ def solve_with_fallbacks(
     lighter: tuple[ScaledContact, ...] = (),
     attempts: tuple[Attempt, ...] = ATTEMPTS,
 ) -> AttemptResult:
-    """The first attempt that converges to `ACCEPTED_ERROR`, or the one that the cycles left with
-    the smallest error, one that converged before others. Those for which too little of
-    `MOST_WORK` is left are not made, which the fallbacks say.
+    """Solve a contact by the first attempt that converges to `ACCEPTED_ERROR`.
 
-    `contacts` are the same contact, on a grid along a principal direction and on one along the
-    entrainment; `lighter` the first under rising loads below its own.
+    Else the attempt with the smallest error counts, one that converged before others. Attempts for
+    which too little of `MOST_WORK` remains are not made, and the fallbacks name them.
+
+    Parameters
+    ----------
+    contacts : tuple[ScaledContact, ScaledContact]
+        the contact on a grid along a principal direction, and on one along the entrainment
+    domain : tuple[float, float, float]
+        x_in, x_out and y_half in Hertz half-extents [-]
+    options : SolverOptions
+        options of the solver
+    progress : Progress
+        work and fallbacks so far, changed in place
+    flow_model : FlowModel | None, optional
+        model of the oil's flow; None: Newtonian and isothermal
+    lighter : tuple[ScaledContact, ...], default ()
+        the first of the contacts under rising loads below its own
+    attempts : tuple[Attempt, ...], default ATTEMPTS
+        settings to try, in their order
+
+    Returns
+    -------
+    AttemptResult
+        levels and histories of the best attempt
     """
     best = None
     for attempt in attempts:
@@ -181,8 +214,27 @@ def contact_multigrid(
     *,
     full_domain: bool = False,
 ) -> Multigrid:
-    """Levels for a box given in Hertz half-extents; in an open box the origin is a node. `full_domain`:
-    on both sides of y = 0 also where a contact is symmetric.
+    """Allocate the levels of a contact for a box; in an open box the origin is a node.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        scaled contact
+    domain : tuple[float, float, float]
+        x_in, x_out and y_half in Hertz half-extents [-]
+    options : SolverOptions
+        options of the solver
+    attempt : Attempt
+        settings of the attempt
+    flow_model : FlowModel | None, optional
+        model of the oil's flow; None: Newtonian and isothermal
+    full_domain : bool, default False
+        whether the grid has both sides of y = 0 also where a contact is symmetric
+
+    Returns
+    -------
+    Multigrid
+        levels, coarsest first
     """
     is_open = options.domain is None
     x_in = domain[0] * contact.half_extent_x
@@ -218,11 +270,30 @@ def full_multigrid(
     finer: int = 0,
     lighter: tuple[ScaledContact, ...] = (),
 ) -> None:
-    """Solve level after level; the load on the first of them is reached through those of
-    `lighter`. If the iteration diverges, `result.levels` is empty.
+    """Solve level after level, Venner and Lubrecht (2000), sec. 3.5.
 
-    A flow model acts, and films count, from the first level on that resolves the Newtonian film,
-    the last but one already where it hardly does: what heats a film below the mesh is not the oil.
+    The load on the first level is reached through those of `lighter`. If the iteration diverges,
+    `result.levels` is empty. A flow model acts, and films count, from the first level on that
+    resolves the Newtonian film, the last but one already where it hardly does: a film below the
+    mesh has no meaningful heat.
+
+    Parameters
+    ----------
+    result : AttemptResult
+        attempt, changed in place
+    options : SolverOptions
+        options of the solver
+    progress : Progress
+        work and fallbacks so far, changed in place
+    finer : int, default 0
+        levels above the usual one to start from [-]
+    lighter : tuple[ScaledContact, ...], default ()
+        contacts under rising loads below its own; none: the load at once
+
+    Returns
+    -------
+    None
+        `result.levels` is set in place
     """
     state = result.state
     model, state.flow_model = state.flow_model, None
@@ -276,8 +347,27 @@ def add_level(
     progress: Progress,
     damping: Damping,
 ) -> AttemptResult:
-    """One more level of full multigrid above a solution, of the points of the options; the levels
-    are empty if the iteration diverges.
+    """Solve one more level above a solution.
+
+    The levels of the result are empty if the iteration diverges.
+
+    Parameters
+    ----------
+    coarse : AttemptResult
+        solved attempt
+    domain : tuple[float, float, float]
+        x_in, x_out and y_half in Hertz half-extents [-]
+    options : SolverOptions
+        options with the points of the new level
+    progress : Progress
+        work and fallbacks so far, changed in place
+    damping : Damping
+        under-relaxation of the new level
+
+    Returns
+    -------
+    AttemptResult
+        attempt with one more level
     """
     before = coarse.state
     state = contact_multigrid(before.contact, domain, options, coarse.attempt, before.flow_model)
@@ -308,9 +398,20 @@ def _start_from_below(state: Multigrid, index: int) -> None:
 
 
 def newton_multigrid(result: AttemptResult) -> None:
-    """Newton's method level after level, on the first of them from a Hertz pressure; a level on
-    which it fails hands on what it started from. If it fails on the finest level, `result.levels`
-    is empty.
+    """Solve level after level by Newton's method, the first from a Hertz pressure.
+
+    A level on which it fails hands on its initial guess. If it fails on the finest level,
+    `result.levels` is empty.
+
+    Parameters
+    ----------
+    result : AttemptResult
+        attempt, changed in place
+
+    Returns
+    -------
+    None
+        `result.levels` is set in place
     """
     state = result.state
     first = _starting_level(state, 0)
@@ -340,7 +441,20 @@ def _starting_level(state: Multigrid, finer: int) -> int:
 
 
 def start_from_hertz(state: Multigrid, index: int) -> None:
-    """Hertz pressure and the approach that gives the expected central film."""
+    """Set the Hertz pressure and the approach that gives the expected central film.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+
+    Returns
+    -------
+    None
+        the level is set in place
+    """
     contact = state.contact
     grid = state.levels[index].grid
     state.approach = 0.0

@@ -70,12 +70,40 @@ class LevelHistory:
     certified: bool = False  # solved by Newton's method after the last cycle
 
     def certify(self, state: Multigrid, index: int) -> None:
-        """Add the solution that Newton's method found on level `index`."""
+        """Record the solution of Newton's method on a level.
+
+        Parameters
+        ----------
+        state : Multigrid
+            levels of the contact
+        index : int
+            number of the level, 0 the coarsest [-]
+
+        Returns
+        -------
+        None
+            the history is extended in place
+        """
         self.record(state, index, relative_residual(state, index))
         self.certified = True
 
     def record(self, state: Multigrid, index: int, equations: tuple[float, float]) -> None:
-        """Add what the last cycle on level `index` left; `equations` of `relative_residual`."""
+        """Record films, equations and load after a cycle on a level.
+
+        Parameters
+        ----------
+        state : Multigrid
+            levels of the contact
+        index : int
+            number of the level, 0 the coarsest [-]
+        equations : tuple[float, float]
+            residual and imbalance of `relative_residual` [-]
+
+        Returns
+        -------
+        None
+            the history is extended in place
+        """
         level = state.levels[index]
         residual, imbalance = equations
         self.film.append(film_values(level.grid, level.H))
@@ -137,9 +165,20 @@ class LevelHistory:
         return self.fineness >= RESOLVED
 
     def remaining(self, kind: int) -> float:
-        """Relative film error the cycles leave, change * q/(1 - q) with q the contraction of the
-        last cycle [-]; after one cycle its whole change, nothing after Newton's method. No less
-        than what a flow that still changes leaves.
+        """Estimate the relative film error that the cycles leave.
+
+        change * q/(1 - q) with q the contraction of the last cycle; after one cycle its whole change,
+        nothing after Newton's method. No less than a flow that still changes leaves.
+
+        Parameters
+        ----------
+        kind : int
+            `CENTRAL` or `MINIMUM`
+
+        Returns
+        -------
+        float
+            relative error [-]
         """
         return max(self._cycle_error(kind), FLOW_TO_FILM * self.flow)
 
@@ -152,7 +191,18 @@ class LevelHistory:
         )
 
     def noise(self, kind: int) -> float:
-        """Relative error of a film from cycles and equations that are not exact [-]."""
+        """Estimate the relative error of a film by cycles and equations that are not exact.
+
+        Parameters
+        ----------
+        kind : int
+            `CENTRAL` or `MINIMUM`
+
+        Returns
+        -------
+        float
+            relative error [-]
+        """
         return max(self.remaining(kind), self._residual_error)
 
     @property
@@ -173,8 +223,20 @@ class LevelHistory:
         return fraction * RESIDUAL_TO_FILM * self.residual[-1] if self.residual else inf
 
     def finished(self, below: "LevelHistory | None") -> bool:
-        """Whether equations and load hold, the films are at rest, in proportion to their step from
-        the level below, and the flow of a model is.
+        """Tell whether the cycles may stop.
+
+        Equations and load hold, the films are at rest, in proportion to their step from the level
+        below, and so is the flow of a model.
+
+        Parameters
+        ----------
+        below : LevelHistory | None
+            history of the next coarser level; None: there is none
+
+        Returns
+        -------
+        bool
+            True if the cycles may stop
         """
         residual, load = FINISHED
         if self.starved:
@@ -217,7 +279,22 @@ class LevelHistory:
 
 
 def start_history(state: Multigrid, index: int, strictness: float = 1.0) -> LevelHistory:
-    """Of a level before its first cycle."""
+    """Start the history of a level before its first cycle.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+    index : int
+        number of the level, 0 the coarsest [-]
+    strictness : float, default 1.0
+        factor on the limits that end the cycles, see `SolverOptions` [-]
+
+    Returns
+    -------
+    LevelHistory
+        history with the film before the first cycle
+    """
     grid = state.levels[index].grid
     mesh = state.contact.curvature_x * grid.hx**2
     film = [film_values(grid, state.levels[index].H)]
@@ -245,7 +322,20 @@ def _change(before: tuple[float, float], after: tuple[float, float], kind: int) 
 
 
 def central_film(grid: Grid, H: Array) -> float:
-    """Film at the origin; cubic interpolation along x where the origin is no node [-]."""
+    """Interpolate the film at the origin, by a cubic along x where the origin is no node.
+
+    Parameters
+    ----------
+    grid : Grid
+        grid of the film
+    H : Array
+        film, shape (ny, nx) [-]
+
+    Returns
+    -------
+    float
+        central film [-]
+    """
     line = H[0] if grid.symmetric else H[grid.ny // 2]
     X = grid.X
     i = int(np.argmin(np.abs(X)))
@@ -261,7 +351,22 @@ def central_film(grid: Grid, H: Array) -> float:
 
 
 def film_values(grid: Grid, H: Array) -> tuple[float, float]:
-    """Central film, and minimum film by a parabola in each direction [-]."""
+    """Evaluate central film, and minimum film by a parabola in each direction.
+
+    Parameters
+    ----------
+    grid : Grid
+        grid of the film
+    H : Array
+        film, shape (ny, nx) [-]
+
+    Returns
+    -------
+    central
+        central film [-]
+    minimum
+        minimum film [-]
+    """
     j, i = np.unravel_index(int(np.argmin(H)), H.shape)
     minimum = float(H[j, i])
     if 0 < i < grid.nx - 1:

@@ -99,7 +99,18 @@ class Multigrid:
     deflections: dict[int, int] = field(default_factory=dict)  # level -> number of deflection FFTs
 
     def edge_field(self, level: Level) -> EdgeField | None:
-        """The far field on the edge of a level, made when it is asked for; None without one."""
+        """Give the far field on the edge of a level, evaluated on demand.
+
+        Parameters
+        ----------
+        level : Level
+            level of the contact
+
+        Returns
+        -------
+        EdgeField | None
+            far field on its edge; None for a closed box
+        """
         if self.far_field is not None and (
             level.edge is None or level.edge.field is not self.far_field
         ):
@@ -114,7 +125,24 @@ class Multigrid:
 def make_multigrid(
     contact: ScaledContact, grids: tuple[Grid, ...], far_field: FarField | None, damping: Damping
 ) -> Multigrid:
-    """Allocate the levels, coarsest first."""
+    """Allocate the levels of a contact.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        scaled contact
+    grids : tuple[Grid, ...]
+        grids, coarsest first
+    far_field : FarField | None
+        pressure on an open edge; None: zero pressure on the edge
+    damping : Damping
+        under-relaxation of the solve
+
+    Returns
+    -------
+    Multigrid
+        levels, coarsest first
+    """
     levels = []
     for grid in grids:
         gap = contact.gap(grid.X[None, :], grid.Y[:, None])

@@ -80,12 +80,23 @@ class Factored:
 
 
 def certify(state: Multigrid, index: int | None = None) -> Certificate:
-    """Polish the level being solved, the finest if none is given, until its discrete equations,
-    with edge and load, hold to 1e-8.
+    """Polish a level by Newton's method until its discrete equations hold to 1e-8.
 
-    The state is changed to the solution; where none is found it is left as it was. A flow model's
-    factors are refreshed before each step, as before each cycle, so that their convergence is that
-    of the cycles.
+    Edge and load are among the equations. The state is changed to the solution; where none is
+    reached it is restored. A flow model's factors are refreshed before each step, as before each
+    cycle, so that their convergence is that of the cycles.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int | None, optional
+        number of the level; None: the finest [-]
+
+    Returns
+    -------
+    Certificate
+        whether the equations hold, why not, and what changed
     """
     index = len(state.levels) - 1 if index is None else index
     level = state.levels[index]
@@ -117,10 +128,26 @@ def certify(state: Multigrid, index: int | None = None) -> Certificate:
 
 
 def newton_polished(state: Multigrid, index: int) -> tuple[Linearisation, Factored]:
-    """Equations of a solved level after Newton steps to a residual of 1e-6, and factors of the
-    near field that serve for them.
+    """Solve a level by Newton steps to a residual of 1e-6, and factor its near field.
 
-    LinearSolverError where the steps do not lead there.
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+
+    Returns
+    -------
+    linearised
+        linearised equations
+    factored
+        factors of the near field that serve for them
+
+    Raises
+    ------
+    LinearSolverError
+        if the steps do not lead there
     """
     history = _History()
     factored = None
@@ -182,14 +209,42 @@ def _step(
 
 
 def dry_nodes(lin: Linearisation, diagonal: Array) -> NDArray[np.bool_]:
-    """Nodes inside that the next step sets to P = 0; behind a layer those that are not full."""
+    """Mark the nodes inside that the next step sets to P = 0; behind an inlet film those not full.
+
+    Parameters
+    ----------
+    lin : Linearisation
+        linearised equations
+    diagonal : Array
+        diagonal of the derivative, shape (ny, nx) [-]
+
+    Returns
+    -------
+    NDArray[np.bool_]
+        True where the pressure vanishes, shape (ny, nx)
+    """
     if lin.starved is not None:
         return ~lin.edge & lin.starved.empty
     return ~lin.edge & (lin.P - lin.residual / diagonal <= 0.0)
 
 
 def factor(state: Multigrid, index: int, lin: Linearisation) -> Factored:
-    """Factors of the near field, rows over the diagonal, dry nodes left out."""
+    """Factor the near field, rows over the diagonal, dry nodes left out.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+    index : int
+        number of the level, 0 the coarsest [-]
+    lin : Linearisation
+        linearised equations
+
+    Returns
+    -------
+    Factored
+        factors, and the diagonal that scales the rows
+    """
     matrix = near_field(lin)
     diagonal = np.where(lin.edge, 1.0, -np.abs(matrix.diagonal()).reshape(lin.P.shape))
     dry = dry_nodes(lin, diagonal).ravel()
@@ -206,7 +261,23 @@ def factor(state: Multigrid, index: int, lin: Linearisation) -> Factored:
 
 
 def border_of(lin: Linearisation, diagonal: Array, row: Array) -> Border:
-    """Derivative of the equations by H0, rows over the diagonal, and of the load."""
+    """Assemble the derivative of the equations by H0, rows over the diagonal, and that of the
+    load.
+
+    Parameters
+    ----------
+    lin : Linearisation
+        linearised equations
+    diagonal : Array
+        diagonal of the derivative, shape (ny, nx) [-]
+    row : Array
+        derivative of the load by the pressure, shape (ny nx,) [-]
+
+    Returns
+    -------
+    Border
+        border of the linear system [-]
+    """
     by_approach = product(lin, np.zeros_like(lin.P), np.ones_like(lin.P)) / diagonal
     column = np.where(dry_nodes(lin, diagonal), 0.0, by_approach)
     return Border(column=column.ravel(), row=row, corner=lin.load_by_film)

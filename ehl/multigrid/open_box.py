@@ -32,14 +32,23 @@ BOX_ERROR_ROTATION = 5.0
 
 
 def choose_domain(contact: ScaledContact) -> Box:
-    """Open box (x_in, x_out, y_half) that the solver takes for a contact, in Hertz half-extents
-    [-].
+    """Choose the open box of a contact.
 
     Inlet sqrt(2.5^2 + 169 G), outlet sqrt(1.35^2 + 2 G) with G = Hc/(S A^2), Hc of the film
     formula, S the gap's curvature and A the half-extent along x; side sqrt(1.6^2 + (40 + 120 v^2)
     Hc/(T B^2)). Inlet and side are widened together until Kapitza's pressure carries less than
     `EXTERIOR_SHARE` of the load outside; where that needs a factor w of 1 - t to 1 + t, by
     1 + (w - 1 + t)^2/(4 t), t = `TURN`, in place of max(1, w).
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        scaled contact
+
+    Returns
+    -------
+    Box
+        x_in, x_out and y_half in Hertz half-extents [-]
     """
     field = far_field(contact)
 
@@ -57,15 +66,40 @@ def choose_domain(contact: ScaledContact) -> Box:
 
 
 def box_uncertainty(state: Multigrid, central: float) -> float:
-    """Relative error of the films of a contact of that central film by the load outside an open
-    box [-]; a fixed box has none, as it is part of the problem.
+    """Estimate the relative error of the films by the load outside an open box.
+
+    A fixed box has none, as it belongs to the problem.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+    central : float
+        central film [-]
+
+    Returns
+    -------
+    float
+        relative error [-]
     """
     return _outside(state) * (BOX_ERROR + _by_rotation(state, central))
 
 
 def approach_outside_box(state: Multigrid, central: float) -> FilmValue:
-    """What the deflection by the pressure outside an open box is of H0, and the error of H0 by the
-    load outside [-].
+    """Evaluate the deflection by the pressure outside an open box, and the error of H0 by the load
+    there.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+    central : float
+        central film [-]
+
+    Returns
+    -------
+    FilmValue
+        deflection as value, error as uncertainty [-]
     """
     deflection = 0.0
     if state.far_field is not None:

@@ -48,10 +48,31 @@ def iterate_level(
     below: LevelHistory | None,
     strictness: float = 1.0,
 ) -> LevelHistory | None:
-    """Cycle on a level until its film is at rest, `most` times at most and `LEVEL_CYCLES` times
-    where the mesh is too coarse for the film; None if the cycles diverged. On the finest level of
-    a Newtonian isothermal film no longer than they bring the equations nearer to holding, and up
-    to `MORE_CYCLES` times as often while they do.
+    """Cycle on a level until its film is at rest.
+
+    At most `LEVEL_CYCLES` cycles where the mesh is too coarse for the film. On the finest level of
+    a Newtonian isothermal film the cycles end when the residual stalls, and go on up to
+    `MORE_CYCLES` times as often while it falls.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+    most : int
+        largest number of cycles [-]
+    progress : Progress
+        work and fallbacks so far, changed in place
+    below : LevelHistory | None
+        history of the next coarser level; None: there is none
+    strictness : float, default 1.0
+        factor on the limits that end the cycles, see `SolverOptions` [-]
+
+    Returns
+    -------
+    LevelHistory | None
+        history of the cycles; None if they diverged
     """
     level = state.levels[index]
     history = start_history(state, index, strictness)
@@ -88,9 +109,25 @@ def iterate_level(
 def guarded_cycles(
     state: Multigrid, index: int, count: int, progress: Progress
 ) -> Iterator[tuple[float, float]]:
-    """Run cycles on a level and yield how far the equations are from holding [-], see
-    `relative_residual`; one that diverges is undone and repeated with half the damping. If three
-    halvings do not help, the last is `DIVERGED`.
+    """Run cycles on a level; one that diverges is undone and repeated with half the damping.
+
+    If three halvings do not help, the last item is `DIVERGED`.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+    count : int
+        number of cycles [-]
+    progress : Progress
+        work and fallbacks so far, changed in place
+
+    Yields
+    ------
+    Iterator[tuple[float, float]]
+        residual and imbalance of `relative_residual` after each cycle [-]
     """
     last = inf
     halvings = 0
@@ -116,13 +153,41 @@ Snapshot = tuple[Array, float, float, float]
 
 
 def snapshot(state: Multigrid, index: int) -> Snapshot:
-    """Copy of what a cycle on a level changes, for `restore` [-]."""
+    """Copy the fields of a level that a cycle changes, for `restore`.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact
+    index : int
+        number of the level, 0 the coarsest [-]
+
+    Returns
+    -------
+    Snapshot
+        pressure, shape (ny, nx), approach, exterior load and load of the level [-]
+    """
     level = state.levels[index]
     return level.P.copy(), state.approach, state.exterior, level.load
 
 
 def restore(state: Multigrid, index: int, before: Snapshot) -> None:
-    """Undo the cycles on a level since a snapshot, which may be used once [-]."""
+    """Undo the cycles on a level since a snapshot, which may be used once.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+    before : Snapshot
+        pressure, shape (ny, nx), approach, exterior load and load of the level [-]
+
+    Returns
+    -------
+    None
+        the level is restored in place
+    """
     level = state.levels[index]
     level.P, state.approach, state.exterior, level.load = before
     update_film(state, index)
@@ -131,8 +196,23 @@ def restore(state: Multigrid, index: int, before: Snapshot) -> None:
 def guarded_cycle(
     state: Multigrid, index: int, last: float = inf, flow_cycles: int = 1
 ) -> tuple[float, float]:
-    """One cycle on a level, `flow_cycles` with a flow model; how far the equations are from
-    holding then, see `relative_residual`, or `DIVERGED`, judged by the residual before it [-].
+    """Run one cycle on a level, several with a flow model, and judge it by the residual.
+
+    Parameters
+    ----------
+    state : Multigrid
+        levels of the contact, changed in place
+    index : int
+        number of the level, 0 the coarsest [-]
+    last : float, default inf
+        residual before the cycle [-]
+    flow_cycles : int, default 1
+        cycles between two evaluations of a flow model [-]
+
+    Returns
+    -------
+    tuple[float, float]
+        residual and imbalance of `relative_residual`, or `DIVERGED` [-]
     """
     with np.errstate(all="ignore"):  # a cycle that diverges may overflow
         refresh_factors(state, index)

@@ -57,7 +57,22 @@ class Fields:
 
 
 def make_film_content(inlet_film_thickness: InletLayer, grid: Grid, lateral: bool) -> FilmContent:
-    """An empty grid behind a layer [-]."""
+    """Allocate the oil content of a grid behind an inlet film.
+
+    Parameters
+    ----------
+    inlet_film_thickness : InletLayer
+        thickness of the inlet film over y
+    grid : Grid
+        grid of the level
+    lateral : bool
+        whether oil flows across the lines
+
+    Returns
+    -------
+    FilmContent
+        content of an empty grid [-]
+    """
     shape = (grid.ny, grid.nx)
     crossing = shape if lateral else (0, 0)
     return FilmContent(
@@ -73,8 +88,27 @@ def make_film_content(inlet_film_thickness: InletLayer, grid: Grid, lateral: boo
 def march_film_content(
     film_content: FilmContent, fields: Fields, grid: Grid, threads: Threads, first: int
 ) -> None:
-    """Flux, residual and empty nodes of every second line from `first`; of all lines where the oil
-    flows across them [-].
+    """March flux, residual and empty nodes downstream on every second line.
+
+    All lines are marched where the oil flows across them.
+
+    Parameters
+    ----------
+    film_content : FilmContent
+        oil content of the grid, changed in place [-]
+    fields : Fields
+        fields that the flux follows from [-]
+    grid : Grid
+        grid of the level
+    threads : Threads
+        threads that share the lines
+    first : int
+        first of the lines [-]
+
+    Returns
+    -------
+    None
+        the content is set in place
     """
     common = (fields.P, fields.H, fields.eps)
     mesh = (film_content.inlet_film_thickness, grid.hx, grid.hy)
@@ -108,7 +142,24 @@ def march_film_content(
 def march_all_film_content(
     film_content: FilmContent, fields: Fields, grid: Grid, threads: Threads
 ) -> None:
-    """As `march_film_content`, of all lines [-]."""
+    """March flux, residual and empty nodes downstream on all lines.
+
+    Parameters
+    ----------
+    film_content : FilmContent
+        oil content of the grid, changed in place [-]
+    fields : Fields
+        fields that the flux follows from [-]
+    grid : Grid
+        grid of the level
+    threads : Threads
+        threads that share the lines
+
+    Returns
+    -------
+    None
+        the content is set in place
+    """
     first = 0 if grid.symmetric else 1
     march_film_content(film_content, fields, grid, threads, first)
     if not film_content.across.size:
@@ -116,8 +167,25 @@ def march_all_film_content(
 
 
 def restrict_flux(fine: FilmContent, coarse: FilmContent, fields: Fields, grid: Grid) -> None:
-    """Flux of the coarser grid: injected, that of a full gap where there is pressure, and no more
-    than it elsewhere [-].
+    """Restrict the flux to the coarser grid.
+
+    It is injected; where there is pressure it is that of a full gap, elsewhere at most that.
+
+    Parameters
+    ----------
+    fine : FilmContent
+        oil content of the finer grid [-]
+    coarse : FilmContent
+        oil content of the coarser grid, changed in place [-]
+    fields : Fields
+        fields of the coarser grid [-]
+    grid : Grid
+        coarser grid
+
+    Returns
+    -------
+    None
+        the flux is set in place
     """
     coarse.along = inject(fine.along)
     lateral = bool(fine.across.size)
@@ -138,7 +206,24 @@ def restrict_flux(fine: FilmContent, coarse: FilmContent, fields: Fields, grid: 
 
 
 def flux_operator(film_content: FilmContent, fields: Fields, grid: Grid, out: Array) -> Array:
-    """L(P) of the flux that a grid holds, shape (ny, nx); `out` [-]."""
+    """Evaluate L(P) by the flux of a grid.
+
+    Parameters
+    ----------
+    film_content : FilmContent
+        oil content of the grid [-]
+    fields : Fields
+        fields of the grid [-]
+    grid : Grid
+        grid of the level
+    out : Array
+        array to write to, shape (ny, nx) [-]
+
+    Returns
+    -------
+    Array
+        L(P), shape (ny, nx): `out` [-]
+    """
     _starved_kernels.flux_operator(
         fields.P,
         fields.eps,
@@ -155,7 +240,20 @@ def flux_operator(film_content: FilmContent, fields: Fields, grid: Grid, out: Ar
 
 
 def inlet_flow(film_content: FilmContent, grid: Grid) -> float:
-    """Oil that enters the box with its layers in a unit of time [-]."""
+    """Sum the oil that enters the box with the inlet film per unit of time.
+
+    Parameters
+    ----------
+    film_content : FilmContent
+        oil content of the grid [-]
+    grid : Grid
+        grid of the level
+
+    Returns
+    -------
+    float
+        flow [-]
+    """
     weights = np.ones(grid.ny)
     weights[-1] = 0.0
     weights[0] = 0.5 if grid.symmetric else 0.0
@@ -168,8 +266,21 @@ def inlet_flow(film_content: FilmContent, grid: Grid) -> float:
 
 
 def oil_imbalance(film_content: FilmContent, residual: Array, grid: Grid) -> float:
-    """Oil that the nodes of a grid make or lose, shape (ny, nx) of `residual`, over what enters
-    the box [-].
+    """Sum the oil that the nodes of a grid gain or lose, over that which enters the box.
+
+    Parameters
+    ----------
+    film_content : FilmContent
+        oil content of the grid [-]
+    residual : Array
+        residual of the balance, shape (ny, nx) [-]
+    grid : Grid
+        grid of the level
+
+    Returns
+    -------
+    float
+        relative imbalance, signed [-]
     """
     entering = inlet_flow(film_content, grid)
     lost = grid.integral(residual)

@@ -48,7 +48,24 @@ class FluxChange:
 
 
 def starved_flux(film_content: FilmContent, flow: Array, H: Array, density: Array) -> StarvedFlux:
-    """That of a level after its march; flow: rho u; H and density of shape (ny, nx) [-]."""
+    """Differentiate the flux of a level after its march.
+
+    Parameters
+    ----------
+    film_content : FilmContent
+        oil content of the grid [-]
+    flow : Array
+        rho u, shape (ny, nx) [-]
+    H : Array
+        film, shape (ny, nx) [-]
+    density : Array
+        density over that at ambient pressure, shape (ny, nx) [-]
+
+    Returns
+    -------
+    StarvedFlux
+        derivative of the flux [-]
+    """
     content = flow * H
     entering = 0.5 * (content[:, 0] + content[:, 1])
     return StarvedFlux(
@@ -61,8 +78,25 @@ def starved_flux(film_content: FilmContent, flow: Array, H: Array, density: Arra
 def flux_change(
     flux: StarvedFlux, grid: Grid, gained: Numbers, content: Numbers, turn: complex = 0.0
 ) -> FluxChange:
-    """Change of equations and oil by that of the Poiseuille term less f, `gained`, and of rho H,
-    shape (ny, nx), at i omega, `turn` [-].
+    """Evaluate the change of equations and oil by those of the Poiseuille term and of rho H.
+
+    Parameters
+    ----------
+    flux : StarvedFlux
+        derivative of the flux
+    grid : Grid
+        grid of the level
+    gained : Numbers
+        change of the Poiseuille term less f, shape (ny, nx) [-]
+    content : Numbers
+        change of rho H, shape (ny, nx) [-]
+    turn : complex, default 0.0
+        i omega [-]
+
+    Returns
+    -------
+    FluxChange
+        change of the equations and of the oil [-]
     """
     kind = np.result_type(gained, content, type(turn))
     own = (flux.speed * content).astype(kind)

@@ -21,7 +21,20 @@ LARGEST_DIP = 0.1  # by which the film may fall below its smallest node, over th
 
 
 def film_value(result: AttemptResult, kind: int) -> FilmValue:
-    """Central (0) or minimum (1) film, extrapolated, the bar with what the box leaves open."""
+    """Extrapolate a film; the error bar includes the error by the box.
+
+    Parameters
+    ----------
+    result : AttemptResult
+        solved attempt
+    kind : int
+        `CENTRAL` or `MINIMUM`
+
+    Returns
+    -------
+    FilmValue
+        film with its error bar [-]
+    """
     contact = result.state.contact
     oblique = not contact.symmetric
     film = extrapolate(result.levels, kind, oblique=oblique)
@@ -31,13 +44,33 @@ def film_value(result: AttemptResult, kind: int) -> FilmValue:
 
 
 def error_by_box(result: AttemptResult) -> float:
-    """Relative error of the films by the load outside an open box [-]."""
+    """Estimate the relative error of the films by the load outside an open box.
+
+    Parameters
+    ----------
+    result : AttemptResult
+        solved attempt
+
+    Returns
+    -------
+    float
+        relative error [-]
+    """
     return box_uncertainty(result.state, _centre(result))
 
 
 def approach_value(result: AttemptResult) -> FilmValue:
-    """H0, extrapolated, less the deflection by the pressure outside an open box, the bar with what
-    the box leaves open.
+    """Extrapolate H0, less the deflection by the pressure outside an open box.
+
+    Parameters
+    ----------
+    result : AttemptResult
+        solved attempt
+
+    Returns
+    -------
+    FilmValue
+        H0; the error bar includes the error by the box [-]
     """
     approach = extrapolate_approach(result.levels)
     outside = approach_outside_box(result.state, _centre(result))
@@ -54,12 +87,40 @@ def _centre(result: AttemptResult) -> float:
 
 
 def tolerance_reached(solution: ContactSolution, tolerance: float) -> bool:
-    """Whether both films are within their tolerance."""
+    """Tell whether both films are within a tolerance.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+    tolerance : float
+        largest relative error bar of both films [-]
+
+    Returns
+    -------
+    bool
+        True if the solution converged within it
+    """
     return solution.converged and solution.resolved and solution.widest_bar <= tolerance
 
 
 def tolerance_judged(solution: ContactSolution, tolerance: float, mesh: str) -> ContactSolution:
-    """The solution; where it converged with wider bars than asked for the message says so."""
+    """Extend the message of a solution that converged with wider error bars than asked for.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+    tolerance : float
+        largest relative error bar of both films [-]
+    mesh : str
+        mesh of the solution, for the message
+
+    Returns
+    -------
+    ContactSolution
+        solution with its message
+    """
     if not (solution.converged and solution.resolved) or tolerance_reached(solution, tolerance):
         return solution
     bars = [
@@ -74,9 +135,23 @@ def tolerance_judged(solution: ContactSolution, tolerance: float, mesh: str) -> 
 
 
 def with_status(solution: ContactSolution, box_error: float = 0.0) -> ContactSolution:
-    """The solution as its films let it stand: the minimum not above the centre, not converged
-    where the film is outside the model, unresolved where a bar is wider than `LARGEST_BAR` or the
-    minimum lies far below all nodes; `box_error`: relative error by the load outside the box [-].
+    """Set converged, resolved and message of a solution by its films.
+
+    The minimum is at most the central film. A solution has not converged where the film is outside
+    the model; it is unresolved where an error bar is wider than `LARGEST_BAR` or the minimum lies
+    far below all nodes.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+    box_error : float, default 0.0
+        relative error of the films by the load outside the box [-]
+
+    Returns
+    -------
+    ContactSolution
+        solution with its status
     """
     solution = _minimum_below_centre(solution)
     if not solution.converged:
@@ -109,10 +184,20 @@ def with_status(solution: ContactSolution, box_error: float = 0.0) -> ContactSol
 
 
 def beside_finer(solution: ContactSolution) -> ContactSolution:
-    """A solution that stands because a mesh twice as fine did not converge: unresolved.
+    """Mark a solution as unresolved because a mesh twice as fine did not converge.
 
     Of 300 random contacts two were of this kind, with bars of 1.8 and 6.1 % of the minimum film;
     the film of one was off by 6.6 %.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+
+    Returns
+    -------
+    ContactSolution
+        unresolved solution
     """
     message = (
         "converged but unresolved: a finer mesh did not converge, so that nothing bears out the "
@@ -136,7 +221,18 @@ def _minimum_below_centre(solution: ContactSolution) -> ContactSolution:
 
 
 def film_over_radius(solution: ContactSolution) -> float:
-    """Central film of the finest grid over Rx [-]; zero where no lengths are given."""
+    """Relate the central film of the finest grid to Rx.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+
+    Returns
+    -------
+    float
+        film over radius; zero for Moes' groups, which have no lengths [-]
+    """
     if solution.film_scale is None or solution.semi_axis_x is None:
         return 0.0
     film = solution.film_central_dimensionless.finest
@@ -144,7 +240,20 @@ def film_over_radius(solution: ContactSolution) -> float:
 
 
 def resolution_message(result: AttemptResult) -> tuple[bool, str]:
-    """Whether the film of a solve is resolved, and the message on it."""
+    """Tell whether the film of a solve is resolved, with a message.
+
+    Parameters
+    ----------
+    result : AttemptResult
+        solved attempt
+
+    Returns
+    -------
+    resolved
+        whether the mesh resolves the film
+    message
+        status of the solve
+    """
     resolved = bool(result.levels) and result.levels[-1].resolved
     return resolved, _message(result, resolved)
 

@@ -25,15 +25,42 @@ from ..arrays import Array
 
 
 def weights(ratio: float) -> tuple[float, float, float]:
-    """c_0, c_1, c_2 for a step of `ratio` times the one before [-]."""
+    """Weight the steps of the second-order backward difference, c_0, c_1 and c_2.
+
+    Parameters
+    ----------
+    ratio : float
+        step over the one before [-]
+
+    Returns
+    -------
+    c_0
+        weight of the new step [-]
+    c_1
+        weight of the last step [-]
+    c_2
+        weight of the step before [-]
+    """
     return (1.0 + 2.0 * ratio) / (1.0 + ratio), 1.0 + ratio, ratio**2 / (1.0 + ratio)
 
 
 def advected(content: Array, nodes: float) -> Array:
-    """A content, shape (ny, nx), moved by so many nodes along the lines [-].
+    """Shift a content along the lines.
 
-    Whole nodes exactly, else by cubics through four of them; beyond the ends the lines go on as
+    Whole nodes exactly, else by cubics through four of them; beyond the ends the lines continue as
     parabolas, which is exact in the gap of paraboloids.
+
+    Parameters
+    ----------
+    content : Array
+        oil of the nodes, shape (ny, nx) [-]
+    nodes : float
+        nodes to shift by, of either sign [-]
+
+    Returns
+    -------
+    Array
+        shifted content, shape (ny, nx) [-]
     """
     whole = floor(nodes)
     part = nodes - whole
@@ -72,10 +99,26 @@ def _extended(content: Array, pad: int) -> Array:
 
 
 def steady_content(full: Array, gained: Array, empty: NDArray[np.bool_], mesh: float) -> Array:
-    """m of a steady film that flows along its lines, shape (ny, nx) [-].
+    """Evaluate the oil m of the nodes of a steady film that flows along its lines.
 
-    full: rho H; gained: Pois(P); empty: nodes without pressure. Where oil does not fill the gap it
-    is marched downstream by the same three-node difference, never more than the gap holds.
+    Where oil does not fill the gap it is marched downstream by the same three-node difference,
+    never more than the gap holds.
+
+    Parameters
+    ----------
+    full : Array
+        rho H, shape (ny, nx) [-]
+    gained : Array
+        Poiseuille term of the pressure, shape (ny, nx) [-]
+    empty : NDArray[np.bool_]
+        True at nodes without pressure, shape (ny, nx)
+    mesh : float
+        mesh size along the lines [-]
+
+    Returns
+    -------
+    Array
+        oil of the nodes, shape (ny, nx) [-]
     """
     content = full.copy()
     for i in range(2, full.shape[1]):

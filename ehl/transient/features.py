@@ -45,7 +45,22 @@ class Feature(Protocol):
         """Largest height or depth [m]."""
 
     def height(self, x: Array, y: Array, front: float) -> Array:
-        """z at places from its point [m]; a wave without end begins at x = `front`."""
+        """Evaluate the height z of the feature; a wave without end begins at x = `front`.
+
+        Parameters
+        ----------
+        x : Array
+            distance from the feature along the entrainment, any shape [m]
+        y : Array
+            distance across, of a shape that fits [m]
+        front : float
+            distance at which a wave begins [m]
+
+        Returns
+        -------
+        Array
+            height, of the common shape [m]
+        """
 
 
 def _require_body(feature: Feature) -> None:
@@ -83,7 +98,22 @@ class Waviness:
         return abs(self.amplitude)
 
     def height(self, x: Array, y: Array, front: float = inf) -> Array:
-        """z [m]."""
+        """Evaluate the height z of the waviness.
+
+        Parameters
+        ----------
+        x : Array
+            distance from the feature along the entrainment, any shape [m]
+        y : Array
+            distance across, of a shape that fits [m]
+        front : float, default inf
+            distance at which the wave begins [m]
+
+        Returns
+        -------
+        Array
+            height, of the common shape [m]
+        """
         wave = self.amplitude * np.sin(2.0 * pi * x / self.wavelength + self.phase)
         if self.wavelength_across is not None:
             wave = wave * np.cos(2.0 * pi * y / self.wavelength_across)
@@ -125,7 +155,22 @@ class Dent:
         return abs(self.depth)
 
     def height(self, x: Array, y: Array, front: float = inf) -> Array:
-        """z [m]."""
+        """Evaluate the height z of the dent.
+
+        Parameters
+        ----------
+        x : Array
+            distance from the feature along the entrainment, any shape [m]
+        y : Array
+            distance across, of a shape that fits [m]
+        front : float, default inf
+            not used [m]
+
+        Returns
+        -------
+        Array
+            height, of the common shape [m]
+        """
         across = self.radius if self.radius_across is None else self.radius_across
         far = (x / self.radius) ** 2 + ((y - self.place_across) / across) ** 2
         return np.asarray(-self.depth * np.exp(-far))
@@ -166,7 +211,22 @@ class Ridge:
         return abs(self.ridge_height)
 
     def height(self, x: Array, y: Array, front: float = inf) -> Array:
-        """z [m]."""
+        """Evaluate the height z of the ridge.
+
+        Parameters
+        ----------
+        x : Array
+            distance from the feature along the entrainment, any shape [m]
+        y : Array
+            distance across, of a shape that fits [m]
+        front : float, default inf
+            not used [m]
+
+        Returns
+        -------
+        Array
+            height, of the common shape [m]
+        """
         away = (x * cos(self.angle) + y * sin(self.angle)) / self.width
         return np.asarray(self.ridge_height * np.exp(-(away**2)))
 
@@ -209,7 +269,22 @@ class Profile:
         return float(np.abs(self.heights).max())
 
     def height(self, x: Array, y: Array, front: float = inf) -> Array:
-        """z [m]."""
+        """Interpolate the height z of the measured profile.
+
+        Parameters
+        ----------
+        x : Array
+            distance from the feature along the entrainment, any shape [m]
+        y : Array
+            distance across, of a shape that fits [m]
+        front : float, default inf
+            not used [m]
+
+        Returns
+        -------
+        Array
+            height, of the common shape [m]
+        """
         along = x + self.x[-1]
         if self.y is None:
             return np.asarray(np.interp(along, self.x, self.heights, 0.0, 0.0) + 0.0 * y)

@@ -36,11 +36,33 @@ class Course:
             raise ValueError("times of a course must rise")
 
     def at(self, time: float) -> float:
-        """Value at a time [s]."""
+        """Interpolate the value at a time.
+
+        Parameters
+        ----------
+        time : float
+            time [s]
+
+        Returns
+        -------
+        float
+            value [N] or [m/s]
+        """
         return float(np.interp(time, self.times, self.values))
 
     def integral(self, time: float) -> float:
-        """Integral over time from the first [s] times the unit of the values."""
+        """Integrate the values from the first time on.
+
+        Parameters
+        ----------
+        time : float
+            end of the integral [s]
+
+        Returns
+        -------
+        float
+            integral [N s] or [m]
+        """
         if time <= self.times[0]:
             return (time - self.times[0]) * self.values[0]
         inner = [t for t in self.times if t < time]
@@ -96,29 +118,91 @@ class TransientConditions:
         return (self.contact.load,) if self.load is None else self.load.values
 
     def load_at(self, time: float) -> float:
-        """Load at a time [N]; none on bodies that meet by their mass, unless it is given."""
+        """Give the load at a time; none on bodies that meet by their mass, unless it is
+        prescribed.
+
+        Parameters
+        ----------
+        time : float
+            time [s]
+
+        Returns
+        -------
+        float
+            load [N]
+        """
         if self.load is not None:
             return self.load.at(time)
         return self.contact.load if self.impact is None else 0.0
 
     def speed_at(self, time: float) -> float:
-        """Mean surface speed at a time [m/s]."""
+        """Give the mean surface speed at a time.
+
+        Parameters
+        ----------
+        time : float
+            time [s]
+
+        Returns
+        -------
+        float
+            mean surface speed u_m [m/s]
+        """
         return self.contact.entrainment_speed if self.speed is None else self.speed.at(time)
 
     def displacement(self, time: float) -> float:
-        """Of the mean surface speed since t = 0 [m]."""
+        """Integrate the mean surface speed from t = 0 on.
+
+        Parameters
+        ----------
+        time : float
+            time [s]
+
+        Returns
+        -------
+        float
+            displacement [m]
+        """
         if self.speed is None:
             return self.contact.entrainment_speed * time
         return self.speed.integral(time) - self.speed.integral(0.0)
 
     def body_speed_ratio(self, body: int) -> tuple[float, float]:
-        """Speed of a body over u_m, along the entrainment and across [-]."""
+        """Relate the surface speed of a body to u_m.
+
+        Parameters
+        ----------
+        body : int
+            1 or 2
+
+        Returns
+        -------
+        along
+            ratio along the entrainment [-]
+        across
+            ratio across it [-]
+        """
         sign = 0.5 if body == 1 else -0.5
         c = self.contact
         return 1.0 + sign * c.slide_roll_ratio, sign * c.lateral_slide_ratio
 
     def body_displacement(self, body: int, time: float) -> tuple[float, float]:
-        """Of the surface of a body since t = 0, along the entrainment and across [m]."""
+        """Give the displacement of the surface of a body since t = 0.
+
+        Parameters
+        ----------
+        body : int
+            1 or 2
+        time : float
+            time [s]
+
+        Returns
+        -------
+        along
+            displacement along the entrainment [m]
+        across
+            displacement across it [m]
+        """
         along, across = self.body_speed_ratio(body)
         displacement = self.displacement(time)
         return along * displacement, across * displacement

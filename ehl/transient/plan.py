@@ -14,13 +14,26 @@ FULL = 1.0 - 1e-9  # of a node, that counts as one
 
 
 def step_times(conditions: TransientConditions, mesh: float, largest: float | None) -> Array:
-    """Times of all steps from t = 0, shape (n + 1,) [s], on nodes `mesh` apart along the
-    entrainment [m]; steps of `largest` at most [s].
+    """Plan the times of all steps from t = 0.
+
+    Parameters
+    ----------
+    conditions : TransientConditions
+        contact over time
+    mesh : float
+        distance of the nodes along the entrainment [m]
+    largest : float | None
+        longest step; None: four times that in which the film moves by a node [s]
+
+    Returns
+    -------
+    Array
+        times, shape (n + 1,) [s]
 
     Raises
     ------
     ValueError
-        If there are more than `MOST_STEPS`.
+        if there are more than `MOST_STEPS`
     """
     usual = mesh / conditions.contact.entrainment_speed
     longest = SLOWEST * usual if largest is None else largest
@@ -55,8 +68,21 @@ def _step(conditions: TransientConditions, time: float, mesh: float, longest: fl
 
 
 def nodes_moved(conditions: TransientConditions, times: Array, mesh: float) -> Array:
-    """Nodes that the film moves by in each step, of either sign, shape (n,) [-]; whole
-    numbers without round-off.
+    """Count the nodes that the film moves by in each step; whole numbers without round-off.
+
+    Parameters
+    ----------
+    conditions : TransientConditions
+        contact over time
+    times : Array
+        times of the steps, shape (n + 1,) [s]
+    mesh : float
+        distance of the nodes along the entrainment [m]
+
+    Returns
+    -------
+    Array
+        nodes, of either sign, shape (n,) [-]
     """
     displacement = np.array([conditions.displacement(float(time)) for time in times])
     moved = np.diff(displacement) / mesh
@@ -65,8 +91,22 @@ def nodes_moved(conditions: TransientConditions, times: Array, mesh: float) -> A
 
 
 def impact_time(conditions: TransientConditions, impact: Impact) -> float:
-    """Time that dry elastic spheres of the contact's mean radius touch each other [s]: 2.94 d/V
-    with the largest approach d = (15 m V^2/(16 sqrt(R) E*))^(2/5), Johnson (1985), sec. 11.4.
+    """Estimate the time that dry elastic spheres touch each other, Johnson (1985), sec. 11.4.
+
+    2.94 d/V with the largest approach d = (15 m V^2/(16 sqrt(R) E*))^(2/5), R the mean radius of
+    the contact.
+
+    Parameters
+    ----------
+    conditions : TransientConditions
+        contact over time
+    impact : Impact
+        mass and speed of the bodies
+
+    Returns
+    -------
+    float
+        time [s]
     """
     c = conditions.contact
     radius = (c.radius_x * c.radius_y) ** 0.5

@@ -77,7 +77,18 @@ class TransientSolution:
     starts: tuple[float, ...] = ()  # places of the features at t = 0 [m]; inf: everywhere
 
     def series(self, name: str) -> Array:
-        """A quantity at every step, shape (n,), SI."""
+        """Give a quantity at every step.
+
+        Parameters
+        ----------
+        name : str
+            one of `QUANTITIES`
+
+        Returns
+        -------
+        Array
+            values in SI, shape (n,)
+        """
         column = QUANTITIES.index(name)
         return np.array([step.values[column] for step in self.steps])
 

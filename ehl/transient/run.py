@@ -92,7 +92,13 @@ class TransientRun:
         )
 
     def accept(self, result: StepResult) -> None:
-        """Make a step part of the run."""
+        """Append a step to the run.
+
+        Parameters
+        ----------
+        result : StepResult
+            step that `advance` computed
+        """
         self.past = result.past
         self.exterior = result.exterior
         self.steps.append(result.record)
@@ -102,8 +108,16 @@ class TransientRun:
     def go_on_from(
         self, past: Past, state: tuple[float, int], records: tuple[list[StepRecord], list[Frame]]
     ) -> None:
-        """Stand where an earlier run of the same case stood: fields of its last steps, load
-        outside the box [-] and halvings of the damping, records.
+        """Resume an earlier run of the same case.
+
+        Parameters
+        ----------
+        past : Past
+            fields of its last two steps
+        state : tuple[float, int]
+            load outside the box [-] and halvings of the damping [-]
+        records : tuple[list[StepRecord], list[Frame]]
+            records of its steps, and its frames
         """
         self.past = past
         self.exterior, self.stepper.halvings = state
@@ -253,14 +267,26 @@ class TransientRun:
 
 
 def transient_run(conditions: TransientConditions, options: TransientOptions) -> TransientRun:
-    """A run at its start, with the steady film of t = 0 solved.
+    """Start a run: the steady film of t = 0 is solved.
+
+    Parameters
+    ----------
+    conditions : TransientConditions
+        contact over time
+    options : TransientOptions
+        options of the run
+
+    Returns
+    -------
+    TransientRun
+        run at its start
 
     Raises
     ------
     NoStart
-        If that does not converge.
+        if the steady film does not converge
     ValueError
-        If the conditions do not fit each other, or the run takes too many steps.
+        if the conditions do not fit each other, or the run takes too many steps
     """
     state, contact, _ = levels_over_time(conditions, options)
     level = state.levels[-1]
@@ -334,7 +360,20 @@ def _before_the_start(conditions: TransientConditions, first: InitialState, time
 
 
 def planned_steps(conditions: TransientConditions, options: TransientOptions) -> int:
-    """Steps that a run will make [-]."""
+    """Count the steps that a run will take.
+
+    Parameters
+    ----------
+    conditions : TransientConditions
+        contact over time
+    options : TransientOptions
+        options of the run
+
+    Returns
+    -------
+    int
+        number of steps [-]
+    """
     state, contact, _ = levels_over_time(conditions, options)
     mesh = state.levels[-1].grid.hx * _lengths(contact)[0]
     return len(step_times(conditions, mesh, options.largest_step)) - 1
@@ -343,7 +382,24 @@ def planned_steps(conditions: TransientConditions, options: TransientOptions) ->
 def gap_by_features(
     conditions: TransientConditions, starts: tuple[float, ...], stepper: Stepper, time: float
 ) -> Array:
-    """Gap by all features at a time, shape (ny, nx) [-]."""
+    """Sum the gap by all features at a time.
+
+    Parameters
+    ----------
+    conditions : TransientConditions
+        contact over time
+    starts : tuple[float, ...]
+        positions of the features at t = 0 [m]
+    stepper : Stepper
+        multigrid of the contact
+    time : float
+        time [s]
+
+    Returns
+    -------
+    Array
+        gap, shape (ny, nx) [-]
+    """
     grid = stepper.level.grid
     contact = stepper.state.contact
     a, scale = _lengths(contact)

@@ -56,7 +56,24 @@ class InitialState:
 def levels_over_time(
     conditions: TransientConditions, options: TransientOptions
 ) -> tuple[Multigrid, ScaledContact, tuple[float, float, float]]:
-    """Levels of the contact on a grid along the entrainment, its scales and its box [-]."""
+    """Allocate the levels of the contact on a grid along the entrainment.
+
+    Parameters
+    ----------
+    conditions : TransientConditions
+        contact over time
+    options : TransientOptions
+        options of the run
+
+    Returns
+    -------
+    levels
+        levels, coarsest first
+    contact
+        scaled contact
+    box
+        x_in, x_out and y_half in Hertz half-extents [-]
+    """
     contact = scale_contact(conditions.contact, along_entrainment=True)
     domain = options.domain or _open_box(conditions, contact)
     damping = Damping(switch=SWITCH)
@@ -84,13 +101,26 @@ def _open_box(
 def initial_state(
     conditions: TransientConditions, options: TransientOptions, feature_gap: Array
 ) -> InitialState:
-    """The multigrid with the steady film of t = 0, or with bodies apart; `feature_gap`: gap by the
-    features then, shape (ny, nx) [-].
+    """Solve the steady film of t = 0, or place the bodies apart.
+
+    Parameters
+    ----------
+    conditions : TransientConditions
+        contact over time
+    options : TransientOptions
+        options of the run
+    feature_gap : Array
+        gap by the features at t = 0, shape (ny, nx) [-]
+
+    Returns
+    -------
+    InitialState
+        multigrid and fields to start from
 
     Raises
     ------
     NoStart
-        If the steady film does not converge.
+        if the steady film does not converge
     """
     state, contact, domain = levels_over_time(conditions, options)
     level = state.levels[-1]

@@ -81,7 +81,27 @@ class Stepper:
         return density, density * self.level.H
 
     def advance(self, past: Past, move: StepConditions) -> tuple[Past, StepReport]:
-        """Make a step; `Diverged` where no damping leads to one."""
+        """Solve one step in time.
+
+        Parameters
+        ----------
+        past : Past
+            fields of the last two steps
+        move : StepConditions
+            duration, speed, load and features of the step
+
+        Returns
+        -------
+        past
+            fields that the next step starts from
+        report
+            cycles and errors of the step
+
+        Raises
+        ------
+        Diverged
+            if the step converges with no damping
+        """
         index = len(self.state.levels) - 1
         before = snapshot(self.state, index)
         for _ in range(HALVINGS + 1):
@@ -217,6 +237,17 @@ class Diverged(Exception):  # noqa: N818
 
 
 def far_fields_by_direction(contact: ScaledContact) -> dict[bool, FarField]:
-    """Far field of an entrainment forwards (True) and backwards [-]."""
+    """Solve the far field of an entrainment forwards (True) and backwards (False).
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        scaled contact
+
+    Returns
+    -------
+    dict[bool, FarField]
+        far field by direction [-]
+    """
     back = replace(contact, velocity_x=-contact.velocity_x, velocity_y=-contact.velocity_y)
     return {True: far_field(contact), False: far_field(back)}

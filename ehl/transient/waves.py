@@ -29,8 +29,21 @@ class WaveResult:
 
 
 def harmonic(times: Array, values: Array, frequency: float) -> complex:
-    """First harmonic of values at uneven times [s], by least squares beside their mean, as the
-    factor of exp(2 pi i f t), f [Hz].
+    """Fit the first harmonic and the mean to values at uneven times by least squares.
+
+    Parameters
+    ----------
+    times : Array
+        times, shape (n,) [s]
+    values : Array
+        values, shape (n,), in any unit
+    frequency : float
+        frequency f of the harmonic [Hz]
+
+    Returns
+    -------
+    complex
+        factor of exp(2 pi i f t), in the unit of the values
     """
     angle = 2.0 * pi * frequency * times
     columns = np.stack((np.ones_like(times), np.cos(angle), np.sin(angle)), axis=1)
@@ -39,7 +52,18 @@ def harmonic(times: Array, values: Array, frequency: float) -> complex:
 
 
 def wave_results(solution: TransientSolution) -> tuple[WaveResult, ...]:
-    """Of all wavinesses, over the last period that passed the centre."""
+    """Evaluate all wavinesses over the last period that passed the centre.
+
+    Parameters
+    ----------
+    solution : TransientSolution
+        contact over time
+
+    Returns
+    -------
+    tuple[WaveResult, ...]
+        one result a waviness
+    """
     return tuple(
         _wave(solution, number, one)
         for number, one in enumerate(solution.conditions.features)

@@ -14,8 +14,22 @@ Array = NDArray[np.float64]
 
 
 def starved_film_guess(flooded: float, ratio: float) -> float:
-    """Central film to start from behind a layer, H r/(1 + r^3)^(1/3) [-]: between all of the layer
-    and the flooded film; a guess too thick diverges, one too thin costs nothing.
+    """Guess the central film behind an inlet film, H r/(1 + r^3)^(1/3).
+
+    It lies between all of the inlet film and the flooded film; a guess too thick diverges, one
+    too thin costs nothing.
+
+    Parameters
+    ----------
+    flooded : float
+        central film of the flooded contact [-]
+    ratio : float
+        inlet film over the oil that the flooded film takes along [-]
+
+    Returns
+    -------
+    float
+        initial guess of the central film [-]
     """
     return flooded * ratio / (1.0 + ratio**3) ** (1.0 / 3.0)
 
@@ -23,7 +37,22 @@ def starved_film_guess(flooded: float, ratio: float) -> float:
 def inlet_ratio(
     inlet_film_thickness: float, flooded: ContactSolution, contact: ScaledContact
 ) -> float:
-    """Layer over the oil that the flooded film takes along, rho(P(0, 0)) H_c [-]."""
+    """Relate the inlet film to the oil that the flooded film takes along, rho(P(0, 0)) H_c.
+
+    Parameters
+    ----------
+    inlet_film_thickness : float
+        thickness of the inlet film in a^2/Rx [-]
+    flooded : ContactSolution
+        flooded solution
+    contact : ScaledContact
+        scaled contact
+
+    Returns
+    -------
+    float
+        ratio r [-]
+    """
     P = flooded.P[int(np.abs(flooded.X).argmin()), int(np.abs(flooded.Y).argmin())]
     return inlet_film_thickness / (
         _density(float(P), contact) * flooded.film_central_dimensionless.value
@@ -39,8 +68,17 @@ def _density(P: float, contact: ScaledContact) -> float:
 
 
 def turned_round(levels: Multigrid) -> str:
-    """Why a contact is not solved behind a layer: oil that runs against the entrainment somewhere
-    in its box; empty where none does.
+    """Explain why a contact is not solved behind an inlet film: oil runs against the entrainment.
+
+    Parameters
+    ----------
+    levels : Multigrid
+        levels of the contact
+
+    Returns
+    -------
+    str
+        message; empty where all oil runs one way
     """
     along = levels.levels[-1].factors.couette_x
     if along is None or float(along.min()) > 0.0:
@@ -54,7 +92,24 @@ def turned_round(levels: Multigrid) -> str:
 def oil_supply(
     flooded: ContactSolution, starved: ContactSolution, levels: Multigrid, ratio: float
 ) -> OilSupply:
-    """What the layer does, from the finest of the levels of the starved solution [-]."""
+    """Summarise the effect of an inlet film, from the finest level of the starved solution.
+
+    Parameters
+    ----------
+    flooded : ContactSolution
+        flooded solution in the same box
+    starved : ContactSolution
+        solution behind the inlet film
+    levels : Multigrid
+        levels of the starved solution
+    ratio : float
+        inlet film over the oil that the flooded film takes along [-]
+
+    Returns
+    -------
+    OilSupply
+        supply, meniscus and filled fraction of the contact
+    """
     level = levels.levels[-1]
     film_content = level.film_content
     assert film_content is not None
@@ -105,11 +160,13 @@ def _moment(solution: ContactSolution, levels: Multigrid) -> float:
 
 
 def pressure_moment(solution: ContactSolution, contact: ScaledContact) -> tuple[float, float]:
-    """Moment of the pressure in the box that resists rolling along the entrainment, and what makes
-    it that by which the surfaces turn as much power into heat as the flow does that the pressure
-    drives [-].
+    """Evaluate the moment of the pressure in the box that resists rolling along the entrainment,
+    and
+    its correction by the balance of power.
 
-    Reynolds' equation times the integral of dP/rho, summed over the box, is the balance of power
+    The corrected moment is that by which the surfaces turn as much power into heat as the flow
+    does that the pressure drives. Reynolds' equation times the integral of dP/rho, summed over the
+    box, is the balance of power
 
         -II P (u H_X + v H_Y) = II eps/rho |grad P|^2 - I P eps/rho dP/dn,
 
@@ -118,6 +175,20 @@ def pressure_moment(solution: ContactSolution, contact: ScaledContact) -> tuple[
     moments about both axes. The right side is a sum of squares that the scheme keeps with the
     squared mesh; the left one is a small difference of the load's two halves, which the mesh
     shifts along the entrainment: on 257 points off by up to a third where little oil flows.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+    contact : ScaledContact
+        scaled contact
+
+    Returns
+    -------
+    moment
+        moment of the pressure [-]
+    correction
+        what closes the balance of power [-]
     """
     X = solution.X[:, None]
     Y = solution.Y[None, :]

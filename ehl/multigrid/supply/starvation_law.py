@@ -20,12 +20,27 @@ def behind_layer(
     frames: tuple[ScaledContact, ScaledContact],
     inlet_film_thickness: float,
 ) -> ContactSolution:
-    """The flooded solution with the films that a layer leaves, in a^2/Rx.
+    """Starve a flooded solution by the tabulated law of starvation.
 
     The film's field is that of the flooded contact, lowered: by as much as the centre where it is
     thicker than there, in proportion between the minimum and the centre elsewhere. The pressure
     stays that of the flooded contact.
-    `frames`: the contact in that of the solution and in that of its entrainment.
+
+    Parameters
+    ----------
+    flooded : ContactSolution
+        flooded solution
+    conditions : ContactConditions | MoesConditions
+        conditions with the inlet film
+    frames : tuple[ScaledContact, ScaledContact]
+        the contact in the frame of the solution, and in that of its entrainment
+    inlet_film_thickness : float
+        thickness of the inlet film in a^2/Rx [-]
+
+    Returns
+    -------
+    ContactSolution
+        solution with the films that the inlet film leaves
     """
     contact, along = frames
     ratio = inlet_ratio(inlet_film_thickness, flooded, contact)

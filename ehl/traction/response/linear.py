@@ -193,7 +193,7 @@ def linear_contact(state: Multigrid) -> LinearContact:
         If the steps do not lead to a solution, or oil flows across the lines behind a layer.
     """
     index = len(state.levels) - 1
-    fill = state.levels[index].fill
+    fill = state.levels[index].film_content
     if fill is not None and fill.across.size:
         raise LinearSolverError("behind a layer no oil may flow across the lines of the grid")
     lin, factored = newton_polished(state, index)
