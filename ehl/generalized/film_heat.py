@@ -99,9 +99,9 @@ class FilmHeat:
     ) -> HeatState:
         """Sweep the heat of a film once more against and once along the flow.
 
-        The sweep against it moves heat up the recirculation of the inlet. With none against it after
-        the first two cycles of a grid the 7014C at 20000 r/min fell back on continuation, in eight
-        times the time.
+        The sweep against it moves heat up the recirculation of the inlet. With none against it
+        after the first two cycles of a grid the 7014C at 20000 r/min fell back on continuation, in
+        eight times the time.
 
         Parameters
         ----------

@@ -199,8 +199,8 @@ class GeneralizedFlow:
         """Sweep the heat of a film at rest until it converges, and evaluate the stress at its
         temperatures.
 
-        The eddy ahead of the contact, which hardly touches the film, takes longer than pressure and
-        film.
+        The eddy ahead of the contact, which hardly touches the film, takes longer than pressure
+        and film.
 
         Parameters
         ----------

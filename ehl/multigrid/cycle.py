@@ -59,11 +59,6 @@ def start_level(state: Multigrid, index: int, pressure: Array) -> None:
         number of the level, 0 the coarsest [-]
     pressure : Array
         initial guess, shape (ny, nx) [-]
-
-    Returns
-    -------
-    None
-        the level is set in place
     """
     level = state.levels[index]
     level.P = np.maximum(pressure, 0.0)
@@ -88,11 +83,6 @@ def update_film(state: Multigrid, index: int) -> None:
         levels of the contact, changed in place
     index : int
         number of the level, 0 the coarsest [-]
-
-    Returns
-    -------
-    None
-        the film is set in place
     """
     level = state.levels[index]
     pressure = level.P if level.start is None else level.P - level.start
@@ -117,11 +107,6 @@ def refresh_factors(state: Multigrid, index: int) -> None:
         levels of the contact, changed in place
     index : int
         number of the level, 0 the coarsest [-]
-
-    Returns
-    -------
-    None
-        the factors are set in place
     """
     if state.flow_model is None:
         return
@@ -147,11 +132,6 @@ def flow(state: Multigrid, level: Level) -> None:
         levels of the contact, with flow model and step in time
     level : Level
         level whose flow is set in place
-
-    Returns
-    -------
-    None
-        the flow is set in place
     """
     factors = level.factors
     _oil(state, level)
@@ -225,11 +205,6 @@ def relax(state: Multigrid, index: int) -> None:
         levels of the contact, changed in place
     index : int
         number of the level, 0 the coarsest [-]
-
-    Returns
-    -------
-    None
-        pressure and film are set in place
     """
     level = state.levels[index]
     grid = level.grid
@@ -406,11 +381,6 @@ def cycle(state: Multigrid, index: int) -> None:
         levels of the contact, changed in place
     index : int
         number of the level, 0 the coarsest [-]
-
-    Returns
-    -------
-    None
-        the levels are changed in place
     """
     if index == 0:
         _solve_coarsest(state)
@@ -503,11 +473,6 @@ def update_exterior(state: Multigrid, index: int) -> None:
         levels of the contact, changed in place
     index : int
         number of the level being solved [-]
-
-    Returns
-    -------
-    None
-        both loads are set in place
     """
     if state.far_field is None:
         return

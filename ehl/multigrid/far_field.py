@@ -53,8 +53,8 @@ class FarField:
     def strength(self, X: Array, Y: Array) -> Array:
         """Evaluate P H^2 of the far field.
 
-        s r without rotation; with it, or with bodies that approach with k_V, max(K - k_xy X Y + k_V,
-        0) + s r - max(K, 0), K that of Kapitza's solution.
+        s r without rotation; with it, or with bodies that approach with k_V, max(K - k_xy X Y +
+        k_V, 0) + s r - max(K, 0), K that of Kapitza's solution.
 
         Parameters
         ----------
@@ -301,11 +301,6 @@ def edge_pressure(
         pressure, shape (ny, nx), of which the edge is set [-]
     inlet_film_thickness : Array | None, optional
         shape (ny,); zero pressure where the gap is wider; None: flooded [-]
-
-    Returns
-    -------
-    None
-        the edge of `P` is set in place
     """
     for row, strength in edge.rows.items():
         P[row] = strength / H[row] ** 2

@@ -289,11 +289,6 @@ def full_multigrid(
         levels above the usual one to start from [-]
     lighter : tuple[ScaledContact, ...], default ()
         contacts under rising loads below its own; none: the load at once
-
-    Returns
-    -------
-    None
-        `result.levels` is set in place
     """
     state = result.state
     model, state.flow_model = state.flow_model, None
@@ -407,11 +402,6 @@ def newton_multigrid(result: AttemptResult) -> None:
     ----------
     result : AttemptResult
         attempt, changed in place
-
-    Returns
-    -------
-    None
-        `result.levels` is set in place
     """
     state = result.state
     first = _starting_level(state, 0)
@@ -449,11 +439,6 @@ def start_from_hertz(state: Multigrid, index: int) -> None:
         levels of the contact, changed in place
     index : int
         number of the level, 0 the coarsest [-]
-
-    Returns
-    -------
-    None
-        the level is set in place
     """
     contact = state.contact
     grid = state.levels[index].grid

@@ -78,11 +78,6 @@ class LevelHistory:
             levels of the contact
         index : int
             number of the level, 0 the coarsest [-]
-
-        Returns
-        -------
-        None
-            the history is extended in place
         """
         self.record(state, index, relative_residual(state, index))
         self.certified = True
@@ -98,11 +93,6 @@ class LevelHistory:
             number of the level, 0 the coarsest [-]
         equations : tuple[float, float]
             residual and imbalance of `relative_residual` [-]
-
-        Returns
-        -------
-        None
-            the history is extended in place
         """
         level = state.levels[index]
         residual, imbalance = equations
@@ -167,8 +157,8 @@ class LevelHistory:
     def remaining(self, kind: int) -> float:
         """Estimate the relative film error that the cycles leave.
 
-        change * q/(1 - q) with q the contraction of the last cycle; after one cycle its whole change,
-        nothing after Newton's method. No less than a flow that still changes leaves.
+        change * q/(1 - q) with q the contraction of the last cycle; after one cycle its whole
+        change, nothing after Newton's method. No less than a flow that still changes leaves.
 
         Parameters
         ----------

@@ -182,11 +182,6 @@ def restore(state: Multigrid, index: int, before: Snapshot) -> None:
         number of the level, 0 the coarsest [-]
     before : Snapshot
         pressure, shape (ny, nx), approach, exterior load and load of the level [-]
-
-    Returns
-    -------
-    None
-        the level is restored in place
     """
     level = state.levels[index]
     level.P, state.approach, state.exterior, level.load = before

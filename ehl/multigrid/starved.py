@@ -104,11 +104,6 @@ def march_film_content(
         threads that share the lines
     first : int
         first of the lines [-]
-
-    Returns
-    -------
-    None
-        the content is set in place
     """
     common = (fields.P, fields.H, fields.eps)
     mesh = (film_content.inlet_film_thickness, grid.hx, grid.hy)
@@ -154,11 +149,6 @@ def march_all_film_content(
         grid of the level
     threads : Threads
         threads that share the lines
-
-    Returns
-    -------
-    None
-        the content is set in place
     """
     first = 0 if grid.symmetric else 1
     march_film_content(film_content, fields, grid, threads, first)
@@ -181,11 +171,6 @@ def restrict_flux(fine: FilmContent, coarse: FilmContent, fields: Fields, grid: 
         fields of the coarser grid [-]
     grid : Grid
         coarser grid
-
-    Returns
-    -------
-    None
-        the flux is set in place
     """
     coarse.along = inject(fine.along)
     lateral = bool(fine.across.size)

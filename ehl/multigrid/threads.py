@@ -51,11 +51,6 @@ class Threads:
             numbers of the lines; each part begins with one of them
         nodes : int
             nodes of the grid [-]
-
-        Returns
-        -------
-        None
-            the kernel writes in place
         """
         number = self.number_for(nodes)
         if number == 1:

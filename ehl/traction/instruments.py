@@ -58,9 +58,20 @@ class FilmInstruments:
 def film_instruments(
     solution: ContactSolution, permittivity: float = OIL_PERMITTIVITY
 ) -> FilmInstruments | None:
-    """Of a converged film with dimensions, None for others and behind a layer by the law of
-    starvation, whose map is the flooded one. permittivity: relative, of the oil at ambient
-    pressure [-].
+    """Evaluate capacitance, breakdown voltage and reflection of sound of a converged film.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+    permittivity : float, default OIL_PERMITTIVITY
+        relative permittivity of the oil at ambient pressure [-]
+
+    Returns
+    -------
+    FilmInstruments | None
+        the quantities; None without dimensions, without convergence, or behind an inlet film by
+        the law of starvation, whose map is the flooded one
     """
     conditions = solution.conditions
     scale = solution.film_scale
@@ -94,8 +105,23 @@ def film_instruments(
 
 
 def breakdown_voltages(film: float, uncertainty: float) -> tuple[float, float, float]:
-    """Voltage at which a film [m] of an uncertainty [m] breaks down, its low and its high end
-    [V].
+    """Evaluate the voltage at which a film breaks down.
+
+    Parameters
+    ----------
+    film : float
+        thickness of the film [m]
+    uncertainty : float
+        error bar of the film [m]
+
+    Returns
+    -------
+    voltage
+        voltage of the film [V]
+    low
+        lower end of its error bar [V]
+    high
+        upper end of its error bar [V]
     """
     low, high = BREAKDOWN_FIELD
     least = max(film - uncertainty, 0.0)
@@ -103,15 +129,41 @@ def breakdown_voltages(film: float, uncertainty: float) -> tuple[float, float, f
 
 
 def permittivity_at_pressure(pressure: Array, oil: Lubricant, permittivity: float) -> Array:
-    """Relative permittivity of an oil under pressure [Pa] after Clausius and Mossotti [-], from
-    that at ambient pressure.
+    """Evaluate the relative permittivity of an oil under pressure after Clausius and Mossotti.
+
+    Parameters
+    ----------
+    pressure : Array
+        pressure, any shape [Pa]
+    oil : Lubricant
+        lubricant with its density law
+    permittivity : float
+        relative permittivity at ambient pressure [-]
+
+    Returns
+    -------
+    Array
+        relative permittivity, shape of `pressure` [-]
     """
     fraction = (permittivity - 1.0) / (permittivity + 2.0) * density(pressure, oil) / oil.density
     return np.asarray((1.0 + 2.0 * fraction) / (1.0 - fraction))
 
 
 def bulk_modulus(pressure: float, oil: Lubricant) -> float:
-    """Isothermal, rho dp/drho at a pressure [Pa]; infinite for an incompressible oil [Pa]."""
+    """Evaluate the isothermal bulk modulus rho dp/drho.
+
+    Parameters
+    ----------
+    pressure : float
+        pressure [Pa]
+    oil : Lubricant
+        lubricant with its density law
+
+    Returns
+    -------
+    float
+        bulk modulus; infinite for an incompressible oil [Pa]
+    """
     below, above = (float(density(pressure + k * PRESSURE_STEP, oil)) for k in (-1, 1))
     if above == below:
         return float("inf")
@@ -119,14 +171,40 @@ def bulk_modulus(pressure: float, oil: Lubricant) -> float:
 
 
 def reflection(stiffness: float, frequency: float, impedance: float) -> float:
-    """Share of the amplitude of sound that a film reflects [-]; stiffness per area [Pa/m],
-    frequency [Hz], impedance rho c of both bodies [Pa s/m].
+    """Evaluate the fraction of the amplitude of sound that a film reflects.
+
+    Parameters
+    ----------
+    stiffness : float
+        stiffness of the film per area [Pa/m]
+    frequency : float
+        frequency of the sound [Hz]
+    impedance : float
+        rho c of both bodies [Pa s/m]
+
+    Returns
+    -------
+    float
+        reflected fraction [-]
     """
     return 1.0 / sqrt(1.0 + (stiffness / (pi * frequency * impedance)) ** 2)
 
 
 def half_reflection_frequency(stiffness: float, impedance: float) -> float:
-    """Frequency at which a film reflects half of the amplitude [Hz]; as in `reflection`."""
+    """Give the frequency at which a film reflects half of the amplitude of sound.
+
+    Parameters
+    ----------
+    stiffness : float
+        stiffness of the film per area [Pa/m]
+    impedance : float
+        rho c of both bodies [Pa s/m]
+
+    Returns
+    -------
+    float
+        frequency [Hz]
+    """
     return stiffness / (sqrt(3.0) * pi * impedance)
 
 

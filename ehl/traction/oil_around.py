@@ -23,13 +23,13 @@ class OilAround:
         solution: ContactSolution,
         contact: ScaledContact,
         ball_radius: float | None,
-        layer: float,
+        inlet_film_thickness: float,
     ) -> None:
         assert contact.film_scale is not None and contact.semi_axis_x is not None
         self.solution = solution
         self.contact = contact
         self.ball_radius = ball_radius
-        self.layer = layer / contact.film_scale
+        self.inlet_film_thickness = inlet_film_thickness / contact.film_scale
         self.height_scale = contact.semi_axis_x / contact.film_scale
         self.field: FarField = far_field(contact)
 
@@ -49,7 +49,7 @@ class OilAround:
         rise = rise * np.gradient(solution.X)[:, None]
         across = np.abs(contact.curvature_y * Y + contact.curvature_xy * X)
         rise = rise + across * np.gradient(solution.Y)
-        filled = np.clip(0.5 + (self.layer - gap) / rise[outside], 0.0, 1.0)
+        filled = np.clip(0.5 + (self.inlet_film_thickness - gap) / rise[outside], 0.0, 1.0)
         without = np.zeros_like(solution.P)
         without[outside] = 1.0 - filled * (film / gap) ** 2
         return without
@@ -65,12 +65,21 @@ class OilAround:
         return 0.0 - self.integral_beyond_box(arm)
 
     def integral_beyond_box(self, integrand: Callable[[Array, Array, Array], Array]) -> float:
-        """Over the area from the edge of the box to the meniscus, of a function of x, y and the
-        gap, arrays of shape (rays, nodes) [its unit].
+        """Integrate a function over the area from the edge of the box to the meniscus.
+
+        Parameters
+        ----------
+        integrand : Callable[[Array, Array, Array], Array]
+            function of x, y and the gap, arrays of shape (rays, nodes), in any unit
+
+        Returns
+        -------
+        float
+            integral, in the unit of the function
         """
         angle = (np.arange(DIRECTIONS) + 0.5) * 2.0 * np.pi / DIRECTIONS
         every = _Ray(self, np.cos(angle), np.sin(angle))
-        wet = every.film < self.layer  # the meniscus of the others is in the box
+        wet = every.film < self.inlet_film_thickness  # the meniscus of the others is in the box
         ray = _Ray(self, every.x[wet], every.y[wet])
         span = np.log(ray.meniscus() / ray.start)[:, None]
         positions, weights = np.polynomial.legendre.leggauss(RAY_NODES)
@@ -83,16 +92,18 @@ class OilAround:
     def meniscus_ahead(self) -> float:
         """Distance of the meniscus from the centre, against the grid's x [-]."""
         ray = _Ray(self, np.array([-1.0]), np.array([0.0]))
-        if ray.film[0] < self.layer:
+        if ray.film[0] < self.inlet_film_thickness:
             return float(ray.meniscus()[0])
         X = self.solution.X
         ahead = X <= 0.0
         r = -X[ahead][::-1]
         middle = int(np.abs(self.solution.Y).argmin())
         gap = self.solution.H[ahead, middle][::-1] + self._excess(-r, np.zeros_like(r))
-        narrow = np.flatnonzero(gap < self.layer)
+        narrow = np.flatnonzero(gap < self.inlet_film_thickness)
         last = int(narrow[-1]) if narrow.size else 0
-        return float(np.interp(self.layer, gap[last : last + 2], r[last : last + 2]))
+        return float(
+            np.interp(self.inlet_film_thickness, gap[last : last + 2], r[last : last + 2])
+        )
 
     def _excess(self, x: Array, y: Array) -> Array:
         """Of the gap of circles over that of parabolas at places outside the contact, less that
@@ -127,7 +138,22 @@ class OilAround:
 
 
 def along_entrainment(contact: ScaledContact, x: Array, y: Array) -> Array:
-    """Distance along the entrainment at the centre of places in the frame of the grid [-]."""
+    """Project positions on the direction of the entrainment at the centre.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        scaled contact
+    x : Array
+        position along the grid, any shape [-]
+    y : Array
+        position across it, of the same shape [-]
+
+    Returns
+    -------
+    Array
+        distance along the entrainment [-]
+    """
     return contact.velocity_x * x + contact.velocity_y * y
 
 
@@ -162,7 +188,7 @@ class _Ray:
         high = np.maximum(self.end, low)
         for _ in range(HALVINGS):
             middle = 0.5 * (low + high)
-            narrow = self.gap(middle[:, None])[:, 0] < self.oil.layer
+            narrow = self.gap(middle[:, None])[:, 0] < self.oil.inlet_film_thickness
             low, high = np.where(narrow, middle, low), np.where(narrow, high, middle)
         return low
 

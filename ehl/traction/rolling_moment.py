@@ -74,21 +74,42 @@ class RollingMoment:
     note: str = ""  # why the layer does not end the oil, or does not flood the contact
 
 
-def rolling_moment(solution: ContactSolution, layer: float | None = None) -> RollingMoment:
-    """Hydrodynamic rolling moment of the oil up to its meniscus.
+def rolling_moment(
+    solution: ContactSolution, inlet_film_thickness: float | None = None
+) -> RollingMoment:
+    """Integrate the hydrodynamic rolling moment of the oil up to its meniscus, Kapitza (1955).
 
-    Kapitza (1955); his field holds far outside the ellipse, where the oil is isoviscous and the
-    deflection small. In a box that was fixed the oil ends on the edge, without pressure there.
-    layer: at the inlet, both surfaces together [m]; None: that of the lubricant. Where the film
-    did not converge the moment is not a number. ValueError where conditions have no dimensions.
+    His field holds far outside the ellipse, where the oil is isoviscous and the deflection small.
+    In a box that was prescribed the oil ends on the edge, without pressure there.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+    inlet_film_thickness : float | None, optional
+        inlet film thickness, both surfaces together; None: that of the lubricant [m]
+
+    Returns
+    -------
+    RollingMoment
+        moment with its error bar; not a number where the film did not converge
+
+    Raises
+    ------
+    ValueError
+        if the conditions have no dimensions
     """
     conditions, a = _dimensions(solution)
-    layer = conditions.lubricant.flooded_layer if layer is None else layer
-    if not layer > 0.0:
-        raise ValueError(f"layer must be positive, got {layer!r}")
+    inlet_film_thickness = (
+        conditions.lubricant.flooded_layer
+        if inlet_film_thickness is None
+        else inlet_film_thickness
+    )
+    if not inlet_film_thickness > 0.0:
+        raise ValueError(f"layer must be positive, got {inlet_film_thickness!r}")
     scale = solution.hertz_pressure * a**3
     if not solution.converged:
-        return _unknown(layer, "the film did not converge")
+        return _unknown(inlet_film_thickness, "the film did not converge")
     contact = scaled_as_solved(solution)
     moments = -trapezoidal_weights(solution.X, solution.Y) * solution.P * scale
     moments *= along_entrainment(contact, solution.X[:, None], solution.Y[None, :])
@@ -102,11 +123,11 @@ def rolling_moment(solution: ContactSolution, layer: float | None = None) -> Rol
             value=box,
             uncertainty=_solution_error(solution, contact, (box, change)),
             box=box,
-            layer=layer,
+            layer=inlet_film_thickness,
             extent=None,
             note="the box is fixed by [ehl] domain, the oil ends on its edge",
         )
-    oil = OilAround(solution, contact, conditions.ball_radius, layer)
+    oil = OilAround(solution, contact, conditions.ball_radius, inlet_film_thickness)
     beyond = scale * oil.moment_beyond_box()
     value = box - float(np.sum(moments * oil.dry_moment_fraction())) + beyond
     left = _solution_error(solution, contact, (value, change))
@@ -115,14 +136,16 @@ def rolling_moment(solution: ContactSolution, layer: float | None = None) -> Rol
         value=value,
         uncertainty=left + FAR_FIELD_ERROR * abs(beyond),
         box=box,
-        layer=layer,
+        layer=inlet_film_thickness,
         extent=a * extent,
         note=_starved_note(solution, contact, extent),
     )
 
 
-def _unknown(layer: float, note: str) -> RollingMoment:
-    return RollingMoment(value=nan, uncertainty=inf, box=nan, layer=layer, extent=None, note=note)
+def _unknown(inlet_film_thickness: float, note: str) -> RollingMoment:
+    return RollingMoment(
+        value=nan, uncertainty=inf, box=nan, layer=inlet_film_thickness, extent=None, note=note
+    )
 
 
 def _behind_layer(
@@ -140,16 +163,16 @@ def _behind_layer(
     assert solution.supply is not None and conditions.inlet_layer is not None
     a = solution.semi_axis_x
     assert a is not None
-    layer = conditions.inlet_layer.central
+    inlet_film_thickness = conditions.inlet_layer.central
     scale = solution.hertz_pressure * a**3
     if solution.supply.law is not None:
-        return _by_law(solution, layer, scale)
+        return _by_law(solution, inlet_film_thickness, scale)
     change = scale * pressure_moment(solution, contact)[1]
     extent = solution.supply.meniscus
     beyond = 0.0
     note = ""
     if extent is None and solution.options.domain is None:
-        oil = OilAround(solution, contact, conditions.ball_radius, layer)
+        oil = OilAround(solution, contact, conditions.ball_radius, inlet_film_thickness)
         beyond = scale * oil.moment_beyond_box()
         extent = -oil.meniscus_ahead()
     elif extent is None:
@@ -162,17 +185,17 @@ def _behind_layer(
         + _left_by_cycles(solution, value)
         + FAR_FIELD_ERROR * abs(beyond),
         box=box + change,
-        layer=layer,
+        layer=inlet_film_thickness,
         extent=None if extent is None else -a * extent,
         note=note,
     )
 
 
-def _by_law(solution: ContactSolution, layer: float, scale: float) -> RollingMoment:
+def _by_law(solution: ContactSolution, inlet_film_thickness: float, scale: float) -> RollingMoment:
     """What the law of starvation leaves of the moment in the box of the flooded film; its error
     bar holds the law's, and the difference of the two ways to sum that moment.
 
-    layer: at the inlet [m]; scale: of moments, p_h a^3 [N m].
+    inlet_film_thickness: at the inlet [m]; scale: of moments, p_h a^3 [N m].
     """
     supply = solution.supply
     assert supply is not None and supply.law is not None
@@ -184,7 +207,7 @@ def _by_law(solution: ContactSolution, layer: float, scale: float) -> RollingMom
         value=value,
         uncertainty=hypot(fraction.value * of_film, fraction.uncertainty * flooded),
         box=value,
-        layer=layer,
+        layer=inlet_film_thickness,
         extent=None,
         note="the law of starvation knows no meniscus",
     )
@@ -201,8 +224,22 @@ def _dimensions(solution: ContactSolution) -> tuple[ContactConditions, float]:
 
 
 def scaled_as_solved(solution: ContactSolution) -> ScaledContact:
-    """The dimensionless contact in the frame of the solution's grid [-]; ValueError where that is
-    neither of the solver's two.
+    """Scale the conditions of a solution in the frame of its grid.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact
+
+    Returns
+    -------
+    ScaledContact
+        scaled contact
+
+    Raises
+    ------
+    ValueError
+        if the frame is neither of the solver's two
     """
     for along in (False, True):
         contact = scale_contact(solution.conditions, along_entrainment=along)

@@ -86,12 +86,22 @@ class _Lattice(NamedTuple):
 
 
 def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
-    """Films of contacts from the atlas, as `atlas_films` has them, in arrays [m], [N/m].
+    """Evaluate films of many contacts from the atlas, as `atlas_films` does for one.
+
+    Parameters
+    ----------
+    contacts : ContactArrays
+        contacts, arrays that NumPy brings to one shape
+
+    Returns
+    -------
+    FilmArrays
+        films, arrays of this shape [m], [N/m]
 
     Raises
     ------
     ValueError
-        If the arrays cannot be brought to one shape.
+        if the arrays cannot be brought to one shape
     """
     shape, columns = _contact_columns(contacts)
     # 1. places in the table, those of contacts outside anywhere

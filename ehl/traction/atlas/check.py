@@ -10,10 +10,20 @@ Pair = tuple[str, FilmValue, AtlasValue]
 
 
 def beyond_both_bars(solution: ContactSolution) -> Iterator[Pair]:
-    """Name, solved value [a^2/Rx] and that of the atlas (SI, [a^2/Rx] of Moes' groups) of the
-    flooded films of a contact that differ by more than both their error bars; none where the film
-    is not resolved, was solved with shear or heat or in a box of choice, or the atlas does not
-    cover the contact.
+    """List films of a contact that differ from those of the atlas by more than both error bars.
+
+    None is listed where the film is not resolved, was solved with shear or heat or in a prescribed
+    box, or the atlas does not cover the contact.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        solved contact; behind an inlet film its flooded solution counts
+
+    Yields
+    ------
+    Iterator[Pair]
+        name, solved value [a^2/Rx] and that of the atlas ([m], or [a^2/Rx] of Moes' groups)
     """
     film = solution if solution.supply is None else solution.supply.flooded
     trusted = film.converged and film.resolved

@@ -100,14 +100,42 @@ def layout() -> Layout:
 
 @cache
 def field_table(path: Path = FILE) -> FieldTable:
-    """The table, read once [-]."""
+    """Read a table of fields, once.
+
+    Parameters
+    ----------
+    path : Path, default FILE
+        file of the table
+
+    Returns
+    -------
+    FieldTable
+        the table
+    """
     with np.load(path) as file:
         return FieldTable(**{name: file[name].astype(float) for name in FieldTable._fields})
 
 
 def kernel(x: Array, oils: Array, y: Array, others: Array, scales: Array) -> Array:
-    """Covariance of amplitudes at places (m, 3) and (n, 3) with features of oils, without the
-    trend, shape (m, n) [-].
+    """Evaluate the covariance of amplitudes between contacts, without the trend.
+
+    Parameters
+    ----------
+    x : Array
+        positions of the first contacts, shape (m, 3) [-]
+    oils : Array
+        `oil_features` of the first, shape (m, 5) [-]
+    y : Array
+        positions of the second contacts, shape (n, 3) [-]
+    others : Array
+        `oil_features` of the second, shape (n, 5) [-]
+    scales : Array
+        scales of the radial functions, shape (3,) [-]
+
+    Returns
+    -------
+    Array
+        covariance, shape (m, n) [-]
     """
     near = radial(x, y, scales)
     with_line = 1.0 + ((x - CENTRE) / SPREAD) @ ((y - CENTRE) / SPREAD).T
@@ -115,14 +143,48 @@ def kernel(x: Array, oils: Array, y: Array, others: Array, scales: Array) -> Arr
 
 
 def amplitudes(x: Array, alpha: Array, z: Array, known: FieldTable) -> Array:
-    """Of the modes at places of shape (m, 3), shape (m, k) [-]; alpha [1/Pa]."""
+    """Evaluate the amplitudes of the modes.
+
+    Parameters
+    ----------
+    x : Array
+        positions of contacts, shape (m, 3) [-]
+    alpha : Array
+        pressure-viscosity coefficient, shape (m,) [1/Pa]
+    z : Array
+        Roelands' z, shape (m,) [-]
+    known : FieldTable
+        table of fields
+
+    Returns
+    -------
+    Array
+        amplitudes, shape (m, k) [-]
+    """
     near = kernel(x, oil_features(x, alpha, z), known.places, known.oils, known.scales)
     return np.asarray(trend_terms(x) @ known.trend + near @ known.weights)
 
 
 def field_vectors(x: Array, alpha: Array, z: Array, known: FieldTable | None = None) -> Array:
-    """Vectors of `layout` at places of shape (m, 3), their pressure carrying the load, the
-    cells as stiff to shear as in all; alpha [1/Pa]; known: None for the table as it is stored.
+    """Evaluate vectors of `layout`, the pressure scaled to carry the load, the cells to the shear
+    of
+    all.
+
+    Parameters
+    ----------
+    x : Array
+        positions of contacts, shape (m, 3) [-]
+    alpha : Array
+        pressure-viscosity coefficient, shape (m,) [1/Pa]
+    z : Array
+        Roelands' z, shape (m,) [-]
+    known : FieldTable | None, optional
+        table of fields; None: that of the package
+
+    Returns
+    -------
+    Array
+        vectors, shape (m, length) [-]
     """
     known = known or field_table()
     result = known.mean + amplitudes(x, alpha, z, known) @ known.modes
@@ -135,7 +197,18 @@ def field_vectors(x: Array, alpha: Array, z: Array, known: FieldTable | None = N
 
 
 def carried_load_fraction(vector: Array) -> float:
-    """Share of the load that the zone's pressure carries [-]."""
+    """Sum the fraction of the load that the zone's pressure carries.
+
+    Parameters
+    ----------
+    vector : Array
+        vector of `layout`, shape (length,) [-]
+
+    Returns
+    -------
+    float
+        fraction [-]
+    """
     parts = layout()
     _, weights = node_shares()
     span = (vector[parts.last] - vector[parts.first])[:, None]
@@ -145,13 +218,40 @@ def carried_load_fraction(vector: Array) -> float:
 
 
 def sheared_area(vector: Array) -> float:
-    """Area over film of all cells that oil shears in [-]."""
+    """Sum area over film of all cells in which oil shears.
+
+    Parameters
+    ----------
+    vector : Array
+        vector of `layout`, shape (length,) [-]
+
+    Returns
+    -------
+    float
+        area over film [-]
+    """
     area, by_film = vector[layout().cells].reshape(CELL_ROWS, CELLS)[:2]
     return float(by_film[np.minimum(area, by_film) > 0.0].sum())
 
 
 def contact_fields(conditions: ContactConditions) -> ContactFields:
-    """Fields of a contact; `NotInAtlasError` where tables were not judged by such."""
+    """Evaluate pressure and film of a flooded contact for its shear.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        flooded contact
+
+    Returns
+    -------
+    ContactFields
+        fields of the contact
+
+    Raises
+    ------
+    NotInAtlasError
+        if tables were not validated by such contacts
+    """
     require_fields(conditions)
     contact = scale_contact(conditions)
     load = atlas_load(contact)
@@ -162,7 +262,18 @@ def contact_fields(conditions: ContactConditions) -> ContactFields:
 
 
 def require_fields(conditions: ContactConditions) -> None:
-    """NotInAtlasError unless tables were judged by such contacts."""
+    """Check that tables were validated by such contacts.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        flooded contact
+
+    Raises
+    ------
+    NotInAtlasError
+        if they were not
+    """
     contact = scale_contact(conditions)
     load = atlas_load(contact)
     require_covered(conditions, contact, load)
@@ -196,7 +307,20 @@ def _judged_oil(oil: Lubricant) -> bool:
 
 
 def fields_of_vector(vector: Array, conditions: ContactConditions) -> ContactFields:
-    """Fields of a contact by its vector, on both sides of the middle."""
+    """Unfold a vector of `layout` to the fields on both sides of the middle.
+
+    Parameters
+    ----------
+    vector : Array
+        vector of `layout`, shape (length,) [-]
+    conditions : ContactConditions
+        flooded contact
+
+    Returns
+    -------
+    ContactFields
+        fields of the contact
+    """
     contact = scale_contact(conditions)
     assert contact.semi_axis_x is not None and contact.film_scale is not None
     load = atlas_load(contact)

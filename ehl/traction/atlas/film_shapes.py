@@ -73,8 +73,19 @@ SIZES = tuple(prod(shape) for shape in SHAPES)
 
 
 def shape_places(contacts: Sequence[ContactConditions], semi_axes: Array) -> Array:
-    """ln A, sqrt L, ln D, alpha [1/Pa] and z at which contacts of one oil have their fields, and
-    whether they are lighter, shape (n, 6); Hertz' semi-axes along rolling (n,) [m].
+    """Locate contacts of one oil in the table of shapes.
+
+    Parameters
+    ----------
+    contacts : Sequence[ContactConditions]
+        contacts of one oil
+    semi_axes : Array
+        Hertz' semi-axes along rolling, shape (n,) [m]
+
+    Returns
+    -------
+    Array
+        ln A, sqrt L, ln D [-], alpha [1/Pa], z [-], and whether they are lighter, shape (n, 6)
     """
     oil = contacts[0].lubricant
     alpha, z = oil_numbers(oil)
@@ -96,7 +107,20 @@ def shape_places(contacts: Sequence[ContactConditions], semi_axes: Array) -> Arr
 
 
 def film_shapes(places: Array, central: Array) -> FilmShapes:
-    """Fields at places (n, 6) of `shape_places`, of contacts of central films (n,) over a^2/Rx."""
+    """Evaluate pressure and film of contacts at few nodes.
+
+    Parameters
+    ----------
+    places : Array
+        columns of `shape_places`, shape (n, 6)
+    central : Array
+        central films over a^2/Rx, shape (n,) [-]
+
+    Returns
+    -------
+    FilmShapes
+        fields of the contacts
+    """
     heavy = heavy_weight(places[:, 0], SEAM)[0]
     vectors = np.zeros((len(places), sum(SIZES)))
     for path, fraction in ((LIGHT_FILE, 1.0 - heavy), (FILE, heavy)):

@@ -81,32 +81,70 @@ class AtlasFilms:
 
 
 def atlas_films(
-    conditions: ContactConditions | MoesConditions, layer: float | None = None
+    conditions: ContactConditions | MoesConditions, inlet_film_thickness: float | None = None
 ) -> AtlasFilms:
-    """Films of a flooded contact from the atlas.
+    """Evaluate the films of a flooded contact from the atlas.
 
-    layer: at the inlet, up to which the rolling moment counts oil, [m] or in a^2/Rx; None: that of
-    the lubricant, of Moes conditions 25 a^2/Rx.
+    Parameters
+    ----------
+    conditions : ContactConditions | MoesConditions
+        flooded contact
+    inlet_film_thickness : float | None, optional
+        inlet film thickness up to which the rolling moment counts oil, [m] or in a^2/Rx; None:
+        that of the lubricant, of Moes' conditions 25 a^2/Rx
+
+    Returns
+    -------
+    AtlasFilms
+        films and rolling moment with their error bars
 
     Raises
     ------
     NotInAtlasError
-        If the contact is none of those that the atlas covers; the message names the solver.
+        if the atlas does not cover the contact; the message names the solver
+
+    Examples
+    --------
+    >>> from ehl.conditions import MoesConditions
+    >>> films = atlas_films(MoesConditions(load=100.0, lubricant=10.0, radius_ratio=1.0))
+    >>> films.minimum.value < films.central.value
+    True
     """
-    (result,) = atlas_films_of([conditions], layer)
+    (result,) = atlas_films_of([conditions], inlet_film_thickness)
     if isinstance(result, NotInAtlasError):
         raise result
     return result
 
 
 def atlas_films_of(
-    contacts: Sequence[ContactConditions | MoesConditions], layer: float | None = None
+    contacts: Sequence[ContactConditions | MoesConditions],
+    inlet_film_thickness: float | None = None,
 ) -> list[AtlasFilms | NotInAtlasError]:
-    """As `atlas_films`, of many contacts in a fraction of the time; for one that is not covered
-    the error that says why; layer: [m] or in a^2/Rx, ValueError where it is none.
+    """Evaluate the films of many flooded contacts, in a fraction of the time that each takes
+    alone.
+
+    Parameters
+    ----------
+    contacts : Sequence[ContactConditions | MoesConditions]
+        flooded contacts
+    inlet_film_thickness : float | None, optional
+        inlet film thickness up to which the rolling moment counts oil, [m] or in a^2/Rx; None:
+        that of the lubricants
+
+    Returns
+    -------
+    list[AtlasFilms | NotInAtlasError]
+        films of each; for one that is not covered the error with its reason
+
+    Raises
+    ------
+    ValueError
+        if `inlet_film_thickness` is not positive
     """
-    if layer is not None and not (isfinite(layer) and layer > 0.0):
-        raise ValueError(f"layer must be positive and finite, got {layer!r}")
+    if inlet_film_thickness is not None and not (
+        isfinite(inlet_film_thickness) and inlet_film_thickness > 0.0
+    ):
+        raise ValueError(f"layer must be positive and finite, got {inlet_film_thickness!r}")
     result: list[AtlasFilms | NotInAtlasError | None] = [None] * len(contacts)
     positions: dict[int, _Place] = {}
     for n, conditions in enumerate(contacts):
@@ -119,7 +157,7 @@ def atlas_films_of(
         positions, known, _functions(known), _bars(known), strict=True
     ):
         try:
-            result[n] = _films(place, values, bars, layer)
+            result[n] = _films(place, values, bars, inlet_film_thickness)
         except NotInAtlasError as refusal:
             result[n] = refusal
     return [one for one in result if one is not None]
@@ -151,7 +189,9 @@ def _place(given: ContactConditions | MoesConditions) -> _Place:
     return _Place(conditions, given.lubricant, contact, along, (alpha, z))
 
 
-def _films(place: _Place, found: Array, bars: Array, layer: float | None) -> AtlasFilms:
+def _films(
+    place: _Place, found: Array, bars: Array, inlet_film_thickness: float | None
+) -> AtlasFilms:
     """By the six functions at A, and at A a little smaller and larger, shape (3, 6), and their
     errors, shape (6,) [-].
     """
@@ -181,7 +221,7 @@ def _films(place: _Place, found: Array, bars: Array, layer: float | None) -> Atl
         minimum=AtlasValue(minimum * unit, (float(bars[1]) + lobes) * minimum * unit),
         approach=AtlasValue(approach * unit, approach_error * unit),
         rolling_moment=_rolling_moment(
-            conditions, contact, found[0], float(bars[3:].max()), layer
+            conditions, contact, found[0], float(bars[3:].max()), inlet_film_thickness
         ),
         stiffness=AtlasValue(stiffness, STIFFNESS_ERROR[int(load >= LIGHT)] * stiffness),
         inside=True,
@@ -193,7 +233,7 @@ def _rolling_moment(
     contact: ScaledContact,
     found: Array,
     share: float,
-    layer: float | None,
+    inlet_film_thickness: float | None,
 ) -> AtlasValue | None:
     """Moment up to a layer as `atlas_films` takes it, by the six functions, shape (6,), and their
     relative error; None also for entrainment at an angle.
@@ -206,14 +246,14 @@ def _rolling_moment(
     moment_unit = 1.0
     if isinstance(conditions, ContactConditions) and contact.semi_axis_x is not None:
         moment_unit = contact.hertz_pressure * contact.semi_axis_x**3
-    if layer is None:
+    if inlet_film_thickness is None:
         dimensionless = contact.semi_axis_x is None
-        layer = MOES_LAYER if dimensionless else conditions.lubricant.flooded_layer
+        inlet_film_thickness = MOES_LAYER if dimensionless else conditions.lubricant.flooded_layer
     ratio = contact.radius_ratio
     scale = moment_unit * pi * contact.speed / ((3.0 + 2.0 * ratio) * sqrt(ratio))
-    rolling = _moment(found[3:], layer / unit, central, share, scale)
+    rolling = _moment(found[3:], inlet_film_thickness / unit, central, share, scale)
     if rolling is not None and isinstance(conditions, ContactConditions):
-        rolling = _of_circles(rolling, conditions, contact, (central * unit, layer))
+        rolling = _of_circles(rolling, conditions, contact, (central * unit, inlet_film_thickness))
     return rolling
 
 
@@ -249,8 +289,21 @@ def _with_density(found: Array, x: Array, added: Array) -> Array:
 
 
 def oil_numbers(oil: Lubricant) -> tuple[float, float]:
-    """alpha [1/Pa] and z of a Roelands oil; of an isoviscous one, where they do not count, those
-    of the base oil.
+    """Give alpha and z of a Roelands oil; of an isoviscous one, where they do not count, those of
+    the
+    base oil.
+
+    Parameters
+    ----------
+    oil : Lubricant
+        lubricant
+
+    Returns
+    -------
+    alpha
+        pressure-viscosity coefficient [1/Pa]
+    z
+        Roelands' z [-]
     """
     if not oil.piezoviscous:
         return BASE_ALPHA, BASE_Z
@@ -271,12 +324,12 @@ def _bars(places: Sequence[_Place]) -> Array:
 
 
 def _moment(
-    rest: np.ndarray, layer: float, central: float, share: float, scale: float
+    rest: np.ndarray, inlet_film_thickness: float, central: float, share: float, scale: float
 ) -> AtlasValue | None:
     """Moment up to a layer in a^2/Rx, by a parabola in its inverse through those tabulated, and
     what that leaves open of a thinner one; share: relative error; scale: C.
     """
-    height = layer / (1.0 + central)
+    height = inlet_film_thickness / (1.0 + central)
     if height < THINNEST_LAYER:
         return None
     a, b, c = (1.0 / known for known in LAYERS)
@@ -286,7 +339,7 @@ def _moment(
     line = first + slope * (x - a)
     bend = ((third - second) / (c - b) - slope) / (c - a)
     parabola = line + bend * (x - a) * (x - b)
-    value = log(layer) + parabola
+    value = log(inlet_film_thickness) + parabola
     error = share * abs(value)
     if x > a:
         error += abs(parabola - line)
@@ -309,20 +362,57 @@ def _of_circles(
 
 
 def atlas_load(contact: ScaledContact) -> float:
-    """A = a^2/(R_x^2 sqrt(2 U)) [-]."""
+    """Evaluate A = a^2/(R_x^2 sqrt(2 U)).
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        scaled contact
+
+    Returns
+    -------
+    float
+        A [-]
+    """
     axis = hertz_coefficients(contact.radius_ratio)[0]
     return float(axis**2 * contact.moes_load ** (2.0 / 3.0))
 
 
 def skewed(angle: float) -> bool:
-    """Whether entrainment at an angle to x [rad] counts as such."""
+    """Tell whether entrainment at an angle to x counts as oblique.
+
+    Parameters
+    ----------
+    angle : float
+        angle of the entrainment from x [rad]
+
+    Returns
+    -------
+    bool
+        True if it does
+    """
     return abs(sin(angle)) > ALIGNED
 
 
 def require_covered(
     conditions: ContactConditions | MoesConditions, contact: ScaledContact, load: float
 ) -> None:
-    """NotInAtlasError unless the equations are those of the atlas; load: A [-]."""
+    """Check that the equations of a contact are those of the atlas.
+
+    Parameters
+    ----------
+    conditions : ContactConditions | MoesConditions
+        flooded contact
+    contact : ScaledContact
+        scaled contact
+    load : float
+        A of the contact [-]
+
+    Raises
+    ------
+    NotInAtlasError
+        if they are not
+    """
     slim = rotation_law(load, contact.radius_ratio)
     turning = ROTATION if slim is None else slim.largest
     turns = skewed(conditions.entrainment_angle) and contact.turning > 0.0
@@ -366,7 +456,20 @@ def _require_thin(share: float) -> None:
 def require_range(
     values: tuple[float, ...], ranges: Mapping[str, tuple[float, float]] = RANGE
 ) -> None:
-    """NotInAtlasError unless values, A, L, D, z and alpha of `RANGE`, lie in the ranges."""
+    """Check that numbers lie in their ranges.
+
+    Parameters
+    ----------
+    values : tuple[float, ...]
+        A, L, D, z [-] and alpha [1/Pa], in the order of `RANGE`
+    ranges : Mapping[str, tuple[float, float]], default RANGE
+        lowest and highest value by name
+
+    Raises
+    ------
+    NotInAtlasError
+        if one does not
+    """
     for (name, (low, high)), value in zip(ranges.items(), values, strict=True):
         if not low <= value <= high:
             key, unit = CASE_KEYS.get(name, (name, 1.0))

@@ -22,9 +22,19 @@ EDGE = 1e-9  # within a range [-]
 
 
 def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | None, float]:
-    """The same contact under the nearest load, and with the nearest pressure-viscosity and z, that
-    the atlas covers, and how far it is off, |ln(A/A')| + |ln(L/L')| + |z - z'| [-]; None where
-    these do not bring it into the range.
+    """Search the nearest contact that the atlas covers: another load, pressure-viscosity and z.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        flooded contact
+
+    Returns
+    -------
+    contact
+        nearest contact; None if these do not bring it into the range
+    distance
+        |ln(A/A')| + |ln(L/L')| + |z - z'| [-]
     """
     standing = with_inlet_oil(conditions)
     assert isinstance(standing, ContactConditions)

@@ -67,12 +67,22 @@ class InletOil(NamedTuple):
 
 @lru_cache(maxsize=256)
 def inlet_oil(oil: Lubricant) -> InletOil:
-    """Roelands' law with p_r 196 MPa and the two moments of a piezoviscous oil.
+    """Fit Roelands' law with p_r 196 MPa to the two moments of a piezoviscous oil.
+
+    Parameters
+    ----------
+    oil : Lubricant
+        lubricant of any law
+
+    Returns
+    -------
+    InletOil
+        Roelands' law with the same moments
 
     Raises
     ------
     ValueError
-        If no z between 0.05 and 1.9 has them.
+        if no z between 0.05 and 1.9 has them
     """
     first, second = _moments(oil)
     if _roelands(oil):
@@ -88,8 +98,19 @@ def inlet_oil(oil: Lubricant) -> InletOil:
 def with_inlet_oil(
     conditions: ContactConditions | MoesConditions,
 ) -> ContactConditions | MoesConditions:
-    """The contact with the oil that stands for its own; its density, and that of an isoviscous
-    oil, which has L = 0, as it is.
+    """Replace the oil of a contact by the Roelands oil with the same inlet.
+
+    Its density stays, and so does an isoviscous oil, which has L = 0.
+
+    Parameters
+    ----------
+    conditions : ContactConditions | MoesConditions
+        flooded contact
+
+    Returns
+    -------
+    ContactConditions | MoesConditions
+        the contact with that oil
     """
     oil = conditions.lubricant
     if not oil.piezoviscous or _roelands(oil):
@@ -110,9 +131,23 @@ def with_inlet_oil(
 
 
 def by_density(oil: Lubricant, hertz_pressure: float, load: float) -> Array:
-    """What the density of an oil adds to the six functions of one after Dowson and Higginson, or
-    of an isoviscous one that cannot be compressed, shape (6,), at p_h [Pa] and A; of the moments
-    relative to T/C [-].
+    """Evaluate the change of the six functions by the density of an oil.
+
+    The reference is an oil after Dowson and Higginson, or an isoviscous, incompressible one.
+
+    Parameters
+    ----------
+    oil : Lubricant
+        lubricant
+    hertz_pressure : float
+        Hertz pressure [Pa]
+    load : float
+        A of the contact [-]
+
+    Returns
+    -------
+    Array
+        changes, of the moments relative to T/C, shape (6,) [-]
     """
     if oil.piezoviscous and oil.density_law is DensityLaw.DOWSON_HIGGINSON:
         return np.zeros(len(DENSITY))
@@ -126,8 +161,20 @@ def by_density(oil: Lubricant, hertz_pressure: float, load: float) -> Array:
 
 
 def density_excess(oil: Lubricant, pressure: float) -> float:
-    """ln of an oil's density over that of Dowson and Higginson at a pressure [Pa], both over the
-    ambient one [-].
+    """Evaluate ln of an oil's density over that of Dowson and Higginson, both over the ambient
+    one.
+
+    Parameters
+    ----------
+    oil : Lubricant
+        lubricant
+    pressure : float
+        pressure [Pa]
+
+    Returns
+    -------
+    float
+        logarithm of the ratio [-]
     """
     other = replace(oil, density_law=DensityLaw.DOWSON_HIGGINSON)
     return _log_density(oil, pressure) - _log_density(other, pressure)
@@ -139,8 +186,19 @@ def _log_density(oil: Lubricant, pressure: float) -> float:
 
 
 def law_error(oil: Lubricant, heavy: bool) -> Array:
-    """Errors of the six functions where the table has none of contacts with such an oil, shape
-    (6,) [-].
+    """Estimate the errors of the six functions where the table has none for such an oil.
+
+    Parameters
+    ----------
+    oil : Lubricant
+        lubricant
+    heavy : bool
+        whether the contact is heavy
+
+    Returns
+    -------
+    Array
+        errors, shape (6,) [-]
     """
     compressible = oil.density_law is not DensityLaw.INCOMPRESSIBLE
     if not oil.piezoviscous:

@@ -66,7 +66,24 @@ class Skew(NamedTuple):
 
 
 def along_entrainment(load: float, lubricant: float, ratio: float, angle: float) -> Along:
-    """The straight contact of A, L, Rx/Ry and the angle from x towards y [rad]."""
+    """Transform a contact with entrainment at an angle to the straight one.
+
+    Parameters
+    ----------
+    load : float
+        A of the contact along x [-]
+    lubricant : float
+        L [-]
+    ratio : float
+        Rx/Ry [-]
+    angle : float
+        angle of the entrainment from x towards y [rad]
+
+    Returns
+    -------
+    Along
+        straight contact, with its mixed curvature
+    """
     c, s = cos(angle), sin(angle)
     first, across = c * c + ratio * s * s, s * s + ratio * c * c
     f, _, d = hertz_coefficients(ratio)
@@ -98,8 +115,21 @@ def skew() -> Skew:
 
 
 def mixed_oil_terms(places: Array, alpha: Array, z: Array) -> Array:
-    """m sqrt(L) {z - z_0, ln(alpha/alpha_0)} {1, ln A, ln D, m} at places (n, 4), shape (n, 8)
-    [-]; alpha [1/Pa].
+    """Evaluate m sqrt(L) {z - z_0, ln(alpha/alpha_0)} {1, ln A, ln D, m}.
+
+    Parameters
+    ----------
+    places : Array
+        (ln A, sqrt L, ln D, m) of contacts, shape (n, 4) [-]
+    alpha : Array
+        pressure-viscosity coefficient, shape (n,) [1/Pa]
+    z : Array
+        Roelands' z, shape (n,) [-]
+
+    Returns
+    -------
+    Array
+        terms, shape (n, 8) [-]
     """
     own = np.stack([np.asarray(z) - BASE_Z, np.log(np.asarray(alpha) / BASE_ALPHA)], axis=1)
     own = own * (places[:, 3] * places[:, 1])[:, None]
@@ -108,14 +138,42 @@ def mixed_oil_terms(places: Array, alpha: Array, z: Array) -> Array:
 
 
 def mixed_radial(x: Array, known: Skew) -> Array:
-    """m m_i k of places (m, 4) and those of the table, shape (m, n) [-]."""
+    """Evaluate the radial functions times m m_i.
+
+    Parameters
+    ----------
+    x : Array
+        (ln A, sqrt L, ln D, m) of contacts, shape (m, 4) [-]
+    known : Skew
+        table of the mixed curvature
+
+    Returns
+    -------
+    Array
+        products, shape (m, n) [-]
+    """
     fractions = x[:, 3:] * known.places[None, :, 3]
     return np.asarray(fractions * radial(x, known.places, known.scales))
 
 
 def mixed_functions(x: Array, alpha: Array, z: Array, known: Skew | None = None) -> Array:
-    """What the mixed curvature adds to the first three functions at places of shape (m, 4), shape
-    (m, 3) [-]; alpha [1/Pa]; known: None for the table as it is stored.
+    """Evaluate the change of the first three functions by the mixed curvature.
+
+    Parameters
+    ----------
+    x : Array
+        (ln A, sqrt L, ln D, m) of contacts, shape (m, 4) [-]
+    alpha : Array
+        pressure-viscosity coefficient, shape (m,) [1/Pa]
+    z : Array
+        Roelands' z, shape (m,) [-]
+    known : Skew | None, optional
+        table of the mixed curvature; None: that of the package
+
+    Returns
+    -------
+    Array
+        changes, shape (m, 3) [-]
     """
     known = known or skew()
     return np.asarray(
@@ -124,5 +182,18 @@ def mixed_functions(x: Array, alpha: Array, z: Array, known: Skew | None = None)
 
 
 def skew_bars(ratio: float, base: bool) -> Array:
-    """Errors of the first three functions at T/S, of the base oil or of any, shape (3,) [-]."""
+    """Give the errors of the first three functions with entrainment at an angle.
+
+    Parameters
+    ----------
+    ratio : float
+        T/S of the straight contact [-]
+    base : bool
+        whether the oil is that of the solves
+
+    Returns
+    -------
+    Array
+        errors, shape (3,) [-]
+    """
     return np.asarray(skew().bars[0 if base else 1, np.searchsorted(ACROSS_CLASSES, ratio)])

@@ -86,8 +86,19 @@ def table() -> Table:
 
 
 def error_bars(x: Array, base: NDArray[np.bool_]) -> Array:
-    """Errors of the six functions at x of shape (m, 3), shape (m, 6) [-]; base: whether the oil is
-    that of the solves, shape (m,).
+    """Give the errors of the six functions.
+
+    Parameters
+    ----------
+    x : Array
+        (ln A, sqrt L, ln D) of contacts, shape (m, 3) [-]
+    base : NDArray[np.bool_]
+        whether the oil is that of the solves, shape (m,)
+
+    Returns
+    -------
+    Array
+        errors, shape (m, 6) [-]
     """
     light, _, known, at_step = table()
     heavy = x[:, 0] >= log(SEAM[0])
@@ -102,15 +113,41 @@ def error_bars(x: Array, base: NDArray[np.bool_]) -> Array:
 
 
 def heavy_weight(log_load: Array, seam: tuple[float, float] = SEAM) -> tuple[Array, Array]:
-    """Share of the patch of heavy contacts at ln A, and its derivative, in its shape [-]."""
+    """Weight the patch of heavy contacts by a cubic step over the seam.
+
+    Parameters
+    ----------
+    log_load : Array
+        ln A, any shape [-]
+    seam : tuple[float, float], default SEAM
+        A at both ends of the seam [-]
+
+    Returns
+    -------
+    weight
+        weight, shape of `log_load` [-]
+    slope
+        its derivative by ln A, of this shape [-]
+    """
     low, high = np.log(seam)
     t = np.clip((log_load - low) / (high - low), 0.0, 1.0)
     return t * t * (3.0 - 2.0 * t), 6.0 * t * (1.0 - t) / (high - low)
 
 
 def slanted(x: Array, slant: Array) -> Array:
-    """Places (ln A + c_0 ln D + c_1 (ln D)^2 + c_2 sqrt L + c_3 L, sqrt L, ln D) of (ln A, sqrt L,
-    ln D), shape (m, 3) [-].
+    """Evaluate (ln A + c_0 ln D + c_1 (ln D)^2 + c_2 sqrt L + c_3 L, sqrt L, ln D).
+
+    Parameters
+    ----------
+    x : Array
+        (ln A, sqrt L, ln D) of contacts, shape (m, 3) [-]
+    slant : Array
+        c_0 to c_3, shape (4,) [-]
+
+    Returns
+    -------
+    Array
+        slanted positions, shape (m, 3) [-]
     """
     _, root, ratio = x.T
     first = x[:, 0] + np.stack([ratio, ratio**2, root, root**2], axis=1) @ slant
@@ -118,21 +155,62 @@ def slanted(x: Array, slant: Array) -> Array:
 
 
 def trend_terms(x: Array) -> Array:
-    """1, x_j and x_j x_k of places of shape (m, 3), shape (m, 10) [-]."""
+    """Evaluate 1, x_j and x_j x_k.
+
+    Parameters
+    ----------
+    x : Array
+        positions, shape (m, 3) [-]
+
+    Returns
+    -------
+    Array
+        terms, shape (m, 10) [-]
+    """
     first, second = PAIRS
     return np.concatenate([np.ones((len(x), 1)), x, x[:, first] * x[:, second]], axis=1)
 
 
 def radial(x: Array, places: Array, scales: Array) -> Array:
-    """Radial functions of places (n, 3) at x of shape (m, 3), shape (m, n) [-]."""
+    """Evaluate Matern's radial functions of 5/2.
+
+    Parameters
+    ----------
+    x : Array
+        positions, shape (m, 3) [-]
+    places : Array
+        centres of the functions, shape (n, 3) [-]
+    scales : Array
+        scales along the axes, shape (3,) [-]
+
+    Returns
+    -------
+    Array
+        functions, shape (m, n) [-]
+    """
     steps = (x[:, None, :] - places[None, :, :]) / scales
     t = np.sqrt(5.0 * np.einsum("ijk,ijk->ij", steps, steps))
     return np.asarray((1.0 + t + t**2 / 3.0) * np.exp(-t))
 
 
 def slanted_radial(x: Array, places: Array, scales: Array, step: Array) -> Array:
-    """Radial functions of slanted places (n, 3) at x of shape (m, 3) with those around a step of
-    `Patch`, shape (m, n) [-].
+    """Evaluate radial functions with those around the step of a patch.
+
+    Parameters
+    ----------
+    x : Array
+        slanted positions, shape (m, 3) [-]
+    places : Array
+        slanted centres, shape (n, 3) [-]
+    scales : Array
+        scales along the axes, shape (3,) [-]
+    step : Array
+        centre, width, variance and scales of the step, as in `Patch`, shape (6,) [-]
+
+    Returns
+    -------
+    Array
+        functions, shape (m, n) [-]
     """
     result = radial(x, places, scales)
     centre, width, variance = step[:3]
@@ -145,16 +223,49 @@ def slanted_radial(x: Array, places: Array, scales: Array, step: Array) -> Array
 def weighted_radial_sums(
     x: Array, places: Array, scales: Array, step: Array, weights: Array
 ) -> Array:
-    """The functions of `slanted_radial` times weights (n, k) [-], shape (m, k), compiled."""
+    """Sum the functions of `slanted_radial` by weights, compiled.
+
+    Parameters
+    ----------
+    x : Array
+        slanted positions, shape (m, 3) [-]
+    places : Array
+        slanted centres, shape (n, 3) [-]
+    scales : Array
+        scales along the axes, shape (3,) [-]
+    step : Array
+        centre, width, variance and scales of the step, shape (6,) [-]
+    weights : Array
+        weights of the functions, shape (n, k) [-]
+
+    Returns
+    -------
+    Array
+        sums, shape (m, k) [-]
+    """
     result = np.empty((len(x), len(places)))
     near_functions(x, places, scales, step, result)
     return np.asarray(result @ weights)
 
 
 def oil_features(x: Array, alpha: Array, z: Array) -> Array:
-    """sqrt L/4 times {z', a, z' a/2, a^2/2, z'^2/2} at x of shape (m, 3), shape (m, 5) [-]; a =
-    ln(alpha/alpha_0)/0.45, z' = (z - z_0)/0.2: zero for the oil of the solves, and at L = 0; alpha
-    [1/Pa].
+    """Evaluate sqrt L/4 times {z', a, z' a/2, a^2/2, z'^2/2}.
+
+    a = ln(alpha/alpha_0)/0.45, z' = (z - z_0)/0.2: zero for the oil of the solves, and at L = 0.
+
+    Parameters
+    ----------
+    x : Array
+        (ln A, sqrt L, ln D) of contacts, shape (m, 3) [-]
+    alpha : Array
+        pressure-viscosity coefficient, shape (m,) [1/Pa]
+    z : Array
+        Roelands' z, shape (m,) [-]
+
+    Returns
+    -------
+    Array
+        features, shape (m, 5) [-]
     """
     a = np.log(np.asarray(alpha) / BASE_ALPHA) / OIL_UNITS[1]
     d = (np.asarray(z) - BASE_Z) / OIL_UNITS[0]
@@ -163,14 +274,38 @@ def oil_features(x: Array, alpha: Array, z: Array) -> Array:
 
 
 def with_line(features: Array, x: Array) -> Array:
-    """Features (m, 5) times {1, x_j}, shape (m, 20) [-]."""
+    """Multiply features by {1, x_j}.
+
+    Parameters
+    ----------
+    features : Array
+        features of oils, shape (m, 5) [-]
+    x : Array
+        positions, shape (m, 3) [-]
+
+    Returns
+    -------
+    Array
+        products, shape (m, 20) [-]
+    """
     line = np.concatenate([np.ones((len(x), 1)), x], axis=1)
     return np.asarray((features[:, :, None] * line[:, None, :]).reshape(len(x), -1))
 
 
 def patch_base(patch: Patch, x: Array) -> Array:
-    """The six functions of a patch with the oil of the solves at x of shape (m, 3), shape (m, 6)
-    [-].
+    """Evaluate the six functions of a patch with the oil of the solves.
+
+    Parameters
+    ----------
+    patch : Patch
+        functions over a region of the atlas
+    x : Array
+        (ln A, sqrt L, ln D) of contacts, shape (m, 3) [-]
+
+    Returns
+    -------
+    Array
+        functions, shape (m, 6) [-]
     """
     own = slanted(x, patch.slant)
     base = patch.mean + trend_terms(own) @ patch.trend
@@ -179,7 +314,20 @@ def patch_base(patch: Patch, x: Array) -> Array:
 
 
 def patch_oils(patch: Patch, x: Array) -> Array:
-    """What each feature of an oil is multiplied by at x of shape (m, 3), shape (m, 5, 6) [-]."""
+    """Evaluate the coefficient of each feature of an oil.
+
+    Parameters
+    ----------
+    patch : Patch
+        functions over a region of the atlas
+    x : Array
+        (ln A, sqrt L, ln D) of contacts, shape (m, 3) [-]
+
+    Returns
+    -------
+    Array
+        coefficients, shape (m, 5, 6) [-]
+    """
     line = np.concatenate([np.ones((len(x), 1)), x], axis=1)
     features, weights = patch.oil_features, patch.oil_weights
     products = (features[:, :, None] * weights[:, None, :]).reshape(len(weights), -1)
@@ -189,8 +337,23 @@ def patch_oils(patch: Patch, x: Array) -> Array:
 
 
 def functions(x: Array, alpha: Array, z: Array, known: Table | None = None) -> Array:
-    """The six functions at x of shape (m, 3), shape (m, 6) [-]; alpha [1/Pa]; known: None for the
-    table as it is stored.
+    """Evaluate the six functions of the atlas.
+
+    Parameters
+    ----------
+    x : Array
+        (ln A, sqrt L, ln D) of contacts, shape (m, 3) [-]
+    alpha : Array
+        pressure-viscosity coefficient, shape (m,) [1/Pa]
+    z : Array
+        Roelands' z, shape (m,) [-]
+    known : Table | None, optional
+        table; None: that of the package
+
+    Returns
+    -------
+    Array
+        functions, shape (m, 6) [-]
     """
     known = known or table()
     fraction = heavy_weight(x[:, 0])[0]

@@ -34,13 +34,43 @@ TURNING = (
 
 
 def rotation_law(load: float, ratio: float) -> Turning | None:
-    """What is known of a rotation at A and Rx/Ry; None in wide ellipses."""
+    """Give the effect of a rotation at a load and an ellipse.
+
+    Parameters
+    ----------
+    load : float
+        A of the contact [-]
+    ratio : float
+        Rx/Ry [-]
+
+    Returns
+    -------
+    Turning | None
+        coefficients; None in wide ellipses
+    """
     return next((own for own in TURNING if load < own.load and ratio <= own.ratio), None)
 
 
 def rotation_effect(load: float, ratio: float, turning: float) -> tuple[float, float, float]:
-    """What a rotation t of the entrainment leaves of the minimum film, its error and that of the
-    central film [-].
+    """Evaluate the effect of a rotation of the entrainment on both films.
+
+    Parameters
+    ----------
+    load : float
+        A of the contact [-]
+    ratio : float
+        Rx/Ry [-]
+    turning : float
+        speed at the end of the ellipse by the rotation, over u_m [-]
+
+    Returns
+    -------
+    minimum
+        factor on the minimum film [-]
+    minimum_error
+        its error [-]
+    central_error
+        relative error of the central film [-]
     """
     own = rotation_law(load, ratio)
     if own is None:

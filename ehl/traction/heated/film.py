@@ -63,7 +63,18 @@ class HeatedLines:
     rheology: Rheology
 
     def wall_response(self, slide_x: Array) -> Array:
-        """1/(sqrt(pi u) e) of both bodies at n sliding speeds [m/s], shape (n, 2) [K m^1.5/W]."""
+        """Evaluate the response 1/(sqrt(pi u) e) of both bodies at sliding speeds.
+
+        Parameters
+        ----------
+        slide_x : Array
+            sliding speeds along the entrainment, shape (n,) [m/s]
+
+        Returns
+        -------
+        Array
+            response of body 1 and body 2, shape (n, 2) [K m^1.5/W]
+        """
         speeds = self.speed + 0.5 * slide_x, self.speed - 0.5 * slide_x
         bodies = zip(speeds, self.solids, strict=True)
         return np.stack([response_factor(u, solid, self.semi_axis) for u, solid in bodies], axis=1)
@@ -114,10 +125,20 @@ class HeatedLines:
         return np.concatenate([out, out[self.span.size - lines - 1 :: -1]]) if mirrored else out
 
     def ratio_weights(self, slide_x: Array) -> Array:
-        """Weights of the factors' slide-roll ratios at n sliding speeds [m/s], shape (n, R) [-].
+        """Evaluate the weights of the factors' slide-roll ratios at sliding speeds.
 
         Cubics in the difference of what the bodies conduct, in which the factor is smooth where
         one of them comes to a stop; from there on linear, and constant beyond the last ratio.
+
+        Parameters
+        ----------
+        slide_x : Array
+            sliding speeds along the entrainment, shape (n,) [m/s]
+
+        Returns
+        -------
+        Array
+            weights, shape (n, R) [-]
         """
         nodes = _ratio_nodes()
         positions = np.clip(slide_x / self.speed, nodes[0], nodes[-1])
@@ -146,10 +167,26 @@ class HeatedFilm:
 def heated_film(
     solution: GeneralizedSolution, solids: tuple[SolidThermal, SolidThermal], rheology: Rheology
 ) -> HeatedFilm:
-    """Quadrature of a film that was solved with heat and without sliding; ValueError where it has
-    no temperatures or no dimensions.
+    """Build the quadrature of a film that was solved with heat and without sliding.
 
-    solids: body 1 and body 2; rheology: of the shear.
+    Parameters
+    ----------
+    solution : GeneralizedSolution
+        solved contact with its temperatures
+    solids : tuple[SolidThermal, SolidThermal]
+        thermal properties of body 1 and body 2
+    rheology : Rheology
+        shear law of the oil
+
+    Returns
+    -------
+    HeatedFilm
+        film ready to shear
+
+    Raises
+    ------
+    ValueError
+        if the film has no temperatures or no dimensions
     """
     contact = solution.contact
     conditions = dimensional_conditions(contact)
@@ -218,11 +255,19 @@ def _lines(
 
 
 def line_history(places: Array) -> Array:
-    """Weights of the fluxes at places s along a line from 0 on in int q ds'/sqrt(s - s'), shape
-    (n, n) [m^0.5/m^0.5].
+    """Evaluate the weights of the fluxes along a line in int q ds'/sqrt(s - s').
 
-    Product integration, q linear between the places and from zero at 0 on; row j for the place j.
-    The places rise, from above zero.
+    Product integration, q linear between the nodes and from zero at s = 0 on; row j for node j.
+
+    Parameters
+    ----------
+    places : Array
+        positions s along the line, rising, above zero, shape (n,) [m]
+
+    Returns
+    -------
+    Array
+        weights, shape (n, n) [m^0.5]
     """
     nodes = np.concatenate([[0.0], places])
     weights = np.zeros((places.size, nodes.size))
@@ -239,9 +284,23 @@ def line_history(places: Array) -> Array:
 def heated_forces(
     film: HeatedFilm, slide: tuple[Array, Array, Array], rolling: Array, curvature: float
 ) -> Array:
-    """F_x, F_y [N] and M_n, M_y [N m] on body 1 by sliding, for each of n motions, shape (n, 4).
+    """Sum the forces and moments of sliding on body 1, with the heat of sliding, for many motions.
 
-    slide, rolling and curvature as in `film_quadrature.sliding_forces` [m/s], [rad/s], [1/m].
+    Parameters
+    ----------
+    film : HeatedFilm
+        film ready to shear
+    slide : tuple[Array, Array, Array]
+        slide_x and slide_y [m/s], and spin [rad/s], each of shape (n,)
+    rolling : Array
+        relative rolling speed, shape (n,) [rad/s]
+    curvature : float
+        1/(2R) of the loaded surface across the entrainment [1/m]
+
+    Returns
+    -------
+    Array
+        F_x, F_y [N], M_n and M_y [N m], shape (n, 4)
     """
     forces = sliding_forces(film.low_pressure, slide, rolling, curvature)
     lines = film.lines
@@ -259,8 +318,19 @@ def heated_forces(
 
 
 def slide_axis(speed: float) -> tuple[float, float]:
-    """Logarithm of the first sliding speed of factors at an entrainment speed [m/s], and their
-    number per unit [-].
+    """Give the axis of the sliding speeds of the factors.
+
+    Parameters
+    ----------
+    speed : float
+        entrainment speed [m/s]
+
+    Returns
+    -------
+    first
+        logarithm of the first sliding speed in [m/s]
+    density
+        nodes per unit of the logarithm [-]
     """
     first, last, count = SLIDES
     return float(np.log(first * speed)), float((count - 1.0) / np.log(last / first))

@@ -61,23 +61,37 @@ def normal_response(
     options: SolverOptions | None = None,
     frequencies: Sequence[float] = (),
 ) -> NormalResponse:
-    """Stiffness [N/m] and damping [N s/m] of a Newtonian, isothermal contact, slow and at
-    frequencies [Hz]; with a layer at the inlet as solved behind it.
+    """Evaluate stiffness and damping of a Newtonian, isothermal contact, slow and at frequencies.
 
     The contact is solved on 257 points along x (513 if those do not resolve the film), or those of
     the options, and on half as many; both values are extrapolated with order 2. The error bar
-    holds a part of that step, of the stiffness what the edge of the cavity leaves at least, and
-    what is not known of the squeeze beyond an open box: half of what it adds at most. Behind a
-    layer nothing is extrapolated and the bar is twice the step. There
-    the damping of slow movement may be negative: bodies that close in feed the meniscus, at the
-    cost of the film; faster than the meniscus follows it is positive. Where oil flows across the
-    lines of the grid, as with an entrainment that turns, a layer's response is not known.
+    includes a fraction of that step, of the stiffness the error at the edge of the cavity, and the
+    uncertainty of the squeeze beyond an open box: half of its contribution. Behind an inlet film,
+    where the contact is solved with it, nothing is extrapolated and the bar is twice the step.
+    There the damping of slow movement may be negative: bodies that approach feed the meniscus, at
+    the cost of the film; faster than the meniscus follows it is positive. Where oil flows across
+    the lines of the grid, as with an entrainment that turns, the response of an inlet film is
+    unknown.
+
+    Parameters
+    ----------
+    conditions : ContactConditions | MoesConditions
+        contact with dimensions
+    options : SolverOptions | None, optional
+        options of the solver; None: its defaults
+    frequencies : Sequence[float], default ()
+        frequencies of the oscillation [Hz]
+
+    Returns
+    -------
+    NormalResponse
+        stiffness [N/m] and damping [N s/m]
 
     Raises
     ------
     ValueError
-        If the conditions have no lengths, or a frequency is not above zero or beyond 10 u_m/(2 pi
-        a).
+        if the conditions have no lengths, or a frequency is not above zero or beyond 10 u_m/(2 pi
+        a)
     """
     if isinstance(conditions, MoesConditions):
         raise ValueError("conditions: stiffness and damping need lengths")
@@ -109,16 +123,30 @@ def normal_response(
 def wave_transmission(
     conditions: ContactConditions, options: SolverOptions, numbers: Sequence[float]
 ) -> NDArray[np.complex128]:
-    """Part of waves, along the rolling direction and as fast as the surfaces, by which they move
-    the bodies under constant load [-]; one along the contact's middle, a late answer turned back.
+    """Evaluate the fraction of waves by which they move the bodies under constant load.
 
-    numbers: 2 pi a over the wavelength, a the semi-axis along x [-]; the film at rest is solved on
-    the points of the options.
+    Waves run along the rolling direction as fast as the surfaces; the value is one along the
+    contact's middle, and a late answer has a phase. The film at rest is solved on the points of
+    the options.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        contact with dimensions
+    options : SolverOptions
+        options of the solver
+    numbers : Sequence[float]
+        2 pi a over the wavelengths, a the semi-axis along x [-]
+
+    Returns
+    -------
+    NDArray[np.complex128]
+        transmitted fractions, complex, shape (n,) [-]
 
     Raises
     ------
     LinearSolverError
-        If the contact or a linear system is not solved.
+        if the contact or a linear system is not solved
     """
     solution, state = solve_attempts(conditions, options)
     if not solution.converged:
@@ -133,14 +161,36 @@ def wave_transmission(
 
 
 def highest_frequency(conditions: ContactConditions) -> float:
-    """Up to which the response of a contact can be computed [Hz]: 10 u_m/(2 pi a)."""
+    """Give the highest frequency of a response, 10 u_m/(2 pi a).
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        contact with dimensions
+
+    Returns
+    -------
+    float
+        frequency [Hz]
+    """
     a = scale_contact(conditions).semi_axis_x
     assert a is not None
     return FASTEST * conditions.entrainment_speed / (2.0 * pi * a)
 
 
 def dry_stiffness(conditions: ContactConditions) -> float:
-    """Of Hertz' contact, 3/2 of the load over the approach [N/m]."""
+    """Evaluate the stiffness of Hertz' contact, 3/2 of the load over the approach.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        contact with dimensions
+
+    Returns
+    -------
+    float
+        stiffness [N/m]
+    """
     c = conditions
     dry = hertz_contact(c.load, c.radius_x, c.radius_y, c.reduced_modulus)
     return 1.5 * c.load / dry.approach

@@ -20,8 +20,20 @@ LAYER = "flooded_layer_um: a thicker layer is what the atlas has moments of"
 
 
 def atlas_sampler(solve: FilmSampler) -> FilmSampler:
-    """A sampler of films by the atlas; by `solve` those of tables that it does not cover whole, so
-    that no film of a table steps beside its neighbour.
+    """Make a sampler of films by the atlas.
+
+    Tables that the atlas does not cover whole are sampled by `solve`, so that neighbouring films
+    have the same origin.
+
+    Parameters
+    ----------
+    solve : FilmSampler
+        sampler that solves films
+
+    Returns
+    -------
+    FilmSampler
+        sampler of films
     """
     asked: list[tuple[TableContact, TableRange, str]] = []  # the last, and why it is solved
 
@@ -51,7 +63,27 @@ def atlas_sampler(solve: FilmSampler) -> FilmSampler:
 def atlas_sample(
     contact: TableContact, limits: TableRange, place: tuple[float, float]
 ) -> FilmSample:
-    """The film at a place (ln load, ln speed); `NotInAtlasError` where the atlas has none."""
+    """Evaluate the film at a load and a speed from the atlas.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    limits : TableRange
+        range of the table
+    place : tuple[float, float]
+        ln(load) and ln(speed), in [N] and [m/s]
+
+    Returns
+    -------
+    FilmSample
+        film with its scales, moment and response
+
+    Raises
+    ------
+    NotInAtlasError
+        if the atlas does not cover it
+    """
     load, speed = (exp(value) for value in place)
     _require_law(contact)
     conditions = contact.conditions(load, speed)

@@ -83,9 +83,40 @@ def build_table(
     options: TableOptions | None = None,
     progress: Progress | None = None,
 ) -> TractionTable:
-    """Solve films and evaluate their shear until the table reaches its tolerance, its `error` in
-    the check; ValueError where a film cannot be used, naming load and speed. progress: called with
-    films done, films wanted so far, and the kind of step.
+    """Build a traction table: solve films and evaluate their shear until the check is within the
+    tolerance.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    limits : TableRange
+        range of loads, speeds and motions
+    options : TableOptions | None, optional
+        nodes, tolerance and rounds; None: the defaults
+    progress : Progress | None, optional
+        called with films done, films wanted so far, and the kind of step
+
+    Returns
+    -------
+    TractionTable
+        table with its error in the check
+
+    Raises
+    ------
+    ValueError
+        if a film cannot be used; the message names load and speed
+
+    Notes
+    -----
+    Building takes minutes: it solves some hundred contacts.
+
+    Examples
+    --------
+    >>> from ehl.traction import TableContact, TableOptions, TableRange
+    >>> contact = TableContact(...)  # doctest: +SKIP
+    >>> limits = TableRange(load=(20.0, 200.0), speed=(2.0, 8.0))
+    >>> table = build_table(contact, limits, TableOptions())  # doctest: +SKIP
     """
     study = _study(contact, limits, options or TableOptions(), progress)
     for _ in range(study.options.rounds):
@@ -101,7 +132,22 @@ def build_table(
 
 
 def check_table(table: TractionTable, contact: TableContact, options: TableOptions) -> TableError:
-    """Error of a table at films and motions not in it, by contact; forces [N], moments [N m]."""
+    """Measure the error of a table at films and motions between its nodes.
+
+    Parameters
+    ----------
+    table : TractionTable
+        table to check
+    contact : TableContact
+        contact whose films are solved for the check
+    options : TableOptions
+        films, motions and tolerance of the check
+
+    Returns
+    -------
+    TableError
+        errors of forces [-] and moments [-]
+    """
     return _error(_study(contact, table.range, options, None), table)
 
 

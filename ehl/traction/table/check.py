@@ -29,8 +29,23 @@ SMALLEST_ACROSS = 1e-4
 def check_points(
     limits: TableRange, films: int, responses: int, seed: int
 ) -> list[tuple[Place, bool]]:
-    """Random places of so many films, and whether stiffness and damping are solved there, too: at
-    the first ones.
+    """Draw films at random for the check of a table.
+
+    Parameters
+    ----------
+    limits : TableRange
+        range of the table
+    films : int
+        number of films [-]
+    responses : int
+        number of films, the first ones, with stiffness and damping [-]
+    seed : int
+        seed of the draw
+
+    Returns
+    -------
+    list[tuple[Place, bool]]
+        ln(load) and ln(speed) of each film, and whether its response is solved
     """
     ends = np.array([[log(end) for end in ends] for ends in (limits.load, limits.speed)])
     positions = latin_hypercube(ends, films, np.random.default_rng(seed)).T
@@ -38,10 +53,21 @@ def check_points(
 
 
 def adaptive_check_points(table: TractionTable) -> list[Place]:
-    """Places between nodes of load and speed where fourth differences over the load, to which the
-    error of a cubic spline goes, are largest: of the force and of the spin moment, at the slow and
-    at the fast half of the speeds, between the last two nodes there; one where several are the
-    same.
+    """Choose positions between the nodes where the error of the splines is likely largest.
+
+    Fourth differences over the load, to which the error of a cubic spline goes, are largest there:
+    of the force and of the spin moment, at the slow and at the fast half of the speeds, between
+    the last two nodes there; equal positions count once.
+
+    Parameters
+    ----------
+    table : TractionTable
+        table to check
+
+    Returns
+    -------
+    list[Place]
+        ln(load) and ln(speed) of each position
     """
     loads, speeds = table.axes[:2]
     # 1. of the splines' coefficients, by the largest over the motions
@@ -73,8 +99,28 @@ def table_error(
     motions: int,
     seed: int,
 ) -> TableError:
-    """Error at films of a contact, each at so many motions drawn evenly in the table's
-    coordinates, as many `spin_free_motions`, and as many `standstill_motions`.
+    """Measure the error of a table at films of a contact.
+
+    Each film is sheared at motions drawn evenly in the table's coordinates, as many
+    `spin_free_motions`, and as many `standstill_motions`.
+
+    Parameters
+    ----------
+    table : TractionTable
+        table to check
+    contact : TableContact
+        contact of the films
+    films : Sequence[FilmSample]
+        films of the check
+    motions : int
+        motions of each kind at each film [-]
+    seed : int
+        seed of the draw
+
+    Returns
+    -------
+    TableError
+        errors of the table
     """
     rng, others, slow = (np.random.default_rng(seed + k) for k in (1, 2, 3))
     errors = []
@@ -108,10 +154,28 @@ def table_error(
 def spin_free_motions(
     contact: TableContact, limits: TableRange, load: float, rng: np.random.Generator, count: int
 ) -> list[Array]:
-    """Motions over u, u and u/R_x of rolling without spin and with little, where traction turns
-    most sharply: slides even in their logarithm, along from the vertex on, across, or both, each
-    sign; every third with a spin, every twelfth a spin alone, the first of these the largest, flat
-    [-].
+    """Draw motions of rolling without spin and with little, where traction changes most sharply.
+
+    Slides are even in their logarithm, along from the vertex on, across, or both, of each sign;
+    every third has a spin, every twelfth a spin alone, the first of these the largest.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    limits : TableRange
+        range of the table
+    load : float
+        load of the film [N]
+    rng : np.random.Generator
+        generator of random numbers
+    count : int
+        number of motions [-]
+
+    Returns
+    -------
+    list[Array]
+        slide_x/u, slide_y/u and spin R_x/u, each of shape (count,) [-]
     """
     ends = np.log([[SMALLEST_SLIDE] * 2 + [SMALLEST_SPIN], limits.motions])
     drawn = np.exp(ends[0] + (ends[1] - ends[0]) * rng.random((count, 3)))
@@ -128,9 +192,24 @@ def spin_free_motions(
 
 
 def standstill_motions(limits: TableRange, rng: np.random.Generator, count: int) -> list[Array]:
-    """Motions over u, u and u/R_x at which one body nearly stands still, where the traction turns
-    with the heat that it takes up, narrower the faster the contact: slow speeds even in their
-    logarithm, every eighth none; two of three with a slide across, every second with spin [-].
+    """Draw motions at which one body nearly stands still, where heat bends the traction.
+
+    The bend is the narrower the faster the contact: slow speeds are even in their logarithm, every
+    eighth is zero; two of three have a slide across, every second has spin.
+
+    Parameters
+    ----------
+    limits : TableRange
+        range of the table
+    rng : np.random.Generator
+        generator of random numbers
+    count : int
+        number of motions [-]
+
+    Returns
+    -------
+    list[Array]
+        slide_x/u, slide_y/u and spin R_x/u, each of shape (count,) [-]
     """
     order = np.arange(count)
     gap = np.exp(rng.uniform(log(SLOW[0]), log(SLOW[1]), count))
@@ -182,8 +261,19 @@ def _response_errors(table: TractionTable, films: Sequence[FilmSample]) -> Array
 
 
 def response_message(checks: Sequence[FilmSample], error: TableError) -> str:
-    """By how much stiffness and damping are off between the films, beside their own error bars;
-    nothing where that is little.
+    """Report the error of stiffness and damping between the films, with their own error bars.
+
+    Parameters
+    ----------
+    checks : Sequence[FilmSample]
+        films of the check
+    error : TableError
+        errors of the table
+
+    Returns
+    -------
+    str
+        message; empty where the error is small
     """
     stiffness, damping = error.largest_stiffness, error.largest_damping
     if not max(stiffness, damping) > RESPONSE_TOLERANCE:

@@ -42,8 +42,23 @@ class TableFilm:
         *,
         vectorised: bool = False,
     ) -> Array:
-        """F_x, F_y [N] and M_n, M_y [N m] on body 1 by sliding, as `sliding_forces`; many: as
-        `many_motions`.
+        """Sum the forces and moments of sliding on body 1 for many motions.
+
+        Parameters
+        ----------
+        slide : tuple[Array, Array, Array]
+            slide_x and slide_y [m/s], and spin [rad/s], each of shape (n,)
+        rolling : Array
+            relative rolling speed, shape (n,) [rad/s]
+        curvature : float
+            1/(2R) of the loaded surface across the entrainment [1/m]
+        vectorised : bool, default False
+            whether node clusters are used, faster for thousands of motions
+
+        Returns
+        -------
+        Array
+            F_x, F_y [N], M_n and M_y [N m], shape (n, 4)
         """
         if isinstance(self.quadrature, HeatedFilm):
             heated = vectorised_heated_forces if vectorised else heated_forces
@@ -62,8 +77,28 @@ class SolvedFilm(TableFilm):
 def table_film(
     contact: TableContact, load: float, speed: float, options: SolverOptions
 ) -> SolvedFilm:
-    """Solve the film of a table's contact at a load [N] and entrainment speed [m/s]; ValueError
-    where it cannot be used.
+    """Solve the film of a table's contact at a load and an entrainment speed.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    load : float
+        load [N]
+    speed : float
+        entrainment speed [m/s]
+    options : SolverOptions
+        options of the solver
+
+    Returns
+    -------
+    SolvedFilm
+        film ready to shear
+
+    Raises
+    ------
+    ValueError
+        if the film cannot be used
     """
     conditions = contact.conditions(load, speed)
     rheology = contact.rheology
@@ -123,8 +158,30 @@ def film_sample(
     points: int,
     response: bool = True,
 ) -> FilmSample:
-    """Solve the film at a place (ln load, ln speed), of so many points along x; stiffness and
-    damping on request.
+    """Solve the film at a node of a table, and what splines over load and speed need of it.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    limits : TableRange
+        range of the table
+    place : tuple[float, float]
+        ln(load) and ln(speed), in [N] and [m/s]
+    points : int
+        nodes of the film along x [-]
+    response : bool, default True
+        whether stiffness and damping are solved
+
+    Returns
+    -------
+    FilmSample
+        film with its scales, moment and response
+
+    Raises
+    ------
+    ValueError
+        if the film cannot be used
     """
     load = exp(place[0])
     speed = exp(place[1])
@@ -151,8 +208,27 @@ def _response(contact: TableContact, place: tuple[float, float], points: int) ->
 def motion_scales(
     contact: TableContact, limits: TableRange, film: TableFilm, speed: float
 ) -> tuple[float, float, float]:
-    """Motions over u or u/R_x at a share of where traction or spin moment is half, at an
-    entrainment speed [m/s], each [-].
+    """Find the motions at a fraction of those where traction or spin moment is half.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    limits : TableRange
+        range of the table
+    film : TableFilm
+        film ready to shear
+    speed : float
+        entrainment speed [m/s]
+
+    Returns
+    -------
+    slide_x
+        scale of slide_x/u [-]
+    slide_y
+        scale of slide_y/u [-]
+    spin
+        scale of the spin R_x/u [-]
     """
     none = np.zeros(SCALE_SAMPLES.size)
     scales = []
@@ -176,8 +252,25 @@ def relative_forces(
     *,
     vectorised: bool = False,
 ) -> Array:
-    """F_x, F_y, M_n, M_y by sliding, shape (n, 4) [N], [N m]; slides over u, spin over u/R_x; many
-    as `TableFilm.forces`.
+    """Sum the forces and moments of sliding on body 1, by motions over the entrainment speed.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    film : TableFilm
+        film ready to shear
+    speed : float
+        entrainment speed u [m/s]
+    motions : list[Array]
+        slide_x/u, slide_y/u and spin R_x/u, each of shape (n,) [-]
+    vectorised : bool, default False
+        whether node clusters are used, faster for thousands of motions
+
+    Returns
+    -------
+    Array
+        F_x, F_y [N], M_n and M_y [N m], shape (n, 4)
     """
     slide_x = motions[0] * speed
     slide = (slide_x, motions[1] * speed, motions[2] * speed / contact.radius_x)

@@ -33,11 +33,32 @@ def full_solves(
     options: SolverOptions | None = None,
     progress: Progress | None = None,
 ) -> tuple[FullSolve, ...]:
-    """Traction of a table's films and of full solves at random places of its range.
+    """Compare the traction of a table's films with full solves at random points of its range.
 
-    The places are a Latin hypercube in the logarithms of load, speed and slide-roll ratio.
-    options: of both solves; progress: called with the solve begun, solves in all, and the kind of
-    step. ValueError names missing properties that heat needs.
+    The points are a Latin hypercube in the logarithms of load, speed and slide-roll ratio.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    limits : TableRange
+        range of the table
+    count : int
+        number of points [-]
+    options : SolverOptions | None, optional
+        options of both solves; None: 129 points
+    progress : Progress | None, optional
+        called with the solve begun, solves in all, and the kind of step
+
+    Returns
+    -------
+    tuple[FullSolve, ...]
+        traction and film of both, a point each
+
+    Raises
+    ------
+    ValueError
+        if properties are missing that heat needs
     """
     options = options or SolverOptions(points=POINTS)
     ratios = (SLIDE_RATIOS[0], min(SLIDE_RATIOS[1], limits.slide_x))

@@ -95,10 +95,24 @@ def node_clusters(
     half_width: float,
     changed: int,
 ) -> NodeClusters:
-    """Patches of strips, nodes as `FilmQuadrature.nodes` of shape (8, K, N), each strip's from one
-    edge to the other, pulls (K, N, slides), and of nodes of low pressure, (8, n) and (n, slides).
+    """Cluster the nodes of a film, whose sliding is evaluated at few points.
 
-    half_width: transverse semi-axis [m]; changed: index of the largest change of sliding.
+    Parameters
+    ----------
+    strips : tuple[Array, Float32Array]
+        nodes as `FilmQuadrature.nodes`, shape (8, K, N), each strip from one edge to the other,
+        and their shear per sliding, shape (K, N, slides) [N s/m]
+    low : tuple[Array, Float32Array]
+        nodes of low pressure, shape (8, n), and their shear per sliding, shape (n, slides) [N s/m]
+    half_width : float
+        transverse semi-axis of the ellipse [m]
+    changed : int
+        index of the largest change of sliding [-]
+
+    Returns
+    -------
+    NodeClusters
+        clusters and strips for the kernel
     """
     rows = _Rows()
     count = strips[0].shape[1]

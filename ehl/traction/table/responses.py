@@ -44,9 +44,24 @@ Mask = NDArray[np.bool_]
 def response_nodes(
     contact: TableContact, places: Sequence[Place], known: Sequence[bool]
 ) -> list[bool]:
-    """At which nodes of a table to have the response: known ones, those of films that turn and of
-    extreme loads and speeds, then always the node that is farthest from these, until none is far
-    from all; at all of few.
+    """Choose the nodes of a table whose response is solved.
+
+    Those that have one, those of films that turn and of extreme loads and speeds, then always the
+    node that is farthest from these, until none is far from all; all of few.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    places : Sequence[Place]
+        ln(load) and ln(speed) of the nodes
+    known : Sequence[bool]
+        whether a node has its response
+
+    Returns
+    -------
+    list[bool]
+        whether a node's response is wanted
     """
     if len(places) <= ALL_OF:
         return [True] * len(places)
@@ -63,9 +78,29 @@ def response_nodes(
 def log_responses(
     contact: TableContact, films: Sequence[Sequence[FilmSample]]
 ) -> tuple[Array, int]:
-    """Logarithms of stiffness [N/m] and damping [N s/m] of films over load and speed, shape (nQ,
-    nU, 2); those of neighbouring loads where the response did not converge, or nodes between have
-    none near them that did, and at how many. ValueError where it did at none.
+    """Interpolate the logarithms of stiffness and damping to all nodes of load and speed.
+
+    Where a response did not converge, or nodes between have no converged one near them, those of
+    neighbouring loads count.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    films : Sequence[Sequence[FilmSample]]
+        films over load and speed
+
+    Returns
+    -------
+    logarithms
+        of stiffness [N/m] and damping [N s/m], shape (nQ, nU, 2)
+    gaps
+        number of nodes with the response of neighbouring loads [-]
+
+    Raises
+    ------
+    ValueError
+        if no response converged at one of the speeds
     """
     rows = [film for row in films for film in row]
     positions = [film.place for film in rows]

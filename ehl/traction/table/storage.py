@@ -61,13 +61,36 @@ NAMES = {kind: name for name, kind in TYPES.items()}
 
 
 def inputs_digest(contact: TableContact, limits: TableRange, points: int) -> str:
-    """SHA-256 of what a table is built from, as 64 hexadecimal digits."""
+    """Hash the inputs that a table is built from by SHA-256.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    limits : TableRange
+        range of the table
+    points : int
+        nodes of the films along x [-]
+
+    Returns
+    -------
+    str
+        64 hexadecimal digits
+    """
     text = json.dumps([_plain(contact), _plain(limits), points], sort_keys=True)
     return sha256(text.encode()).hexdigest()
 
 
 def save_table(table: TractionTable, path: Path) -> None:
-    """Write a table; the file appears under its name only when it is complete."""
+    """Write a table; the file appears under its name only when it is complete.
+
+    Parameters
+    ----------
+    table : TractionTable
+        table to write
+    path : Path
+        file to write
+    """
     partial = path.with_name(path.name + ".partial")
     with partial.open("wb") as file:
         write_table(table, file)
@@ -75,7 +98,15 @@ def save_table(table: TractionTable, path: Path) -> None:
 
 
 def write_table(table: TractionTable, file: IO[bytes]) -> None:
-    """Write a table to an open file."""
+    """Write a table to an open file.
+
+    Parameters
+    ----------
+    table : TractionTable
+        table to write
+    file : IO[bytes]
+        file, open for bytes
+    """
     arrays: dict[str, Any] = {name: getattr(table, name) for name in ARRAYS}
     arrays["values"] = compressed(table.values)
     document = {
@@ -91,15 +122,51 @@ def write_table(table: TractionTable, file: IO[bytes]) -> None:
 
 
 def load_table(path: Path, expected: str | None = None) -> TractionTable:
-    """Read a table, built for the inputs of a digest where one is given; ValueError where the file
-    is no table, of another format, damaged, or built for other inputs.
+    """Read a table.
+
+    Parameters
+    ----------
+    path : Path
+        file to read
+    expected : str | None, optional
+        digest of the inputs that it must be built from; None: any
+
+    Returns
+    -------
+    TractionTable
+        the table
+
+    Raises
+    ------
+    ValueError
+        if the file is no table, of another format, damaged, or built for other inputs
     """
     with path.open("rb") as stream:
         return read_table(stream, str(path), expected)
 
 
 def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> TractionTable:
-    """Read a table from an open file that messages call `path`; otherwise as `load_table`."""
+    """Read a table from an open file.
+
+    Parameters
+    ----------
+    stream : IO[bytes]
+        file, open for bytes
+    path : str
+        name of the file in messages
+    expected : str | None, optional
+        digest of the inputs that it must be built from; None: any
+
+    Returns
+    -------
+    TractionTable
+        the table
+
+    Raises
+    ------
+    ValueError
+        if the file is no table, of another format, damaged, or built for other inputs
+    """
     try:
         with np.load(stream, allow_pickle=False) as file:
             document = json.loads(str(file["document"]))

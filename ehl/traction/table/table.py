@@ -53,7 +53,20 @@ class TableContact:
     ball_radius: float | None = None  # of body 1 [m]; None: body 2 counts as a plane
 
     def conditions(self, load: float, speed: float) -> ContactConditions:
-        """Of the film at a load [N] and entrainment speed [m/s], without sliding."""
+        """Give the conditions of a film without sliding.
+
+        Parameters
+        ----------
+        load : float
+            load [N]
+        speed : float
+            entrainment speed [m/s]
+
+        Returns
+        -------
+        ContactConditions
+            conditions of the contact
+        """
         shared = ("radius_x", "radius_y", "reduced_modulus", "lubricant", "ball_radius")
         bodies = {name: getattr(self, name) for name in shared}
         return ContactConditions(load=load, entrainment_speed=speed, **bodies)
@@ -91,8 +104,21 @@ class TableRange:
 
 
 def latin_hypercube(ends: Array, count: int, rng: np.random.Generator) -> Array:
-    """Random places between ends of shape (d, 2), one in each of `count` layers along every axis,
-    shape (d, count) [same unit].
+    """Draw points between ends, one in each of `count` layers along every axis.
+
+    Parameters
+    ----------
+    ends : Array
+        lowest and highest value of each axis, shape (d, 2) [any unit]
+    count : int
+        number of points [-]
+    rng : np.random.Generator
+        generator of random numbers
+
+    Returns
+    -------
+    Array
+        points, shape (d, count) [same unit]
     """
     layers = np.stack([rng.permutation(count) for _ in ends])
     fractions = (layers + rng.random(layers.shape)) / count
@@ -207,7 +233,18 @@ class TractionTable:
         return TractionForces._make((*map(float, out), outside))
 
     def with_rolling(self, factor: float) -> "TractionTable":
-        """The table with a share of its hydrodynamic moment [-]: a shift of its logarithm."""
+        """Scale the hydrodynamic moment of the table: a shift of its logarithm.
+
+        Parameters
+        ----------
+        factor : float
+            factor on the moment [-]
+
+        Returns
+        -------
+        TractionTable
+            table with that moment
+        """
         if factor == 1.0:
             return self
         scalars = self.scalars.copy()
@@ -217,8 +254,22 @@ class TractionTable:
         return shifted
 
     def units(self, load: float, speed: float) -> Array:
-        """Units of force [N] and moments about n, y [N m] by sliding at load [N], speed [m/s]: the
-        largest, smoothed over both, off by up to 17, 30 and 17 % where a film turns.
+        """Evaluate the units of the forces and moments of sliding.
+
+        They are the largest ones, smoothed over load and speed, off by up to 17, 30 and 17 % where
+        a film turns.
+
+        Parameters
+        ----------
+        load : float
+            load [N]
+        speed : float
+            entrainment speed [m/s]
+
+        Returns
+        -------
+        Array
+            units of force [N] and of the moments about n and y [N m], shape (3,)
         """
         scalars = self.scalars
         for axis, place in zip(self.axes, (load_place(load), log(speed)), strict=False):
@@ -228,5 +279,16 @@ class TractionTable:
 
 
 def load_place(load: float) -> float:
-    """Coordinate of a load [N] on its axis [N^(-1/5)]."""
+    """Evaluate the coordinate of a load on its axis.
+
+    Parameters
+    ----------
+    load : float
+        load [N]
+
+    Returns
+    -------
+    float
+        coordinate [N^(-1/5)]
+    """
     return float(-(load**LOAD_POWER))

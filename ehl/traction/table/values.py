@@ -34,8 +34,27 @@ def grid_values(
     nodes: Sequence[Array],
     workers: int,
 ) -> tuple[Float32Array, Array]:
-    """Values of films over load and speed at the nodes of slide_x, slide_y and spin, shape (nQ,
-    nU, nX, nY, nS, 4), over the largest force and moments of each, shape (nQ, nU, 3) [N], [N m].
+    """Shear films over load and speed at the nodes of slide_x, slide_y and spin.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    limits : TableRange
+        range of the table
+    films : Sequence[Sequence[FilmSample]]
+        films over load and speed
+    nodes : Sequence[Array]
+        coordinates of slide_x, slide_y and spin, each of shape (n,) [-]
+    workers : int
+        number of threads [-]
+
+    Returns
+    -------
+    values
+        forces and moments over the largest of each film, shape (nQ, nU, nX, nY, nS, 4) [-]
+    largest
+        largest force [N] and moments about n and y [N m], shape (nQ, nU, 3)
     """
     count = len(films)
     full = _full_rows([row[0].place[0] for row in films])
@@ -135,8 +154,23 @@ def _values(
 def table_motions(
     contact: TableContact, limits: TableRange, film: FilmSample, places: Sequence[Array] | Array
 ) -> list[Array]:
-    """Motions over u, u and u/R_x at places on a table's axes, arrays of shapes that fit each
-    other, flat [-].
+    """Convert coordinates on a table's axes to motions.
+
+    Parameters
+    ----------
+    contact : TableContact
+        contact of the table
+    limits : TableRange
+        range of the table
+    film : FilmSample
+        film with its scales
+    places : Sequence[Array] | Array
+        coordinates of slide_x, slide_y and spin, arrays of shapes that fit [-]
+
+    Returns
+    -------
+    list[Array]
+        slide_x/u, slide_y/u and spin R_x/u, flat, each of shape (n,) [-]
     """
     x, y, n = places
     bounds = limits.motions

@@ -263,7 +263,7 @@ def test_rolling_moment_of_the_solved_pressure():
     films = [solve_contact(replace(SPHERE, inlet_layer=inlet_film(h)), options) for h in (1e-3, 5e-8)]
     full, thin = (rolling_moment(film) for film in films)
     assert thin.value < 0.3 * full.value
-    assert thin.inlet_film_thickness == 5e-8
+    assert thin.layer == 5e-8
     flooded_film = solve_contact(SPHERE, options)
     assert full.value == pytest.approx(rolling_moment(flooded_film, 1e-3).value, rel=0.02)
     assert full.extent == pytest.approx(rolling_moment(flooded_film, 1e-3).extent, rel=1e-3)

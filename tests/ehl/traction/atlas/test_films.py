@@ -307,4 +307,4 @@ def test_a_layer_that_is_none_is_refused(layer):
     oil = ehl.Lubricant(viscosity=0.05, pressure_viscosity=22e-9)
     groups = ehl.MoesConditions(load_parameter=200.0, lubricant_parameter=10.0, lubricant=oil)
     with pytest.raises(ValueError, match="layer"):
-        ehl.atlas_films(groups, layer=layer)
+        ehl.atlas_films(groups, inlet_film_thickness=layer)
