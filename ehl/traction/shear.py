@@ -202,6 +202,27 @@ def integrate_traction(
     ------
     ValueError
         if the conditions have no dimensions
+
+    Examples
+    --------
+    >>> from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
+    >>> oil = Lubricant(viscosity=0.04, pressure_viscosity=18e-9)
+    >>> contact = ContactConditions(
+    ...     load=60.0,
+    ...     radius_x=0.01,
+    ...     radius_y=0.01,
+    ...     reduced_modulus=226e9,
+    ...     entrainment_speed=1.5,
+    ...     lubricant=oil,
+    ... )
+    >>> solution = solve_contact(contact, SolverOptions(points=65))
+    >>> from ehl.kinematics import ContactKinematics
+    >>> from ehl.oil.rheology import Rheology, ShearLaw
+    >>> motion = ContactKinematics(entrainment_speed=1.5, sliding_x=0.05, rolling=150.0)
+    >>> rheology = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5e6)
+    >>> traction = integrate_traction(solution, motion, rheology)
+    >>> f"{traction.force_x:.2f} N, {traction.power_loss:.3f} W"
+    '-1.31 N, 0.135 W'
     """
     solution = with_outlet(solution) if cavitation is Cavitation.STRIATED else solution
     k = kinematics

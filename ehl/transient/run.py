@@ -266,6 +266,58 @@ class TransientRun:
         )
 
 
+def solve_transient(
+    conditions: TransientConditions, options: TransientOptions | None = None
+) -> TransientSolution:
+    """Solve a contact over time, from the steady film of t = 0 to its end time.
+
+    Parameters
+    ----------
+    conditions : TransientConditions
+        contact over time
+    options : TransientOptions | None, optional
+        options of the run; None: the defaults
+
+    Returns
+    -------
+    TransientSolution
+        film and pressure over time; `converged` and `message` tell whether all steps were solved
+
+    Raises
+    ------
+    NoStart
+        if the steady film does not converge
+    ValueError
+        if the conditions do not fit each other, or the run takes too many steps
+
+    Examples
+    --------
+    >>> from ehl import ContactConditions, Lubricant
+    >>> oil = Lubricant(viscosity=0.04, pressure_viscosity=18e-9)
+    >>> contact = ContactConditions(
+    ...     load=60.0,
+    ...     radius_x=0.01,
+    ...     radius_y=0.01,
+    ...     reduced_modulus=226e9,
+    ...     entrainment_speed=1.5,
+    ...     lubricant=oil,
+    ... )
+    >>> from ehl.transient.inputs import Course, TransientConditions, TransientOptions
+    >>> falling = Course(times=(0.0, 2e-4), values=(60.0, 30.0))
+    >>> conditions = TransientConditions(contact=contact, end_time=3e-4, load=falling)
+    >>> options = TransientOptions(points=33, domain=(-2.5, 1.5, 2.0), frames=2)
+    >>> solution = solve_transient(conditions, options)
+    >>> solution.converged
+    True
+    >>> [f"{film * 1e9:.0f} nm" for film in solution.series("film_central")[[0, -1]]]
+    ['190 nm', '211 nm']
+    """
+    run = transient_run(conditions, options or TransientOptions())
+    for _ in run.complete():
+        pass
+    return run.solution()
+
+
 def transient_run(conditions: TransientConditions, options: TransientOptions) -> TransientRun:
     """Start a run: the steady film of t = 0 is solved.
 

@@ -105,10 +105,18 @@ def atlas_films(
 
     Examples
     --------
-    >>> from ehl.conditions import MoesConditions
-    >>> films = atlas_films(MoesConditions(load=100.0, lubricant=10.0, radius_ratio=1.0))
-    >>> films.minimum.value < films.central.value
-    True
+    >>> from ehl import ContactConditions, Lubricant
+    >>> contact = ContactConditions(
+    ...     load=60.0,
+    ...     radius_x=0.01,
+    ...     radius_y=0.02,
+    ...     reduced_modulus=226e9,
+    ...     entrainment_speed=1.5,
+    ...     lubricant=Lubricant(viscosity=0.04, pressure_viscosity=18e-9),
+    ... )
+    >>> films = atlas_films(contact)
+    >>> f"{films.central.value * 1e9:.0f} nm, {films.minimum.value * 1e9:.0f} nm"
+    '318 nm, 215 nm'
     """
     (result,) = atlas_films_of([conditions], inlet_film_thickness)
     if isinstance(result, NotInAtlasError):

@@ -113,10 +113,35 @@ def build_table(
 
     Examples
     --------
-    >>> from ehl.traction import TableContact, TableOptions, TableRange
-    >>> contact = TableContact(...)  # doctest: +SKIP
-    >>> limits = TableRange(load=(20.0, 200.0), speed=(2.0, 8.0))
-    >>> table = build_table(contact, limits, TableOptions())  # doctest: +SKIP
+    A coarse table of films from the atlas, for a look at its use; leave out the options.
+
+    >>> from ehl import Lubricant
+    >>> from ehl.oil.rheology import Rheology, ShearLaw
+    >>> from ehl.traction.table.atlas_film import atlas_sampler
+    >>> from ehl.traction.table.film import film_sample
+    >>> contact = TableContact(
+    ...     radius_x=0.01,
+    ...     radius_y=0.02,
+    ...     reduced_modulus=226e9,
+    ...     lubricant=Lubricant(viscosity=0.04, pressure_viscosity=18e-9),
+    ...     rheology=Rheology(
+    ...         law=ShearLaw.REE_EYRING, eyring_stress=5e6, limiting_coefficient=0.05
+    ...     ),
+    ...     temperature=313.15,
+    ... )
+    >>> limits = TableRange(load=(40.0, 80.0), speed=(1.0, 2.0), slide_x=0.5)
+    >>> options = TableOptions(
+    ...     sample=atlas_sampler(film_sample),
+    ...     nodes=(4, 4, 9, 5, 5),
+    ...     rounds=1,
+    ...     check_films=1,
+    ...     check_doubtful=False,
+    ...     check_motions=10,
+    ...     check_responses=1,
+    ... )
+    >>> table = build_table(contact, limits, options)
+    >>> f"{table.forces(60.0, 1.5, 0.05, 0.0, 0.0).force_x:.1f} N"
+    '-0.9 N'
     """
     study = _study(contact, limits, options or TableOptions(), progress)
     for _ in range(study.options.rounds):
