@@ -31,7 +31,7 @@ from .cage import (
     taken_pocket_power,
     with_land,
 )
-from .law import TINY, ContactLaw
+from .law import TINY, ContactFriction
 from .newton import BALANCE_TOLERANCE, MotionProblem, contacts_of, pocket_power
 from .resistance import NO_RESISTANCE, Resistance, ResistedPower
 
@@ -91,7 +91,7 @@ def curvature_slip(
 def balance_driven_balls(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    law: ContactLaw,
+    law: ContactFriction,
     resistance: Resistance = NO_RESISTANCE,
 ) -> BalancedFriction:
     """As `balance_balls`, with balls that would skid driven by the cage, SI.
@@ -132,7 +132,7 @@ def sliding_ratio(balance: BalancedFriction, contacts: Sequence[BearingContact])
 def balance_balls(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    law: ContactLaw,
+    law: ContactFriction,
     *,
     gyroscopic: bool = True,
     driven: NDArray[np.bool_] | None = None,
@@ -165,7 +165,7 @@ def balance_balls(
 def _problem(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    law: ContactLaw,
+    law: ContactFriction,
     driven: NDArray[np.bool_],
     kinematics: MotionMap,
 ) -> MotionProblem:

@@ -22,7 +22,7 @@ from .balance import (
 )
 from .coulomb import contact_ellipses, ellipse_sums
 from .film_nodes import FilmNodes, film_nodes
-from .law import REFERENCE_TRACTION, ContactLaw, Dissipation
+from .law import REFERENCE_TRACTION, ContactFriction, Dissipation
 from .resistance import NO_RESISTANCE, Resistance
 from .running_films import RunningFilms
 
@@ -51,7 +51,7 @@ def film_balance(
 def film_law_balance(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    law: ContactLaw,
+    law: ContactFriction,
     resistance: Resistance = NO_RESISTANCE,
     near: BalancedFriction | None = None,
 ) -> BalancedFriction:
@@ -63,7 +63,7 @@ def film_law_balance(
 def _begun(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    law: ContactLaw,
+    law: ContactFriction,
     resistance: Resistance,
     near: BalancedFriction,
 ) -> BalancedFriction | None:
@@ -154,7 +154,7 @@ def film_law(
     rheology: Rheology,
     *,
     scale: Array | None = None,
-) -> ContactLaw:
+) -> ContactFriction:
     """Friction of all contacts by the shear of their films; arguments as in `film_balance`.
 
     `scale` (contacts,): load of each contact over that of its film, by which the film's friction
@@ -168,7 +168,7 @@ def law_of_films(
     films: RunningFilms,
     sheared: ShearedFilms,
     scale: Array | None = None,
-) -> ContactLaw:
+) -> ContactFriction:
     """Films as the law of their contacts; `scale` [-] as in `film_law`."""
     if scale is not None:
         sheared = replace(
@@ -178,7 +178,7 @@ def law_of_films(
     load = np.array([0.0 if film is None else contact.load for contact, film in pairs])
     kinds = [sheared.nodes.own[:, None], sheared.oil[:, None], sheared.pumping]
     kinds.append(sheared.rubbing)
-    return ContactLaw(
+    return ContactFriction(
         evaluate=sheared.evaluate,
         reference_force=REFERENCE_TRACTION * load,
         is_potential=False,

@@ -1,4 +1,4 @@
-"""The laws of friction of balls on races that a case can name: tables, coefficients, solved
+"""Sources of the friction of balls on races that a case can name: tables, coefficients, solved
 films.
 """
 
@@ -13,7 +13,8 @@ from ehl.conditions import ContactConditions
 from ehl.oil.rheology import Rheology
 from ehl.solution import ContactSolution
 from ehl.traction.coefficient_kernels import Coefficient
-from ehl.traction.laws import EllipseLaw, FrictionLaw, TractionForces
+from ehl.traction.law import TractionForces, TractionLaw
+from ehl.traction.laws import EllipseLaw
 from ehl.traction.table.table import TractionTable
 
 from ..contacts.contact import BearingContact
@@ -24,21 +25,23 @@ from ..quasistatic.solution import QuasistaticSolution
 from .asperities import Asperities
 from .coulomb import coulomb_law
 from .films import film_law
-from .law import ContactLaw, Refreshed, TractionLaw
+from .law import ContactFriction, FrictionSource, Refreshed
 from .running_films import running_films
 from .tables import contact_law
 
 SolveFilms = Callable[[Sequence[ContactConditions | None]], Sequence[ContactSolution | None]]
 
 
-class RaceTraction(TractionLaw):
+class RaceTraction(FrictionSource):
     """A law of `ehl.traction` for each contact, which the equations of motion take too."""
 
     @abstractmethod
-    def race_law(self, bearing: Bearing, race: Race, angle: float) -> FrictionLaw:
+    def race_law(self, bearing: Bearing, race: Race, angle: float) -> TractionLaw:
         """The law of one race at a contact angle [rad]."""
 
-    def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
+    def at(
+        self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
+    ) -> ContactFriction:
         """The laws at the loads [N] and contact angles of an equilibrium."""
         bearing = solution.bearing
         laws = [self.race_law(bearing, c.race, c.contact_angle) for c in contacts]
@@ -49,56 +52,69 @@ class RaceTraction(TractionLaw):
 class LawTraction(RaceTraction):
     """A friction law for each race: traction tables, or any other of `ehl.traction`."""
 
-    laws: Mapping[Race, FrictionLaw]
+    laws: Mapping[Race, TractionLaw]
     # of the rolling moment of the tables' flooded, isothermal films that inlet heating and
     # replenishment leave [-]
     rolling_factor: float = 1.0
+    origin: str = "a law of each race (traction tables)"  # of the laws, for messages
 
     @property
     def description(self) -> str:
-        """Where the friction comes from, for messages."""
-        return "a law of each race (traction tables)"
+        """Origin of the friction, for messages."""
+        return self.origin
 
-    def race_law(self, bearing: Bearing, race: Race, angle: float) -> FrictionLaw:
+    def race_law(self, bearing: Bearing, race: Race, angle: float) -> TractionLaw:
         """The law of a race, the same at all angles [rad]."""
         del bearing, angle
         return self.laws[race]
 
-    def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
+    def at(
+        self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
+    ) -> ContactFriction:
         """The laws at the loads [N] of an equilibrium, with what is left of the rolling moment."""
         del solution
         laws = {race: _with_rolling(law, self.rolling_factor) for race, law in self.laws.items()}
         return contact_law(contacts, [laws[contact.race] for contact in contacts])
 
 
-def _with_rolling(law: FrictionLaw, factor: float) -> FrictionLaw:
+def _with_rolling(law: TractionLaw, factor: float) -> TractionLaw:
     """A law with a share of its hydrodynamic moment [-]; laws that know none as they are."""
     return law.with_rolling(factor) if isinstance(law, TractionTable) else law
 
 
-@dataclass(frozen=True, kw_only=True)
-class PluginTraction(LawTraction):
-    """The law of a plug-in for both races."""
-
-    plugin: Plugin
-
-    @property
-    def description(self) -> str:
-        """Where the friction comes from, for messages."""
-        return str(self.plugin)
-
-
 @dataclass(frozen=True)
-class _Watched:
-    """The law of a plug-in, which tells whose it is when it fails."""
+class CheckedLaw:
+    """The law of a plug-in, whose results are checked; its errors name the plug-in."""
 
     plugin: Plugin
-    law: FrictionLaw
+    law: TractionLaw
 
     def forces(
         self, load: float, speed: float, slide_x: float, slide_y: float, spin: float
     ) -> TractionForces:
-        """Forces on body 1 at a load [N], entrainment speed, slides [m/s], and spin [rad/s]."""
+        """Evaluate the law of the plug-in, see `TractionLaw.forces`.
+
+        Parameters
+        ----------
+        load : float
+            normal load [N]
+        speed : float
+            entrainment speed [m/s]
+        slide_x, slide_y : float
+            sliding of body 1 along x and y [m/s]
+        spin : float
+            spin of body 1 [rad/s]
+
+        Returns
+        -------
+        TractionForces
+            forces and moments on body 1
+
+        Raises
+        ------
+        PluginError
+            if the plug-in fails, or gives no finite forces
+        """
         state = (load, speed, slide_x, slide_y, spin)
         found = self.plugin.call(self.law.forces, *state)
         if not isinstance(found, TractionForces):
@@ -108,19 +124,35 @@ class _Watched:
         return found
 
 
-def plugin_traction(plugin: Plugin, law: object) -> TractionLaw:
-    """The law of a plug-in as a source of friction: a `TractionLaw` itself, a coefficient by the
-    local sliding, or the forces of one contact by a method `forces`; PluginError if it is neither.
+def plugin_traction(plugin: Plugin, law: object) -> FrictionSource:
+    """Make a source of friction of the law of a plug-in.
+
+    Parameters
+    ----------
+    plugin : Plugin
+        plug-in, which errors name
+    law : object
+        a `FrictionSource`, a coefficient by the local sliding, or a `TractionLaw` for both races
+
+    Returns
+    -------
+    FrictionSource
+        source of friction
+
+    Raises
+    ------
+    PluginError
+        if the object is none of these
     """
-    if isinstance(law, TractionLaw):
+    if isinstance(law, FrictionSource):
         return law
     if isinstance(law, Coefficient):
         return CoefficientTraction(law)
     if not callable(getattr(law, "forces", None)):
         kind = type(law).__name__
         raise plugin.wrong(f"gives {kind}, and a law with the method forces(...) is needed")
-    watched = _Watched(plugin, cast(FrictionLaw, law))
-    return PluginTraction(plugin=plugin, laws=dict.fromkeys(Race, watched))
+    checked = CheckedLaw(plugin, cast(TractionLaw, law))
+    return LawTraction(laws=dict.fromkeys(Race, checked), origin=str(plugin))
 
 
 @dataclass(frozen=True)
@@ -131,7 +163,7 @@ class CoefficientTraction(RaceTraction):
 
     @property
     def description(self) -> str:
-        """Where the friction comes from, for messages."""
+        """Origin of the friction, for messages."""
         return self.coefficient.description
 
     def race_law(self, bearing: Bearing, race: Race, angle: float) -> EllipseLaw:
@@ -140,23 +172,25 @@ class CoefficientTraction(RaceTraction):
 
 
 @dataclass(frozen=True, kw_only=True)
-class CoulombTraction(TractionLaw):
+class CoulombTraction(FrictionSource):
     """Coulomb's friction over the ellipse, rounded at small sliding (`contact_ellipses`)."""
 
     friction: float  # mu [-]
 
     @property
     def description(self) -> str:
-        """Where the friction comes from, for messages."""
+        """Origin of the friction, for messages."""
         return f"Coulomb's law, mu = {self.friction:g}"
 
-    def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
+    def at(
+        self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
+    ) -> ContactFriction:
         """Friction at the loads of an equilibrium [N]."""
         return coulomb_law(solution, contacts, self.friction)
 
 
 @dataclass(frozen=True, kw_only=True)
-class FilmTraction(TractionLaw):
+class FilmTraction(FrictionSource):
     """Shear of films solved for the contacts of the bearing, between two solves in proportion to
     the load.
     """
@@ -175,7 +209,7 @@ class FilmTraction(TractionLaw):
 
     @property
     def description(self) -> str:
-        """Where the friction comes from, for messages."""
+        """Origin of the friction, for messages."""
         return (
             "shear of the solved films, in proportion to the load between two rounds of solving "
             "them"
@@ -197,7 +231,9 @@ class FilmTraction(TractionLaw):
         loads = tuple(contact.load for contact in contacts)
         return Refreshed(replace(self, films=tuple(films), loads=loads), message)
 
-    def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
+    def at(
+        self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
+    ) -> ContactFriction:
         """Friction at the loads of an equilibrium [N], with the traction coefficients of the
         films.
         """

@@ -23,7 +23,7 @@ from ..friction.balance import BalancedFriction, balance_balls, balance_driven_b
 from ..friction.cage import resisted_power
 from ..friction.film_nodes import film_nodes
 from ..friction.films import ShearedFilms, film_law_balance, law_of_films, sheared_films
-from ..friction.law import ContactLaw
+from ..friction.law import ContactFriction
 from ..friction.resistance import NO_RESISTANCE, Resistance
 from ..friction.running_films import RunningFilms
 from ..friction.unsolved_film import UnsolvedFilm
@@ -169,9 +169,9 @@ def _flooded_torque(
 def law_torque(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    law: ContactLaw,
+    law: ContactFriction,
     resistance: Resistance = NO_RESISTANCE,
-    whole: ContactLaw | None = None,
+    whole: ContactFriction | None = None,
 ) -> SolvedShear:
     """Torque [N m] by the friction of all contacts, inner then outer, ball by ball, under the
     hypothesis and in balance; the rings turn against each other.
@@ -204,7 +204,7 @@ def law_torque(
 def _balanced_law(
     solution: QuasistaticSolution,
     kinematics: MotionMap,
-    law: ContactLaw,
+    law: ContactFriction,
     balance: BalancedFriction,
 ) -> IntegratedTorque:
     """Torque of a law at the motion that balances it [N m]."""
@@ -245,7 +245,7 @@ def _as_balanced(torque: IntegratedTorque, balance: BalancedFriction) -> Integra
 def _law_torque(
     solution: QuasistaticSolution,
     kinematics: MotionMap,
-    law: ContactLaw,
+    law: ContactFriction,
     motion: Array,
     forces: Array,
 ) -> IntegratedTorque:

@@ -6,7 +6,7 @@ from math import isclose
 from pathlib import Path
 from typing import Any
 
-from bearing.friction.law import BallTraction, TractionLaw
+from bearing.friction.law import BallTraction, FrictionSource
 from bearing.friction.race_tables import Solids, Tables
 from bearing.friction.sources import (
     CoefficientTraction,
@@ -52,7 +52,7 @@ def ball_traction(
 
 
 def resisted_traction(
-    source: TractionLaw,
+    source: FrictionSource,
     friction: FrictionInput,
     bearing: Bearing,
     oil: Lubricant,
@@ -69,7 +69,7 @@ def resisted_traction(
 
 def _law(
     table: FrictionTable, bearing: Bearing, oil: Lubricant, films: FilmPhysics
-) -> TractionLaw | None:
+) -> FrictionSource | None:
     """The law that [friction] names; None where it takes films."""
     if table.traction == "coulomb":
         assert table.coefficient is not None  # checked before
@@ -87,7 +87,7 @@ def _law(
     return source or _of_plugin(table)
 
 
-def _of_plugin(table: FrictionTable) -> TractionLaw | None:
+def _of_plugin(table: FrictionTable) -> FrictionSource | None:
     """The law of a plug-in that [friction] names, with its constants; None where it names none."""
     name = table.traction
     found = None if name in (None, *OWN_LAWS) else plugin(FRICTION, str(name))

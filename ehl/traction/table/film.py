@@ -34,7 +34,7 @@ class TableFilm:
     central: float  # film [m]: extrapolated; with heat that of the finest grid
     converged: bool
 
-    def forces(
+    def sliding_forces(
         self,
         slide: tuple[Array, Array, Array],
         rolling: Array,
@@ -275,4 +275,6 @@ def relative_forces(
     slide_x = motions[0] * speed
     slide = (slide_x, motions[1] * speed, motions[2] * speed / contact.radius_x)
     rolling = speed / contact.radius_x - 0.5 * contact.curvature_difference * slide_x
-    return film.forces(slide, rolling, 0.5 / contact.curvature_radius, vectorised=vectorised)
+    return film.sliding_forces(
+        slide, rolling, 0.5 / contact.curvature_radius, vectorised=vectorised
+    )

@@ -79,7 +79,9 @@ def _both(
     film = table_film(contact, load, speed, options)
     rolling = np.array([speed / contact.radius_x])
     none = np.zeros(1)
-    by_film = abs(float(film.forces((np.array([ratio * speed]), none, none), rolling, 0.0)[0, 0]))
+    by_film = abs(
+        float(film.sliding_forces((np.array([ratio * speed]), none, none), rolling, 0.0)[0, 0])
+    )
 
     full = solve_generalized(
         replace(contact.conditions(load, speed), slide_roll_ratio=ratio),

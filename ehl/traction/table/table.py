@@ -27,7 +27,7 @@ from ...ranges import require_positive
 from ...solid.heat import SolidThermal
 from .. import _kernels
 from .._kernels import LIMIT_SHARE, LOAD_POWER, REST_SHARE, SPIN_SHARE_Y
-from ..laws import TractionForces
+from ..law import TractionForces
 from .packing import Numbers, Values, whole_numbers
 from .splines import spline_weights
 
@@ -221,10 +221,26 @@ class TractionTable:
     def forces(
         self, load: float, speed: float, slide_x: float, slide_y: float, spin: float
     ) -> TractionForces:
-        """Forces on body 1 at a load [N], entrainment speed, slides [m/s], and spin [rad/s].
+        """Look up the traction, see `TractionLaw.forces`.
 
-        Outside the table's range the nearest place counts, forces in proportion to the load, and
-        `outside` names what lies there.
+        Outside the table's range the nearest point counts, forces in proportion to the load, and
+        `outside` names the quantities that lie there.
+
+        Parameters
+        ----------
+        load : float
+            normal load [N]
+        speed : float
+            entrainment speed [m/s]
+        slide_x, slide_y : float
+            sliding of body 1 along x and y [m/s]
+        spin : float
+            spin of body 1 [rad/s]
+
+        Returns
+        -------
+        TractionForces
+            forces and moments on body 1, film, stiffness and damping
         """
         out = np.empty(8)
         motion = (load, speed, slide_x, slide_y, spin)

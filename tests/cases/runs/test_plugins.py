@@ -26,7 +26,7 @@ MODULE = '''
 from math import exp, hypot, tanh
 
 from ehl.traction.coefficient_kernels import FourConstants
-from ehl.traction.laws import TractionForces
+from ehl.traction.law import TractionForces
 
 
 class Ramp:
