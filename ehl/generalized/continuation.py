@@ -53,8 +53,9 @@ CYCLES_FACTOR = 3  # on the cycles of the options, at the full share; none
 # up to which the flow counts as settled; none
 FLOW_TOLERANCE = 0.03
 TEMPERATURE_RELAXATION = 0.3  # +8, -4 with heat
-# of the change from the Newtonian film, in the error bar: what the mesh does to shear and heat. On
-# 129 points it was 0.03 at most where the bar in proportion alone missed (100 N at 20 m/s: 3.8 %)
+# fraction of the change from the Newtonian film in the error bar: effect of the mesh on shear and
+# heat. On 129 points it was 0.03 at most where the bar in proportion alone missed (100 N at 20
+# m/s: 3.8 %)
 CHANGE_SHARE = 0.05
 # largest change in a cycle [K] at which cycles are accelerated; none
 REST_TEMPERATURE_CHANGE = 1.0

@@ -29,7 +29,7 @@ SMALLEST_FILM = 1e-12  # keeps a relative change finite [m]
 class HeatState:
     """Heat of one grid, SI; n nodes across the film."""
 
-    # of the oil, walls included, of second order and upwind, shape (ny, nx, n) [K]
+    # temperature of the oil, walls included, of second order and upwind, shape (ny, nx, n) [K]
     temperature: Array
     upwind_temperature: Array
     mass: Array  # int_0^z rho u dz/rho_0, shape (ny, nx, n) [m^2/s]
@@ -38,7 +38,7 @@ class HeatState:
     upwind_flux: Array
     dissipation: Array  # heat of shear over the film, shape (ny, nx) [W/m^2]
     recirculates: Mask  # whether oil of a column flows against the entrainment, shape (ny, nx)
-    # what the temperatures of a column do not follow yet, infinite: any, shape (ny, nx) [K]
+    # change that the temperatures of a column do not follow yet, infinite: any, shape (ny, nx) [K]
     pending_change: Array
     least: float = SMALLEST_PENDING_CHANGE  # unseen from which on a column is solved [K]
     fields: FilmFields | None = None  # of the last cycle on this grid
@@ -157,9 +157,9 @@ class FilmHeat:
         return replace(state, fields=fields, change=change, unsolved_columns=int(unsolved))
 
     def _unfollowed(self, temperature: Array, before: FilmFields, now: FilmFields) -> Array:
-        """How much, in order of magnitude, a change of film and pressure changes the temperatures
-        of each column, shape (ny, nx) [K]: what shear and conduction have brought it, in
-        proportion to those of h^2, of the viscosity and of the velocities.
+        """Estimate by how much a change of film and pressure changes the temperatures of each
+        column, shape (ny, nx) [K]. It is the effect of shear and conduction, in proportion to the
+        changes of h^2, of the viscosity and of the velocities.
         """
         oil = self.conditions.lubricant
         h = np.maximum(now.h, SMALLEST_FILM)

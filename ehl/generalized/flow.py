@@ -49,15 +49,16 @@ STEP = 0.02
 SMALLEST_WEIGHT = 1e-300  # keeps a quotient finite
 # change of the flow in a cycle up to which k, which only speeds the cycles, is kept
 SETTLED_FLOW = 2e-2
-# of the temperature towards its new value: oil that flows back from a thicker film heats the inlet
-# more, and films that follow all of it overshoot. 12 contacts with heat took 13 to 14 s of
-# processor with 0.5 and 0.6, 15 with 0.8
+# relaxation of the temperature towards its new value: oil that flows back from a thicker film
+# heats the inlet more, and films that follow all of it overshoot. 12 contacts with heat took 13 to
+# 14 s of processor with 0.5 and 0.6, 15 with 0.8
 RELAXATION = 0.6
-# of the heat of a film at rest, for its traction: that of a 6208 under 50 N at a slide-roll ratio
-# of 0.002 was 5 % too high without
+# sweeps of the heat of a film at rest, for its traction: that of a 6208 under 50 N at a slide-roll
+# ratio of 0.002 was 5 % too high without
 MOST_SWEEPS = 4
-# of the largest rise of temperature, unseen from which on a column is solved at rest [-]: the heat
-# of 18 films within 1e-3 of that with all columns, 4e-2 with LEAST_UNSEEN where it rises by 0.4 K
+# pending change over the largest rise of temperature from which on a column is solved at rest [-]:
+# the heat of 18 films within 1e-3 of that with all columns, 4e-2 with LEAST_UNSEEN where it rises
+# by 0.4 K
 RESTED_SHARE = 2e-3
 RESTED_TEMPERATURE = 0.5  # largest change in a cycle up to which heat is at rest [K]
 SMALLEST_SLOPE = 1e-10  # of ln(eta) by pressure, below which an oil counts as isoviscous [1/Pa]
@@ -67,8 +68,8 @@ SMALLEST_SLOPE = 1e-10  # of ln(eta) by pressure, below which an oil counts as i
 class Continuation:
     """How far rheology and heat act in a cycle, from the Newtonian film to the full problem."""
 
-    # of rheology and heat, in (0, 1]: stresses of the rheology are divided by it, the rise of
-    # temperature is multiplied by it [-]
+    # fraction of rheology and heat, in (0, 1]: stresses of the rheology are divided by it, the
+    # rise of temperature is multiplied by it [-]
     share: float = 1.0
     relaxation: float = RELAXATION  # of the temperature towards its new value, in (0, 1] [-]
     follow_pressure: bool = True  # whether the Poiseuille factor follows the pressure (3. above)
@@ -123,7 +124,7 @@ class GeneralizedFlow:
 
     @property
     def symmetric(self) -> bool:
-        """Whether no surface slides across the entrainment."""
+        """True if no surface slides across the entrainment."""
         return self.conditions.lateral_slide_ratio == 0.0 and self.conditions.spin == 0.0
 
     def factors(

@@ -23,16 +23,16 @@ from .film_heat import FilmHeat
 from .flow import Continuation, FlowState, GeneralizedFlow
 from .section import film_section
 
-# of the columns that may stay unsolved or over the limiting stress, measured: they lie at the edge
-# of the cavity, where hardly anything flows
+# fraction of the columns that may stay unsolved or over the limiting stress, measured: they lie at
+# the edge of the cavity, where hardly anything flows
 UNSOLVED_SHARE = 0.005
-# of the film, in its error bar, for what twelve nodes across it leave: a share, and one times the
-# fourth power of what heat takes by Gupta's formula. 38 films are -0.05 % to 0.41 times that power
-# thicker than on 36 nodes, on which up to a fifth as much is left
+# error bar of the film by twelve nodes across it: a fraction, and one times the fourth power of
+# what heat takes by Gupta's formula. 38 films are -0.05 % to 0.41 times that power thicker than on
+# 36 nodes, on which up to a fifth as much is left
 SECTION_SHARE = 5e-4
 SECTION_ERROR = 0.55
-# of the film, in its error bar, for each kelvin by which the heat of a film at rest still changes:
-# where the eddy ahead of two contacts changed by 14 K their films were 0.2 to 0.4 % off [1/K]
+# error bar of the film for each kelvin by which the heat of a film at rest still changes: where
+# the eddy ahead of two contacts changed by 14 K their films were 0.2 to 0.4 % off [1/K]
 RESTLESS_ERROR = 3e-4
 
 
@@ -45,12 +45,13 @@ class GeneralizedSolution:
     nodes: Array  # z/h across the film, from body 1 to body 2, shape (n,) [-]
     # in the middle of the film along x and y, shape (2, nx, ny) [Pa]; None: Newtonian, isothermal
     mid_stress: Array | None = None
-    # of the oil at the nodes, walls included, shape (nx, ny, n) [K]; None: solved without heat
+    # temperature of the oil at the nodes, walls included, shape (nx, ny, n) [K]; None: solved
+    # without heat
     temperature: Array | None = None
     heat_flux: Array | None = None  # into body 1 and body 2, shape (2, nx, ny) [W/m^2]
     dissipation: Array | None = None  # heat of shear over the film, shape (nx, ny) [W/m^2]
-    # of the logarithm of the Poiseuille factor in the last cycle, weighted with the pressure's
-    # flow [-]
+    # change of the logarithm of the Poiseuille factor in the last cycle, weighted with the
+    # pressure's flow [-]
     change: float = 0.0
     heat_change: float = 0.0  # largest change of a temperature in the last sweeps of the heat [K]
     unsolved_columns: int = 0  # in the last cycle [-]
@@ -58,7 +59,7 @@ class GeneralizedSolution:
 
     @property
     def mean_temperature(self) -> Array | None:
-        """Of the oil over the film thickness, shape (nx, ny) [K]."""
+        """Mean temperature of the oil over the film thickness, shape (nx, ny) [K]."""
         if self.temperature is None:
             return None
         return np.asarray(np.trapezoid(self.temperature, self.nodes, axis=-1))

@@ -16,7 +16,7 @@ from scipy.sparse import linalg
 
 from ..arrays import Array
 
-# of GMRES
+# GMRES: Krylov vectors before a restart, and restarts
 RESTART = 80
 RESTARTS = 3
 PIVOT = 0.01  # of an ordering that is given: smallest diagonal taken as a pivot, over its column

@@ -148,8 +148,8 @@ def flow(state: Multigrid, level: Level) -> None:
 
 
 def _store(step: TimeStep, level: Level) -> None:
-    """What the nodes of a level store over a step, from density and its slope in place of the
-    flow, and the flow that the step leaves.
+    """Set the storage of the nodes over a step from density and its slope in place of the flow,
+    and the flow that the step leaves.
     """
     if not level.storage.size:
         level.storage = np.zeros((2, *level.P.shape))
@@ -516,7 +516,7 @@ def inlet_film_at_centre(state: Multigrid) -> float:
 
 
 def _fields(level: Level) -> Fields:
-    """What the flux of a level follows from."""
+    """Gather the fields that the flux of a level follows from."""
     flow_y = level.flow_y if level.factors.couette_y is not None else level.flow_x
     return Fields(
         P=level.P, H=level.H, eps=level.eps, flow_x=level.flow_x, flow_y=flow_y, f=level.f

@@ -99,8 +99,8 @@ def extrapolate_approach(levels: Sequence[LevelHistory]) -> FilmValue:
 def _step(
     levels: Sequence[LevelHistory], values: Sequence[float], share: float, *, late: bool = False
 ) -> tuple[float, float]:
-    """Step of second order from the value of the finest of two levels or more to the limit, and
-    its error bar by the mesh: that share of the step at least; `late`: of sequences that may turn.
+    """Extrapolate with order two from the finest of two levels or more to the limit. The error bar
+    is that fraction of the step at least; `late`: of sequences that may turn.
     """
     step = (values[-1] - values[-2]) / ORDER_STEP
     if not levels[-2].resolved:
@@ -122,8 +122,8 @@ def _known(levels: Sequence[LevelHistory], kind: int) -> Sequence[LevelHistory]:
 
 
 def _departure(step: float, before: float) -> float:
-    """How far from step to the limit of second order a sequence of the order seen ends: with steps
-    in the ratio r = 2^p, |step - before/4| * 4/(r - 1), p one at least.
+    """Measure how far from the limit of second order a sequence of the observed order ends. With
+    steps in the ratio r = 2^p it is |step - before/4| * 4/(r - 1), p one at least.
     """
     ratio = max(abs(before / step), LOWEST_RATIO) if step else LOWEST_RATIO
     return 4.0 / (ratio - 1.0) * abs(step - 0.25 * before)

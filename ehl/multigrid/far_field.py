@@ -29,8 +29,8 @@ from ..grid import Grid
 from ..scaling import ALIGNMENT_TOLERANCE, ScaledContact
 
 Array = NDArray[np.float64]
-# of the profile s and of the quadrature of the exterior load, and where the search for the place
-# at which the oil breaks begins
+# directions of the profile s and of the quadrature of the exterior load, and of the first search
+# for the position at which the oil breaks begins
 DIRECTIONS = 720
 FIRST_DIRECTIONS = 45
 MOST_PASSES = 100  # of that search on one set of directions
@@ -174,7 +174,7 @@ def _directions(count: int) -> tuple[Array, Array]:
 
 
 class _Wedge(NamedTuple):
-    """What the profile depends on, as in `ScaledContact`, all [-]."""
+    """Numbers that the profile depends on, as in `ScaledContact`, all [-]."""
 
     curvature_x: float
     curvature_y: float

@@ -52,7 +52,7 @@ class FlowFactors:
         return self.thinning, self.log_viscosity
 
     def coarsened(self) -> "FlowFactors":
-        """Those of the next coarser grid, by injection [-]."""
+        """Inject the factors into the next coarser grid [-]."""
         parts = {field.name: getattr(self, field.name) for field in fields(self)}
         return FlowFactors(
             **{name: None if part is None else inject(part) for name, part in parts.items()}
@@ -64,7 +64,7 @@ class FlowModel(Protocol):
 
     @property
     def symmetric(self) -> bool:
-        """Whether the factors keep a contact even in Y that is so without them."""
+        """True if the factors keep a contact even in Y that is so without them."""
 
     def factors(
         self, contact: ScaledContact, grid: Grid, P: Array, H: Array, last: Any

@@ -32,8 +32,8 @@ COARSE_LEVEL_CYCLES = 12  # most cycles on the other levels below the finest
 # Hmin/(S hx^2) from which a flow model acts on the level below the finest; it does on the finest
 LEAST_FINE = 1.0
 FLOW_STRICTNESS = 2.5  # on what cycles leave with a flow model on levels below the finest
-# where the load is reached in steps: cycles under each lighter load, on the first level with
-# Hc/(S hx^2) above the last; 15 to 36 there and in the six hardest of 1000 random contacts
+# load reached in steps: cycles under each lighter load, on the first level with Hc/(S hx^2) above
+# the last; 15 to 36 there and in the six hardest of 1000 random contacts
 STEP_CYCLES = 5
 STEP_FINENESS = 15.0
 ACCEPTED_ERROR = 5e-3  # of the film, left by the cycles; above, further attempts are made
@@ -89,13 +89,13 @@ class AttemptResult:
 
     state: Multigrid
     attempt: Attempt
-    # of each level from the one it started on, coarsest first; empty if the iteration diverged
+    # histories from the first level on, coarsest first; empty if the iteration diverged
     levels: list[LevelHistory] = field(default_factory=list)
     certificate: Certificate | None = None  # of the finest level, where one was asked for
 
     @property
     def converged(self) -> bool:
-        """Whether the films of the finest level have come to rest where the equations hold."""
+        """True if the films of the finest level are at rest and the equations hold."""
         return bool(self.levels) and self.levels[-1].converged()
 
     @property
@@ -331,7 +331,7 @@ def full_multigrid(
 
 
 def _fine_enough(plain: LevelHistory, above: int) -> bool:
-    """Whether a flow model acts on the level of a Newtonian film, with levels `above` it."""
+    """Tell whether a flow model acts on the level of a Newtonian film, with levels `above` it."""
     return above == 0 or plain.fineness >= (LEAST_FINE if above == 1 else RESOLVED)
 
 
@@ -485,8 +485,8 @@ def _start_in_steps(
 
 
 def _heavier(before: Multigrid, index: int, contact: ScaledContact) -> Multigrid:
-    """Start a level under a heavier load from the solution under a lighter one: of both that and
-    the dry contact, whose film is zero, the shares that give the film of the formula.
+    """Start a level under a heavier load from the solution under a lighter one. Solution and dry
+    contact, whose film is zero, are combined to the film of the formula.
 
     Pressure and film of the dry contact are not negative, so that the film is positive wherever
     that of the lighter load is.

@@ -1,5 +1,5 @@
-"""What the cycles on one level did: films, equations and load after each of them, and the error of
-the film that they leave.
+"""History of the cycles on one level: films, equations and load after each of them, and the error
+of the film that they leave.
 """
 
 from dataclasses import dataclass, field
@@ -106,7 +106,9 @@ class LevelHistory:
 
     @property
     def stalled(self) -> bool:
-        """Whether the equations were far from holding and came no nearer in the last cycles."""
+        """True if the equations were far from holding and the residual did not fall in the last
+        cycles.
+        """
         residual = self.residual
         if len(residual) <= STALLED_CYCLES or min(residual) < CONVERGED[0]:
             return False
@@ -114,13 +116,14 @@ class LevelHistory:
 
     @property
     def residual_grew(self) -> bool:
-        """Whether the equations are further from holding than before the last cycle."""
+        """True if the residual is larger than before the last cycle."""
         return len(self.residual) > 1 and self.residual[-1] > self.residual[-2]
 
     @property
     def oscillates(self) -> bool:
-        """Whether the last cycle took the load from one side to the other and hardly nearer, on a
-        mesh that resolves the film: on coarser ones the load does so in heavy contacts, too.
+        """True if the last cycle took the load from one side to the other and hardly reduced its
+        error. The mesh must resolve the film: on coarser ones the load does so in heavy contacts,
+        too.
         """
         if len(self.load) < 2 or not self.resolved:
             return False
@@ -131,8 +134,8 @@ class LevelHistory:
 
     @property
     def approaching_solution(self) -> bool:
-        """Whether more cycles are worth it: the equations hold while the films still move, or came
-        nearer by half in the last cycles.
+        """True if more cycles pay: the equations hold while the films still move, or the residual
+        halved in the last cycles.
         """
         if self.converged() or len(self.residual) < STALLED_CYCLES:
             return False
@@ -151,7 +154,7 @@ class LevelHistory:
 
     @property
     def resolved(self) -> bool:
-        """Whether the mesh is fine enough for the film."""
+        """True if the mesh is fine enough for the film."""
         return self.fineness >= RESOLVED
 
     def remaining(self, kind: int) -> float:
@@ -173,7 +176,7 @@ class LevelHistory:
         return max(self._cycle_error(kind), FLOW_TO_FILM * self.flow)
 
     def _cycle_error(self, kind: int) -> float:
-        """What the cycles leave of a film by its own changes [-]."""
+        """Estimate the error that the cycles leave of a film by its own changes [-]."""
         return (
             0.0
             if self.certified
@@ -242,7 +245,7 @@ class LevelHistory:
         )
 
     def converged(self) -> bool:
-        """Whether films and load have come to rest where the equations hold."""
+        """Tell whether films and load are at rest and the equations hold."""
         if self.starved and not (self.imbalance and abs(self.imbalance[-1]) < OIL_IMBALANCE[1]):
             return False
         return self._holds(CONVERGED) and all(
@@ -250,7 +253,7 @@ class LevelHistory:
         )
 
     def _holds(self, limits: tuple[float, float]) -> bool:
-        """Whether equations and load are within limits, after two cycles at least."""
+        """Tell whether equations and load are within limits, after two cycles at least."""
         enough = self.certified or len(self.residual) >= 2
         if not enough or not self.film[-1][MINIMUM] > 0.0:
             return False
@@ -295,8 +298,8 @@ def start_history(state: Multigrid, index: int, strictness: float = 1.0) -> Leve
 
 
 def _remaining_change(changes: list[float]) -> float:
-    """What cycles leave by the changes that they made, change * q/(1 - q) with q the contraction
-    of the last one.
+    """Estimate the change that cycles leave, change * q/(1 - q) with q the contraction of the last
+    one.
     """
     if len(changes) < 2:
         return changes[0] if changes else inf

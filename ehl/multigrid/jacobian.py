@@ -33,7 +33,7 @@ from .starved_jacobian import StarvedFlux, flux_change, starved_flux
 
 Integers = NDArray[np.intp]
 
-# of P, in the slope of ln(eta), and of H, in that of the exterior load: central differences of
+# steps of P in the slope of ln(eta), and of H in that of the exterior load: central differences of
 # smooth functions, exact to some 1e-9
 SLOPE_STEP = 1e-5
 FILM_STEP = 1e-5
@@ -386,7 +386,7 @@ class _Nodes:
 
 
 def _nodes(grid: Grid, *, inside: bool) -> _Nodes:
-    """Those inside the box, or all."""
+    """Select the nodes inside the box, or all."""
     return _Nodes(grid, *np.nonzero(~edge_nodes(grid) | (not inside)))
 
 

@@ -41,12 +41,12 @@ class Damping:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TimeStep:
-    """What one step in time adds to the equations, the same on every level; all [-]."""
+    """Terms that one step in time adds to the equations, the same on every level; all [-]."""
 
     rate: float  # sigma: sigma rho H leaves Reynolds' equation
     couette: float  # factor on the Couette terms: speed over u_m, none along the characteristic
     load: float  # g, integral of P that the contact carries at the time
-    # of the bodies' mass against a change of H0: the load carried is g + inertia (H0 - free)
+    # resistance of the bodies' mass to a change of H0: the load carried is g + inertia (H0 - free)
     inertia: float = 0.0
     free: float = 0.0  # H0 of bodies that the film does not slow down
 

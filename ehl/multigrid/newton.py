@@ -46,8 +46,8 @@ REUSE_STEP = 0.05
 REUSE_PRODUCTS = 15
 
 
-# of the residual, at which a contact that is to be differentiated counts as solved [-]: at the
-# solver's own stop stiffness and damping are 0.02 and 0.2 % off, at 1e-6 by less than 1e-5
+# residual at which a contact that is to be differentiated counts as solved [-]: at the solver's
+# own stop stiffness and damping are 0.02 and 0.2 % off, at 1e-6 by less than 1e-5
 POLISHED = 1e-6
 POLISHING_STEPS = 4  # 2 were needed at most by solved contacts
 
@@ -56,7 +56,7 @@ Films = tuple[float, float]  # central and minimum film [-]
 
 @dataclass(slots=True)
 class _History:
-    """What the steps did [-]."""
+    """History of the steps [-]."""
 
     residual: list[float] = field(default_factory=list)
     load: list[float] = field(default_factory=list)

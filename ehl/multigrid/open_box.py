@@ -20,8 +20,8 @@ OUTLET = (1.35, 2.0)
 SIDE = (1.6, 40.0, 120.0)  # the last times v^2, as an oblique side is an inlet, too
 EXTERIOR_SHARE = 0.1  # of the load; a box is widened until less than this lies outside
 LARGEST_WIDENING = 4.0
-# of the widening around 1, in which a box turns from one of its film to one of its load without a
-# bend, which splines over the load of tables would not follow
+# interval of the widening around 1, in which a box changes from one of its film to one of its load
+# without a bend, which splines over the load of tables would not follow
 TURN = 0.15
 # over the share of the load outside, by boxes of twice the size around 90 random contacts:
 # relative error of the films, that of H0 over 1 + Hc, and what the square of the rotation's speed

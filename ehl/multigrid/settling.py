@@ -18,9 +18,9 @@ Array = NDArray[np.float64]
 
 MORE_CYCLES = 3  # times those allowed, on a finest level that is nearing its solution then
 LEVEL_CYCLES = 3  # cycles on levels that the mesh does not resolve
-# of P, above which the iteration has diverged: the spike of a Barus oil at L 20 passes 5
+# pressure P above which the iteration has diverged: the spike of a Barus oil at L 20 passes 5
 PRESSURE_LIMIT = 40.0
-# of the residual in one cycle, above which it has, too, where the equations do not hold any more
+# growth of the residual in one cycle above which it has, too, if the equations no longer hold
 GROWTH_LIMIT = 10.0
 # on a level, before the cycles are accelerated; those that swing are from the second on
 PLAIN_CYCLES = 5

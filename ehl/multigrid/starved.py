@@ -46,7 +46,7 @@ class FilmContent:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fields:
-    """What the flux of a grid follows from, arrays of shape (ny, nx) [-]."""
+    """Fields that the flux of a grid follows from, arrays of shape (ny, nx) [-]."""
 
     P: Array
     H: Array

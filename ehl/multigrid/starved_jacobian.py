@@ -32,7 +32,9 @@ Numbers = NDArray[Any]  # real or complex
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StarvedFlux:
-    """Where oil does not fill the gap, arrays of shape (ny, nx) unless said; all [-]."""
+    """Derivative of the flux where oil does not fill the gap, arrays of shape (ny, nx) unless
+    said; all [-].
+    """
 
     empty: NDArray[np.bool_]
     gap_enters: NDArray[np.bool_]  # (ny,) lines that the gap at the inlet lets in less than layer

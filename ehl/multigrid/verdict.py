@@ -1,5 +1,5 @@
-"""What a solve gives: its values with their error bars, and whether it may be called converged and
-resolved, with the message that says why not.
+"""Film values of a solve with their error bars, and its status: converged, resolved, and the
+message that explains why not.
 """
 
 from dataclasses import replace
@@ -14,8 +14,8 @@ from .open_box import approach_outside_box, box_uncertainty
 
 LARGEST_BAR = 0.15  # relative error bar above which a film is reported as unresolved
 CALIBRATED_LUBRICANT = 30.0  # L of the contacts that the error bars were chosen on, at most
-# of the bars beyond: of 17 films at L 30 to 60 four were off by 1 to 2.1 bars, of 18 others two by
-# 1.5 and 2.2
+# factor on the bars beyond: of 17 films at L 30 to 60 four were off by 1 to 2.1 bars, of 18 others
+# two by 1.5 and 2.2
 BEYOND_CALIBRATION = 2.2
 LARGEST_DIP = 0.1  # by which the film may fall below its smallest node, over that minimum [-]
 

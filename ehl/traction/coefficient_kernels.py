@@ -281,5 +281,5 @@ class FourConstants(Coefficient):
         )
 
 
-# those that [friction] traction and [dynamics] friction name
+# laws that [friction] traction and [dynamics] friction name
 COEFFICIENTS: dict[str, type[Coefficient]] = {"four constants": FourConstants}

@@ -42,7 +42,7 @@ LINES = 64  # along x there, of a film that is stored
 # there the sliding of rolling without spin changes most slowly; 96 of 64 lines
 STRIPS_OF_LINE = 1.5
 MIDDLE = 0.3
-# of each: shares from edge to edge, points; the spike is in the last
+# panels of a line: start and end from edge to edge, points; the spike is in the last
 PANELS = ((0.0, 0.75, 10), (0.75, 1.0, 14))
 SMALLEST_FILM = 1e-12  # [m] below the size of any molecule: bound of films that did not converge
 BLOCKS = 26  # of the grid's nodes along x and y, each of which becomes one node elsewhere
@@ -295,14 +295,16 @@ def on_strips(values: Array) -> Array:
 
 @cache
 def _strip_edges(lines: int) -> Array:
-    """Of the strips of lines over [-1, 1], shape (strips + 1,): cubic in their number [-]."""
+    """Place the edges of the strips of lines over [-1, 1], shape (strips + 1,): cubic in their
+    number [-].
+    """
     even = np.linspace(-1.0, 1.0, round(STRIPS_OF_LINE * lines) + 1)
     return np.asarray(even * (MIDDLE + (1.0 - MIDDLE) * even**2))
 
 
 @cache
 def _strip_weights(lines: int) -> Array:
-    """Of equidistant lines at the middles of their strips, shape (strips, lines) [-]."""
+    """Interpolate equidistant lines to the middles of their strips, shape (strips, lines) [-]."""
     edges = _strip_edges(lines)
     positions = (np.arange(lines) + 0.5) * (2.0 / lines) - 1.0
     wanted = np.clip(0.5 * (edges[1:] + edges[:-1]), positions[0], positions[-1])

@@ -1,4 +1,4 @@
-r"""What electricity and sound would measure of a solved film.
+r"""Electric and acoustic quantities of a solved film.
 
 Capacitance between both bodies, of the film and the wedge of oil around it,
 
@@ -42,7 +42,9 @@ PRESSURE_STEP = 1e5  # [Pa], of the difference quotient of the density
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FilmInstruments:
-    """What instruments would measure of a film, with what the film's error bar makes of it."""
+    """Quantities that instruments would measure of a film, with their error bars by that of the
+    film.
+    """
 
     capacitance: float  # of oil from body to body [F]
     capacitance_uncertainty: float  # by the film's error bar [F]
@@ -50,7 +52,7 @@ class FilmInstruments:
     breakdown_voltage: float  # of the minimum film [V]
     breakdown_voltage_low: float  # smallest field and film [V]
     breakdown_voltage_high: float  # largest field and film [V]
-    # of the film at the centre of the contact: bulk modulus over film [Pa/m]
+    # stiffness of the film at the centre of the contact: bulk modulus over film [Pa/m]
     ultrasonic_stiffness: float | None  # None: an incompressible oil
     ultrasonic_stiffness_uncertainty: float | None  # by the film's error bar [Pa/m]
 
@@ -225,8 +227,8 @@ def _within_box(
 def _beyond_box(
     solution: ContactSolution, conditions: ContactConditions, permittivity: float
 ) -> float:
-    """Of the oil from the edge of an open box up to its meniscus ahead and beside the contact, of
-    air behind it [F].
+    """Sum the capacitance of the oil from the edge of an open box up to its meniscus ahead and
+    beside the contact, of air behind it [F].
     """
     a = solution.semi_axis_x
     scale = solution.film_scale

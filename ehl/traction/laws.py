@@ -28,7 +28,7 @@ class ContactShape:
 
     @property
     def constants(self) -> Array:
-        """As the kernel takes them, shape (5,) [m], [1/m]."""
+        """Constants as the kernel takes them, shape (5,) [m], [1/m]."""
         axes = (self.semi_axis_x, self.semi_axis_y)
         curvatures = (0.5 / self.curvature_radius, self.curvature_difference)
         return np.array([*axes, self.radius_x, *curvatures])

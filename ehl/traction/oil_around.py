@@ -34,7 +34,7 @@ class OilAround:
         self.field: FarField = far_field(contact)
 
     def dry_moment_fraction(self) -> Array:
-        """Share of each node's moment that there is no oil for, shape (nx, ny) [-]: beyond the
+        """Evaluate the fraction of each node's moment without oil, shape (nx, ny) [-]: beyond the
         meniscus, whose border is straight in a cell, and by the gap of circles.
         """
         solution, contact = self.solution, self.contact
@@ -106,9 +106,9 @@ class OilAround:
         )
 
     def _excess(self, x: Array, y: Array) -> Array:
-        """Of the gap of circles over that of parabolas at places outside the contact, less that
-        at the edge of the ellipse beside them, where the bodies conform; endless where the smaller
-        circle ends.
+        """Evaluate the gap of circles over that of parabolas outside the contact, less that at the
+        edge of the ellipse, where the bodies conform. It is infinite where the smaller circle
+        ends.
         """
         excess, reach = self._rigid_excess(x, y)
         edge, _ = self._rigid_excess(*self._edge_beside(x, y))

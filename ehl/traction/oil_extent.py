@@ -16,7 +16,8 @@ from ..scaling import ScaledContact
 
 # share of a circle's radius from which on it is no parabola: its height is there 1.01 of it
 PARABOLA_SHARE = 0.2
-# of the radius, up to which a ray is followed: the circle ends, the slope of the gap is infinite
+# fraction of the radius up to which a ray is followed: the circle ends, the slope of the gap is
+# infinite
 CIRCLE_END = 1.0 - 1e-9
 HALVINGS = 40  # of the interval in which the meniscus of a ray lies: to 1e-12 of it
 

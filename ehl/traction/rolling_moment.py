@@ -43,9 +43,9 @@ SAME_ANGLE = 1e-9  # [rad]
 # the central film from the finest grid to its limit [-]: 95 % of 71 random contacts are within
 # 0.16, 0.24, 0.32, 0.39 of it on 65, 129, 257, 513 points (`benchmarks/rolling_moment.py`)
 MESH_ERROR = 0.4
-# Of films solved with shear or heat, whose balance has more terms, the error of the lever arm of
-# the load over the contact's half length, times (mesh/half length)^-1.5 [-]: 0.02 to 0.34 in the
-# sixteen contacts of `benchmarks/rolling_moment.py`, without either, on 65 to 513 points
+# films solved with shear or heat, whose balance has more terms: error of the lever arm of the load
+# over the contact's half length, times (mesh/half length)^-1.5 [-]: 0.02 to 0.34 in the sixteen
+# contacts of `benchmarks/rolling_moment.py`, without either, on 65 to 513 points
 LEVER_ERROR = 0.4
 # Relative error of the moment over the residual [-]: below 1 in most, some 10 at most in 30
 # contacts on 129 points and six on 257 and 513, cycled on until the residual had vanished
@@ -65,11 +65,12 @@ class RollingMoment:
     """
 
     value: float  # of the oil up to its meniscus [N m]
-    # of the mesh, of the equations left unsolved and of the far field; not of the layer [N m]
+    # error by the mesh, the residual of the equations and the far field; not of the layer [N m]
     uncertainty: float
     box: float  # of the solved box alone [N m]
     layer: float  # of oil at the inlet, as wide as the gap at the meniscus [m]
-    # of the meniscus ahead of the centre [m]; None where the oil ends on the edge of a fixed box
+    # distance of the meniscus ahead of the centre [m]; None where the oil ends on the edge of a
+    # fixed box
     extent: float | None
     note: str = ""  # why the layer does not end the oil, or does not flood the contact
 
@@ -151,8 +152,8 @@ def _unknown(inlet_film_thickness: float, note: str) -> RollingMoment:
 def _behind_layer(
     solution: ContactSolution, conditions: ContactConditions, contact: ScaledContact, box: float
 ) -> RollingMoment:
-    """Of a film that was solved behind a layer: its pressure ends at its own meniscus, and beyond
-    an open box that the layer floods where the gap is as wide as it.
+    """Integrate the moment of a film that was solved behind a layer. Its pressure ends at its own
+    meniscus, and beyond an open box that the layer floods where the gap is as wide as it.
 
     box: by the integral of the pressure [N m]. The value is that by the heat of its flow; the
     difference of both is in the error bar whole, with the share of the film's step that a flooded
@@ -192,8 +193,8 @@ def _behind_layer(
 
 
 def _by_law(solution: ContactSolution, inlet_film_thickness: float, scale: float) -> RollingMoment:
-    """What the law of starvation leaves of the moment in the box of the flooded film; its error
-    bar holds the law's, and the difference of the two ways to sum that moment.
+    """Reduce the moment in the box of the flooded film by the law of starvation. The error bar
+    includes the law's, and the difference of the two ways to sum that moment.
 
     inlet_film_thickness: at the inlet [m]; scale: of moments, p_h a^3 [N m].
     """
@@ -252,8 +253,8 @@ def scaled_as_solved(solution: ContactSolution) -> ScaledContact:
 def _solution_error(
     solution: ContactSolution, contact: ScaledContact, moment: tuple[float, float]
 ) -> float:
-    """What mesh and residual of a solution leave open of its moment, of which the second is what
-    the balance of power changed [N m].
+    """Estimate the error of a solution's moment by mesh and residual, of which the second is the
+    change by the balance of power [N m].
     """
     value, change = moment
     cycles = _left_by_cycles(solution, value)
@@ -273,13 +274,13 @@ def _film_step(solution: ContactSolution) -> float:
 
 
 def _left_by_cycles(solution: ContactSolution, moment: float) -> float:
-    """What the cycles of a solution leave open of a moment, in its unit."""
+    """Estimate the error of a moment by the cycles of a solution, in its unit."""
     residual = solution.record.residual[-1] if solution.record.residual else 0.0
     return RESIDUAL_ERROR * residual * abs(moment)
 
 
 def _starved_note(solution: ContactSolution, contact: ScaledContact, extent: float) -> str:
-    """That a layer does not flood the contact, by its meniscus ahead of the centre [-]."""
+    """Note on a layer that does not flood the contact, by its meniscus ahead of the centre [-]."""
     half_length = contact.half_extent_x
     factor, power = FLOODED_DISTANCE
     film = solution.film_central_dimensionless.value

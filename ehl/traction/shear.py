@@ -47,7 +47,7 @@ OUTLET_GROWTH = 1.25  # of their distance, to 1.25^24 = 200 times the first
 
 
 class Cavitation(Enum):
-    """What shears where the pressure is zero.
+    """Model of the sheared width where the pressure is zero.
 
     FULL_WIDTH: a film as wide and thick as the gap. STRIATED: strips of oil as thick as the gap
     with the flow of the last full film upstream, so that a share h_rupture/h of the width is
@@ -260,7 +260,7 @@ def integrate_traction(
 def _integrals(
     solution: ContactSolution, kinematics: ContactKinematics, fields: ShearFields
 ) -> dict[str, float]:
-    """Those of a `TractionResult` that are integrals over the contact, by name."""
+    """Integrate the fields of a `TractionResult` that are integrals over the contact, by name."""
     x, y, _ = dimensional_grid(solution)
     p = solution.pressure
     X = x[:, None]
@@ -477,7 +477,7 @@ def with_outlet_values(field: Array) -> Array:
 
 
 def _curvatures(solution: ContactSolution) -> tuple[float, float]:
-    """Of the gap along the grid's x, and mixed [1/m]."""
+    """Evaluate the curvature of the gap along the grid's x, and the mixed one [1/m]."""
     c = dimensional_conditions(solution)
     cosine, sine = np.cos(solution.frame_angle), np.sin(solution.frame_angle)
     along = cosine**2 / c.radius_x + sine**2 / c.radius_y

@@ -87,7 +87,7 @@ def advected(content: Array, nodes: float) -> Array:
 def _extended(content: Array, pad: int) -> Array:
     """Lines with so many more nodes at both ends."""
     k = np.arange(1, pad + 1)
-    # of a parabola through the last three nodes, k nodes beyond
+    # weights of a parabola through the last three nodes, k nodes beyond
     near = (k + 1.0) * (k + 2.0) / 2.0
     middle = -k * (k + 2.0)
     far = k * (k + 1.0) / 2.0

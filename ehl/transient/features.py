@@ -38,7 +38,7 @@ class Feature(Protocol):
 
     @property
     def symmetric(self) -> bool:
-        """Whether it is even in y."""
+        """True if the feature is even in y."""
 
     @property
     def size(self) -> float:
@@ -141,12 +141,12 @@ class Dent:
 
     @property
     def reach(self) -> float:
-        """Of its radius [m]."""
+        """Half the extent of the feature on y = 0 [m]."""
         return REACH * self.radius
 
     @property
     def symmetric(self) -> bool:
-        """Whether its middle is on y = 0."""
+        """True if the feature is even in y."""
         return self.place_across == 0.0
 
     @property
@@ -197,12 +197,12 @@ class Ridge:
 
     @property
     def reach(self) -> float:
-        """Of its width, on y = 0 [m]."""
+        """Half the extent of the feature on y = 0 [m]."""
         return REACH * self.width / abs(cos(self.angle))
 
     @property
     def symmetric(self) -> bool:
-        """Whether it lies across."""
+        """True if the feature is even in y."""
         return self.angle == 0.0
 
     @property
@@ -260,7 +260,7 @@ class Profile:
 
     @property
     def symmetric(self) -> bool:
-        """Whether it is the same at all y."""
+        """True if the feature is even in y."""
         return self.y is None
 
     @property

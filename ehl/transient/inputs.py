@@ -1,4 +1,4 @@
-"""What changes over time, and the options of a run."""
+"""Inputs that change over time, and the options of a run."""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -209,7 +209,7 @@ class TransientConditions:
 
     @property
     def symmetric(self) -> bool:
-        """Whether all features stay even in y."""
+        """True if all features stay even in y."""
         return all(
             one.symmetric and (self.body_speed_ratio(one.body)[1] == 0.0) for one in self.features
         )
@@ -217,7 +217,7 @@ class TransientConditions:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TransientOptions:
-    """What the user may choose about a run."""
+    """Options of a run."""
 
     points: int = 257  # nodes along the entrainment, 2^k + 1 [-]
     # box (x_in, x_out, y_half) in Hertz semi-axes [-]; None: the solver's own, open

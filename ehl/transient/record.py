@@ -1,4 +1,4 @@
-"""What a run leaves: values at every step, fields at some of them."""
+"""Results of a run: values at every step, fields at some of them."""
 
 from dataclasses import dataclass
 
@@ -7,7 +7,7 @@ import numpy as np
 from ..arrays import Array
 from .inputs import TransientConditions, TransientOptions
 
-# of every step, in the order of the columns of a series
+# quantities of every step, in the order of the columns of a series
 QUANTITIES = (
     "time",  # [s]
     "speed",  # mean surface speed u_m [m/s]
@@ -47,7 +47,7 @@ class Frame:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MeshError:
-    """What the mesh leaves of the steady films at the start, by the solutions on coarser ones."""
+    """Error of the steady films at the start by the mesh, from the solutions on coarser ones."""
 
     central: float  # error of the nodal film over the film without mesh, with its bar [-]
     minimum: float  # likewise [-]

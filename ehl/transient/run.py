@@ -67,7 +67,7 @@ class TransientRun:
 
     @property
     def finished(self) -> bool:
-        """Whether there is no step left, or none that can be made."""
+        """True if no step remains, or none can be made."""
         return self.done >= self.planned or bool(self.message)
 
     def advance(self) -> StepResult | None:
@@ -142,7 +142,7 @@ class TransientRun:
         self.frames = [self._frame(0, self.past)]
 
     def solution(self) -> TransientSolution:
-        """What there is so far."""
+        """Collect the results so far."""
         contact = self.stepper.state.contact
         grid = self.stepper.level.grid
         a, _ = _lengths(contact)
@@ -392,7 +392,7 @@ def _film(conditions: TransientConditions, stepper: Stepper) -> float:
 
 
 def _before_the_start(conditions: TransientConditions, first: InitialState, times: Array) -> Past:
-    """What is steady, or bodies in free flight."""
+    """Give the steady state before the start, or that of bodies in free flight."""
     a, scale = _lengths(first.state.contact)
     unit = a / conditions.contact.entrainment_speed
     rate = 0.0

@@ -90,8 +90,8 @@ def levels_over_time(
 def _open_box(
     conditions: TransientConditions, contact: ScaledContact
 ) -> tuple[float, float, float]:
-    """As a steady contact takes it; as far behind as ahead where the entrainment stops or
-    reverses.
+    """Choose the box of a steady contact, with as much behind as ahead where the entrainment stops
+    or reverses.
     """
     x_in, x_out, y_half = choose_domain(contact)
     turns = conditions.speed is not None and min(conditions.speed.values) <= 0.0

@@ -31,7 +31,7 @@ class Past:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StepConditions:
-    """What one step does; all [-]."""
+    """Conditions of one step; all [-]."""
 
     step: float  # duration
     nodes: float  # by which the film moves along the lines
@@ -44,7 +44,7 @@ class StepConditions:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StepReport:
-    """What a step left; all [-]."""
+    """Errors that a step left; all [-]."""
 
     cycles: int
     # mean of |residual| H_c/(sigma max(H, H_c)) where oil carries: error of the film
@@ -140,13 +140,13 @@ class Stepper:
             inertia=inertia,
             free=free,
         )
-        # 2. where everything stands
+        # 2. gap and source of the step
         level = self.level
         level.gap = self.smooth + move.feature_gap
         level.s = level.gap
         level.f = -source / move.step
         self._open_edge(past, move)
-        # 3. as the last two steps say
+        # 3. first guess from the last two steps
         if self.predicts and not first:
             p1, p2 = past.pressure
             level.P = np.where(p1 > 0.0, np.maximum(p1 + ratio * (p1 - p2), 0.0), 0.0)

@@ -18,7 +18,7 @@ ROUND = 1e-3  # deviation of the ellipse from a circle
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WaveResult:
-    """What the film leaves of one waviness, at the contact's centre."""
+    """Amplitude of one waviness in the film at the contact's centre."""
 
     feature: int  # number of the waviness among the features, from 0
     frequency: float | None = None  # of its passing [Hz]

@@ -1,40 +1,30 @@
-"""One type for a law of force over motion: `ehl.traction.law.TractionLaw`; whatever has `forces` keeps its signature."""
+"""One type for a law of force over motion, `ehl.traction.law.TractionLaw`; all with `forces` keep its signature."""
 
 from __future__ import annotations
 
 import ast
-from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
+from .sources import nodes
+
 ARGUMENTS = ["self", "load", "speed", "slide_x", "slide_y", "spin"]
 
 
-def laws():
-    """Module and class of all product classes with a method `forces`."""
-    for layer in ("ehl", "bearing", "postprocess", "cases"):
-        for path in sorted((ROOT / layer).rglob("*.py")):
-            for node in ast.walk(ast.parse(path.read_text())):
-                if isinstance(node, ast.ClassDef):
-                    for member in node.body:
-                        if isinstance(member, ast.FunctionDef) and member.name == "forces":
-                            yield path.relative_to(ROOT).as_posix(), node, member
+def forces(law):
+    """The method `forces` of a class; None without one."""
+    methods = (member for member in law.body if isinstance(member, ast.FunctionDef))
+    return next((method for method in methods if method.name == "forces"), None)
 
 
-LAWS = {f"{path}::{node.name}": (node, member) for path, node, member in laws()}
+LAWS = {f"{name}::{law.name}": law for name, law in nodes(ast.ClassDef) if forces(law)}
 
 
 @pytest.mark.parametrize("name", LAWS)
 def test_every_law_has_the_signature_of_the_protocol(name):
-    _, member = LAWS[name]
-    assert [argument.arg for argument in member.args.args] == ARGUMENTS
+    assert [argument.arg for argument in forces(LAWS[name]).args.args] == ARGUMENTS
 
 
 def test_one_protocol_stands_for_all_laws():
-    abstract = [
-        name
-        for name, (node, _) in LAWS.items()
-        if {ast.unparse(base).rpartition(".")[2] for base in node.bases} & {"ABC", "Protocol"}
-    ]
-    assert [name.rpartition("::")[2] for name in abstract] == ["TractionLaw"]
+    bases = {law.name: {ast.unparse(base).rpartition(".")[2] for base in law.bases} for law in LAWS.values()}
+    assert [name for name, of in bases.items() if of & {"ABC", "Protocol"}] == ["TractionLaw"]

@@ -1,4 +1,4 @@
-"""What a layer of oil at the inlet leaves of a flooded film, from two solutions in one box."""
+"""Effect of a layer of oil at the inlet on a flooded film, from two solutions in one box."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -145,7 +145,7 @@ def oil_supply(
 
 
 def _meniscus(solution: ContactSolution, empty: NDArray[np.int8]) -> float | None:
-    """Where the gap fills ahead of the centre on the line Y = 0, half a mesh before the first full
+    """Locate the meniscus ahead of the centre on the line Y = 0, half a mesh before the first full
     node behind the last empty one [-]; None where the box begins full.
     """
     ahead = np.flatnonzero((empty > 0) & (solution.X < 0.0))
@@ -155,7 +155,7 @@ def _meniscus(solution: ContactSolution, empty: NDArray[np.int8]) -> float | Non
 
 
 def _moment(solution: ContactSolution, levels: Multigrid) -> float:
-    """Of the pressure in the box about the centre [-]."""
+    """Sum the moment of the pressure in the box about the centre [-]."""
     return sum(pressure_moment(solution, levels.contact))
 
 
@@ -220,7 +220,9 @@ def _over_box(solution: ContactSolution, values: Array) -> float:
 
 
 def _flow_heat(P: Array, eps: Array, h: float) -> Array:
-    """Of the flow along the first axis, less what it takes over both ends, by lines [-]."""
+    """Sum the heat of the flow along the first axis, less that which leaves over both ends, by
+    lines [-].
+    """
     faces = 0.5 * (eps[1:] + eps[:-1]) * (P[1:] - P[:-1]) ** 2 / h
     first = (3.0 * P[0] - 4.0 * P[1] + P[2]) / (2.0 * h)
     last = (3.0 * P[-1] - 4.0 * P[-2] + P[-3]) / (2.0 * h)

@@ -66,8 +66,8 @@ class FilmArrays:
     minimum: Array  # [m]
     approach: Array  # h_0, the constant of the film equation [m]
     stiffness: Array  # -dF/dh_0 [N/m]
-    # that hold nineteen of twenty contacts, those of the approach in its unit [m], others over the
-    # value [-]
+    # errors that cover nineteen of twenty contacts, those of the approach in its unit [m], others
+    # over the value [-]
     central_error: Array
     minimum_error: Array
     approach_error: Array
@@ -76,7 +76,7 @@ class FilmArrays:
 
 
 class _Lattice(NamedTuple):
-    """What contacts of a patch are looked up in [-]."""
+    """Lattice in which contacts of a patch are looked up [-]."""
 
     slant: Array  # of the patch
     low: Array  # (3,) of slanted x
@@ -159,7 +159,7 @@ def _contact_columns(c: ContactArrays) -> tuple[tuple[int, ...], list[Array]]:
 
 
 class _Places(NamedTuple):
-    """Where contacts lie in the table, shape (n,) but for x of (n, 3) [-]."""
+    """Positions of contacts in the table, shape (n,) but for x of (n, 3) [-]."""
 
     x: Array
     alpha: Array  # [1/Pa]
@@ -194,7 +194,7 @@ def _places(columns: list[Array]) -> _Places:
 
 @cache
 def _lattices() -> tuple[_Lattice, _Lattice]:
-    """That of light and that of heavy contacts, made once."""
+    """Build the lattices of light and of heavy contacts, once."""
     known = table()
     lightest, heaviest = RANGE["A = a^2/(Rx^2 sqrt(2U))"]
     ends = ((known.light, lightest, SEAM[1]), (known.heavy, SEAM[0], heaviest))
@@ -205,7 +205,7 @@ def _lattices() -> tuple[_Lattice, _Lattice]:
 def _lattice(
     patch: Patch, lightest: float, heaviest: float, nodes: tuple[int, int, int]
 ) -> _Lattice:
-    """Of a patch between two A."""
+    """Build the lattice of a patch between two A."""
     thick, ratio = RANGE["L"], RANGE["Rx/Ry"]
     low = np.array([log(lightest), sqrt(thick[0]), log(ratio[0])])
     high = np.array([log(heaviest), sqrt(thick[1]), log(ratio[1])])
@@ -242,7 +242,7 @@ def _axes(log_ratio: Array) -> Array:
 
 
 def _in_range(values: tuple[Array, ...]) -> NDArray[np.bool_]:
-    """Where A, L, D, z and alpha lie in the range of the atlas, shape (n,)."""
+    """Mark where A, L, D, z and alpha lie in the range of the atlas, shape (n,)."""
     result = np.ones(values[0].shape, dtype=np.bool_)
     for (low, high), value in zip(RANGE.values(), values, strict=True):
         result &= (value >= low) & (value <= high)

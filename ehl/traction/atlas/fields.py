@@ -29,8 +29,9 @@ from .table import oil_features, radial, trend_terms
 
 FILE = Path(__file__).parent / "fields.npz"
 LIGHT_FILE = Path(__file__).parent / "fields_light.npz"  # of light contacts, for friction alone
-# of A, L, D, Roelands' z [-] and alpha [1/Pa] between which tables were judged; draws aimed at
-# what is left out of the labels' L and D, and at large L below a least A, were off by up to 3 %
+# ranges of A, L, D, Roelands' z [-] and alpha [1/Pa] between which tables were validated; draws
+# aimed at the regions outside the labels' L and D, and at large L below a least A, were off by up
+# to 3 %
 RANGE = {
     "A = a^2/(Rx^2 sqrt(2U))": (15.0, 160.0),
     "L": (3.0, 30.0),
@@ -45,19 +46,20 @@ HALF = LINES // 2  # lines on one side of the middle
 RINGS = (0.0, 1.12, 1.25, 1.5, 2.2, np.inf)
 SECTORS = 9
 CELLS = (len(RINGS) - 1) * SECTORS
-# of a cell: area, area over film, and means with the latter as weight: pressure, place, spread
+# rows of a cell: area, area over film, and means with the latter as weight: pressure, place,
+# spread
 CELL_ROWS = 7
 # prior deviations of the amplitudes over theirs: radial functions, trend, terms of the oil
 DEVIATION = 0.3
 TREND = 5.0
 OIL = 0.1
-# of places in the oil's terms
+# centre of positions in the oil's terms
 CENTRE = np.array([2.5, 2.5, -2.5])
 SPREAD = np.array([1.2, 1.5, 1.5])
 
 
 class FieldTable(NamedTuple):
-    """What the file holds [-]."""
+    """Contents of the file [-]."""
 
     places: Array  # (n, 3) ln A, sqrt L, ln D of the contacts
     oils: Array  # (n, 5) their `oil_features`
@@ -297,7 +299,7 @@ def require_fields(conditions: ContactConditions) -> None:
 
 
 def _judged_oil(oil: Lubricant) -> bool:
-    """Whether the oil is of the kind of the solved ones."""
+    """Tell whether the oil is of the kind of the solved ones."""
     usual = Lubricant(viscosity=oil.viscosity, pressure_viscosity=oil.pressure_viscosity)
     return (
         oil.viscosity_law is ViscosityLaw.ROELANDS

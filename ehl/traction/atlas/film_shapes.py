@@ -31,14 +31,14 @@ from .table import heavy_weight
 
 HALF_LINES = 12  # on one side of the middle, all of one width
 PLACES = 14  # of Gauss' rule from edge to edge of each line
-# of A, L, D, alpha [1/Pa] and z that contacts were solved at
+# ranges of A, L, D, alpha [1/Pa] and z of the solved contacts
 BOX = ((2.8, 160.0), (1.0, 30.0), (0.01, 1.0), (1e-8, 3e-8), (0.4, 0.8))
 PLACE = len(BOX) + 1  # numbers of a place [-]
 SEAM = (11.0, 15.0)  # of A, between which the table of light contacts goes over into the other
 
 
 class FilmShapes(NamedTuple):
-    """Of n contacts: nodes of high pressure (5, n, m), and those around them, (5, n, k).
+    """Fields of n contacts: nodes of high pressure (5, n, m), and those around them, (5, n, k).
 
     The rows are x over the semi-axis along rolling, y over that across, area over both, pressure
     over Hertz', and film over the central one, of those around over a^2/Rx.
@@ -49,7 +49,7 @@ class FilmShapes(NamedTuple):
 
 
 class _Parts(NamedTuple):
-    """Of vectors (k, ...), on lines of one half."""
+    """Components of vectors (k, ...), on lines of one half."""
 
     half_width: Array  # (k,)
     first: Array  # (k, lines)
@@ -63,7 +63,7 @@ class _Parts(NamedTuple):
     shear: Array
 
 
-# of the parts of one vector
+# shapes of the components of one vector
 SHAPES = (
     *((), (HALF_LINES,), (HALF_LINES,)),
     *((HALF_LINES, PLACES), (HALF_LINES, PLACES), (PLACES,), (2,)),
@@ -246,8 +246,8 @@ def _split(vectors: Array) -> _Parts:
 
 
 def _line_weights() -> Array:
-    """Of the lines of the table's half on the middle and on the few lines, by cubic splines over
-    both halves, shape (1 + HALF_LINES, HALF) [-].
+    """Interpolate the lines of the table's half to the middle and to the few lines, by cubic
+    splines over both halves, shape (1 + HALF_LINES, HALF) [-].
     """
     positions = (np.arange(LINES) + 0.5) * (2.0 / LINES) - 1.0
     wanted = np.concatenate([[0.0], (np.arange(HALF_LINES) + 0.5) / HALF_LINES])
@@ -258,8 +258,8 @@ def _line_weights() -> Array:
 
 
 def _along_weights() -> Array:
-    """Of the table's places at the few of a line, by the polynomials of its panels, shape (PLACES,
-    n) [-].
+    """Interpolate the table's nodes to the few of a line, by the polynomials of its panels, shape
+    (PLACES, n) [-].
     """
     known, wanted = node_shares()[0], _gauss()[0]
     weights = np.zeros((wanted.size, known.size))

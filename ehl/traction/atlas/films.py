@@ -25,7 +25,7 @@ from .skewed import MIXED, SKEW_RANGE, Along, along_entrainment, mixed_functions
 from .table import BASE_ALPHA, BASE_Z, LIGHT, error_bars, functions
 from .turning import ROTATION, rotation_effect, rotation_law
 
-# of A, L, D, Roelands' z [-] and alpha [1/Pa] between which the table was judged
+# ranges of A, L, D, Roelands' z [-] and alpha [1/Pa] between which the table was validated
 RANGE = {
     "A = a^2/(Rx^2 sqrt(2U))": (0.35, 160.0),
     "L": (0.0, 30.0),
@@ -42,8 +42,8 @@ STEP = 0.02  # of ln A, over which H0 is differentiated
 # relative error of the stiffness below and above A = `LIGHT`: 70 contacts solved at 0.985 and
 # 1.015 of the load were within 6.9 % (A 2.2 to 6.5, others below 0.6 %) and 0.6 % [-]
 STIFFNESS_ERROR = (0.07, 0.01)
-# of the moment that the gap of circles takes from that of paraboloids, its error: 95 % of the
-# drawn by `python tools/atlas/circles.py 20261127 30` are within 0.17 [-]
+# error of the moment that the gap of circles takes from that of paraboloids: 95 % of the drawn by
+# `python tools/atlas/circles.py 20261127 30` are within 0.17 [-]
 CIRCLES = 0.2
 
 
@@ -65,7 +65,7 @@ class AtlasValue:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class AtlasFilms:
-    """What the atlas knows of a contact: SI of dimensional conditions; of Moes' groups films and
+    """Films of a contact by the atlas. SI of dimensional conditions; of Moes' groups films and
     approach in a^2/Rx, the moment in p_h a^3 and the stiffness in the load over a^2/Rx [-].
     """
 
@@ -182,7 +182,7 @@ class _Place(NamedTuple):
 
 
 def _place(given: ContactConditions | MoesConditions) -> _Place:
-    """Of a contact; NotInAtlasError where it is not covered, its film aside."""
+    """Locate a contact in the atlas; NotInAtlasError where it is not covered, its film aside."""
     conditions = with_inlet_oil(given)
     contact = scale_contact(conditions)
     own = atlas_load(contact)

@@ -58,7 +58,7 @@ def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | 
         alpha *= thick / contact.moes_lubricant
         oil = replace(oil, pressure_viscosity=alpha, roelands_z=rise)
         way += abs(log(contact.moes_lubricant / thick))
-    # 2. whether that brings it into the range
+    # 2. check that the change brings it into the range
     near = replace(standing, load=conditions.load * (wanted / own) ** 1.5, lubricant=oil)
     try:
         require_covered(near, contact, wanted)
@@ -69,7 +69,7 @@ def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | 
 
 
 def _nearest(name: str, value: float) -> float:
-    """Of the range; a little within where the value is not, so that rounding does not leave it."""
+    """Clip a value to the range, a little within it, so that rounding does not leave it."""
     low, high = RANGE[name]
     if low <= value <= high:
         return value

@@ -38,12 +38,13 @@ MOST_PRESSURE = (
 Z_LIMITS = (0.05, 1.9)  # between which z is sought
 
 
-# of the six functions: how far each follows ln rho(p_h), and p_i over the first moment; those of
-# films fitted to other contacts, others to eight incompressible ones (`film_atlas.md`)
+# effect on the six functions: how far each follows ln rho(p_h), and p_i over the first moment;
+# those of films fitted to other contacts, others to eight incompressible ones (`film_atlas.md`)
 DENSITY = ((1.03, 1.46), (0.19, 0.63), (-0.03, 0.0), (0.22, 0.0), (0.2, 0.0), (0.16, 0.0))
 # likewise of isoviscous oils, whose density the table does not have: eight contacts, A 6 to 109
 ISOVISCOUS_DENSITY = (0.33, -0.25, 0.0, 0.25, 0.24, 0.21)
-# of A, over which density begins to count so: in lighter contacts it moves the step of the film
+# interval of A over which density begins to count so: in lighter contacts it moves the step of the
+# film
 DENSITY_SEAM = (5.0, 7.0)
 # and ln of the density over that of Dowson and Higginson at p_h beyond which these are refused [-]
 LIGHT_DENSITY = 0.02
@@ -211,13 +212,13 @@ def law_error(oil: Lubricant, heavy: bool) -> Array:
 
 
 def _roelands(oil: Lubricant) -> bool:
-    """Whether an oil is one of Roelands' as the table has them."""
+    """Tell whether an oil is one of Roelands' as the table has them."""
     own = oil.viscosity_law is ViscosityLaw.ROELANDS
     return own and oil.roelands_pressure == ROELANDS_PRESSURE
 
 
 def _alpha(z: float, first: float) -> float:
-    """Of Roelands' law with that first moment [1/Pa]."""
+    """Evaluate alpha of Roelands' law with that first moment [1/Pa]."""
 
     def excess(log_alpha: float) -> float:
         return _roelands_moments(float(np.exp(log_alpha)), z)[0] / first - 1.0

@@ -24,8 +24,8 @@ from ...closed_form.hertz import hertz_coefficients
 from .table import BASE_ALPHA, BASE_Z, radial
 
 FILE = Path(__file__).parent / "skewed.npz"
-# of the contact along its principal direction of smaller radius, where entrainment at an angle was
-# judged
+# ranges of the contact along its principal direction of smaller radius, validated for entrainment
+# at an angle
 SKEW_RANGE = {
     "entrainment_angle_deg: A along the smaller radius": (10.0, 80.0),
     "entrainment_angle_deg: ratio of the smaller radius to the larger": (0.05, 1.0),
@@ -54,7 +54,7 @@ class Along(NamedTuple):
 
 
 class Skew(NamedTuple):
-    """What the file holds [-]."""
+    """Contents of the file [-]."""
 
     places: Array  # (n, 4)
     scales: Array  # (4,)

@@ -35,7 +35,7 @@ PAIRS = np.triu_indices(3)
 NO_STEP = np.array([0.0, 1.0, 0.0, 1.0, 1.0, 1.0])  # of a patch without a step [-]
 
 
-# of A, between which the patch of light contacts gives way to that of heavy ones [-]
+# interval of A in which the patch of light contacts gives way to that of heavy ones [-]
 SEAM = (7.0, 9.0)
 LIGHT = 7.0  # A below which contacts are light
 STEP = 0.2  # of the slanted ln A, up to which light contacts count to the step of their film [-]
@@ -61,7 +61,7 @@ class Patch(NamedTuple):
 
 
 class Table(NamedTuple):
-    """What the file holds [-]."""
+    """Contents of the file [-]."""
 
     light: Patch
     heavy: Patch

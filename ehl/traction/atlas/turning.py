@@ -1,4 +1,4 @@
-"""What a rotation of the entrainment does to films."""
+"""Effect of a rotation of the entrainment on films."""
 
 from math import exp, inf
 from typing import NamedTuple
@@ -16,7 +16,7 @@ SLIM = 0.1  # Rx/Ry up to which ellipses are as those of ball bearings
 
 
 class Turning(NamedTuple):
-    """What a rotation does to films in slim ellipses [-]."""
+    """Effect of a rotation on films in slim ellipses [-]."""
 
     load: float  # A up to which it counts
     ratio: float  # Rx/Ry up to which it counts

@@ -347,5 +347,7 @@ def _ratio_nodes() -> Array:
 
 
 def _difference(responses: Array) -> Array:
-    """Of what body 1 and body 2 conduct away, the inverse of their responses [W/(K m^1.5)]."""
+    """Subtract the heat that body 2 conducts away from that of body 1, the inverse of their
+    responses [W/(K m^1.5)].
+    """
     return np.asarray(1.0 / responses[:, 0] - 1.0 / responses[:, 1])

@@ -233,7 +233,7 @@ def _mesh(
     time = a / conditions.entrainment_speed
     contact: LinearContact = linear_contact(state)
     slow: SlowResponse = contact.slow()
-    # of p_h a^2 over a^2/R_x, and the time a/u_m
+    # unit of stiffness p_h a^2 over a^2/R_x, and the time a/u_m
     unit = conditions.load / (state.contact.load * scale)
     samples = []
     for frequency in frequencies:

@@ -126,7 +126,7 @@ def _require_law(contact: TableContact) -> None:
 
 
 def _not_covered(contact: TableContact, limits: TableRange) -> str:
-    """Why the atlas does not have all films of a table; nothing where it has."""
+    """Explain why the atlas does not have all films of a table; empty where it has."""
     try:
         _require_law(contact)
         for load, speed in product(limits.load, limits.speed):

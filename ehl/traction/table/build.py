@@ -31,7 +31,8 @@ from .values import grid_values
 START = (12, 4, 55, 15, 35)
 HEATED_START = (19, 4, 59, 17, 37)
 SCALE_DEGREES = (3, 2)  # of the scales over load and speed, chosen by trial [-]
-# of the units of forces and moments: their largest bend where the motion that has it changes
+# degrees of the units of forces and moments: their largest bend where the motion that has it
+# changes
 UNIT_DEGREES = (5, 2)
 GROWTH = 1.4  # of the nodes of a motion
 NARROW_LOADS = 6  # fewest nodes of a narrow range of loads
@@ -57,8 +58,8 @@ class TableOptions:
     seed: int = 52163  # of the random places of the check
     # solves the film of a place, as `film_sample`; a store of films takes its place
     sample: FilmSampler = film_sample
-    # of load, speed, slide_x, slide_y (its half above zero) and spin to begin with, 4 at least;
-    # None: `START` or, with heat, `HEATED_START`
+    # nodes of load, speed, slide_x, slide_y (its half above zero) and spin to begin with, 4 at
+    # least; None: `START` or, with heat, `HEATED_START`
     nodes: tuple[int, int, int, int, int] | None = None
     narrow: bool = False  # fewer of load to begin with where its range is narrow
 
@@ -177,7 +178,9 @@ def check_table(table: TractionTable, contact: TableContact, options: TableOptio
 
 
 def _error(study: _Study, table: TractionTable) -> TableError:
-    """Of a table at the films of the check, and at those where it is in doubt."""
+    """Evaluate the error of a table at the films of the check, and at those of the adaptive
+    points.
+    """
     options = study.options
     drawn = options.check_motions, options.seed
     if options.check_doubtful:
@@ -344,7 +347,9 @@ def _unchecked(tolerance: float) -> TableError:
 
 
 def _with_message(study: _Study, table: TractionTable, filled: int) -> TractionTable:
-    """Whether it converged, and what did not; at how many nodes the response is filled in."""
+    """Set whether the table converged, and the message on it; at how many nodes the response is
+    filled in.
+    """
     films = [*study.films.values(), *study.checks, *study.doubtful]
     bad = sum(not film.film.converged for film in films)
     error = table.error

@@ -1,5 +1,5 @@
-"""Check of a table: films at loads and speeds between its nodes, random ones and those where its
-splines bend most, their shear at random motions, and stiffness and damping at some of them.
+"""Check of a table by films at loads and speeds between its nodes. Random ones and those where its
+splines bend most are sheared at random motions; some have stiffness and damping.
 """
 
 from collections.abc import Sequence
@@ -21,7 +21,7 @@ RESPONSE_TOLERANCE = 0.05
 # smaller ones traction goes with the motion
 SMALLEST_SLIDE = 1e-7
 SMALLEST_SPIN = 1e-5
-# of `standstill_motions`: slow body's speed over half the entrainment, across the slide over it
+# `standstill_motions`: slow body's speed over half the entrainment, across the slide over it
 SLOW = (1e-3, 0.25)
 SMALLEST_ACROSS = 1e-4
 
@@ -70,7 +70,7 @@ def adaptive_check_points(table: TractionTable) -> list[Place]:
         ln(load) and ln(speed) of each position
     """
     loads, speeds = table.axes[:2]
-    # 1. of the splines' coefficients, by the largest over the motions
+    # 1. rows of the splines' coefficients, by the largest over the motions
     some = (slice(None), slice(1, -1), *(slice(None, None, 2),) * 3)
     bend = np.abs(np.diff(table.values[*some, :3].astype(np.float32), 4, axis=0)).max(
         axis=(2, 3, 4)
@@ -226,8 +226,8 @@ def standstill_motions(limits: TableRange, rng: np.random.Generator, count: int)
 def _errors(
     contact: TableContact, table: TractionTable, film: FilmSample, kinds: Sequence[Sequence[Array]]
 ) -> Array:
-    """Errors of force and moments about n, y at a film's motions of each kind over the film's own
-    largest at all of these, shape (kinds, n, 3), as `TableError` measures them [-].
+    """Measure the errors of force and moments about n, y at a film's motions of each kind. They
+    are over the film's largest at all of these, shape (kinds, n, 3), as in `TableError` [-].
     """
     moved = [np.concatenate(parts) for parts in zip(*kinds, strict=True)]
     expected = relative_forces(contact, film.film, film.speed, moved)
@@ -243,7 +243,7 @@ def _errors(
 
 
 def _sizes(forces: Array) -> Array:
-    """Of forces (n, 4): force and moments about n, y, shape (n, 3) [N], [N m]."""
+    """Give the size of forces (n, 4): force and moments about n, y, shape (n, 3) [N], [N m]."""
     force = np.hypot(forces[:, 0], forces[:, 1])
     return np.stack([force, np.abs(forces[:, 2]), np.abs(forces[:, 3])], axis=1)
 

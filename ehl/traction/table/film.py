@@ -19,7 +19,7 @@ from ..rolling_moment import rolling_moment
 from .many_motions import vectorised_heated_forces, vectorised_sliding_forces
 from .table import TableContact, TableRange
 
-# of the motion where the traction has risen by half, along, across and of spin: the scale there
+# scale over the motion where the traction has risen by half, along, across and of spin
 SCALE_SHARE = (0.004, 0.006, 0.16)
 # motions over the largest ones, between which that one is interpolated
 SCALE_SAMPLES = np.geomspace(1e-7, 1.0, 29)
@@ -69,7 +69,7 @@ class TableFilm:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SolvedFilm(TableFilm):
-    """That of a film that was solved."""
+    """Quadrature of a film that was solved."""
 
     solution: ContactSolution
 
@@ -136,18 +136,18 @@ class FilmSample:
     scales: tuple[float, float, float]  # of slide_x/u, slide_y/u, spin R_x/u [-]
     moment: float  # hydrodynamic, of the oil up to its meniscus, positive [N m]
     response: NormalResponse | None  # stiffness and damping; None: not asked for
-    # of a film that was to be the atlas's: why it was solved, nothing where it was not; None:
+    # reason for solving a film that the atlas was to have, empty where it was not solved; None:
     # the atlas was not asked
     solved_because: str | None = None
 
     @property
     def load(self) -> float:
-        """[N]."""
+        """Load [N]."""
         return exp(self.place[0])
 
     @property
     def speed(self) -> float:
-        """Of entrainment [m/s]."""
+        """Entrainment speed [m/s]."""
         return exp(self.place[1])
 
 
@@ -197,7 +197,9 @@ def film_sample(
 
 
 def _response(contact: TableContact, place: tuple[float, float], points: int) -> NormalResponse:
-    """Of the isothermal film at a load [N] and speed [m/s], on few points where that converges."""
+    """Evaluate the response of the isothermal film at a load [N] and speed [m/s], on few points
+    where that converges.
+    """
     for count in sorted({min(points, RESPONSE_POINTS), points}):
         response = normal_response(contact.conditions(*place), SolverOptions(points=count))
         if response.converged:

@@ -1,5 +1,5 @@
-"""What the films of a traction table leave out: their traction compared with full solves of
-contacts that slide.
+"""Effects that the films of a traction table leave out: their traction compared with full solves
+of contacts that slide.
 
 A table shears films that were solved Newtonian and without sliding. In a full solve the oil's
 rheology, and heat where the table has it, act in film and flow, at the sliding of the contact

@@ -145,7 +145,8 @@ def _shear_per_sliding(nodes: Array, rheology: Rheology, squares: _Squares) -> F
 
 def _refined(shear_per_sliding: Float32Array, squares: _Squares) -> Float32Array:
     """Pulls at the fine squares by cubics in their logarithm, shape (nodes, squares) [N s/m]."""
-    # of mantissas 1 + k/16, which stand between each fourth from half the first to twice the last
+    # logarithms of mantissas 1 + k/16, which stand between each fourth from half the first to
+    # twice the last
     fine = 1.0 + np.arange(FINE) / FINE
     every = 1.0 + np.arange(0, FINE, COARSE) / FINE
     known = np.log(np.concatenate([0.5 * every[-1:], every, 2.0 * every[:2]]))

@@ -16,9 +16,10 @@ from numpy.typing import NDArray
 
 from .splines import along_axis, node_values, spline_coefficients, spline_matrix
 
-# of the largest force or moment of a film [-]: the rounding is 0.0075 of the tolerance of tables
+# step over the largest force or moment of a film [-]: the rounding is 0.0075 of the tolerance of
+# tables
 VALUE_STEP = 1.5e-4
-# of a step, from its whole numbers: what is rounded to single precision stays within
+# distance from whole numbers of steps: a value that is rounded to single precision stays within
 ON_STEP = 0.1
 FILE_ORDER = (5, 2, 3, 4, 0, 1)  # of the axes: forces and moments apart, load and speed last
 DIFFERENCED = (4, 3, 2)  # axes, spin first; of further ones differences are no smaller
@@ -30,8 +31,8 @@ Numbers = NDArray[np.int16]
 Integers = NDArray[np.int32]
 LARGEST_NUMBER = np.iinfo(np.int16).max
 BITS = 32  # of a whole number in a file
-# of what packs them, chosen by trial on both races of 6208_with_heat: the presets of the library
-# make it 4 % smaller at most and take three times as long
+# filters of the compression, chosen by trial on both races of 6208_with_heat: the presets of the
+# library make it 4 % smaller at most and take three times as long
 FILTERS = [
     {
         "id": lzma.FILTER_LZMA2,
@@ -89,7 +90,7 @@ def stored_values(values: NDArray[Any]) -> Values:
 
 
 def _coefficients(numbers: Integers) -> Values:
-    """Of the splines through whole numbers of `VALUE_STEP` and their mirror image [-]."""
+    """Fit the splines through whole numbers of `VALUE_STEP` and their mirror image [-]."""
     count = numbers.shape[ACROSS]
     # 1. across, of the half above: what the half above and that below, turned, give to it
     both = spline_matrix(2 * count - 1)[count - 1 :] * VALUE_STEP

@@ -71,7 +71,7 @@ class _Rows:
 
     @property
     def count(self) -> int:
-        """Of the rows."""
+        """Number of the rows."""
         return len(self.ends) - 1
 
     def add(self, columns: Sequence[Array | float], shear_per_sliding: Float32Array) -> None:
@@ -211,7 +211,7 @@ def _add_strips(rows: _Rows, nodes: Array, shear_per_sliding: Float32Array) -> t
 
 
 def _columns(nodes: Array) -> tuple[Array, ...]:
-    """Of nodes as they are, shape (8, ...)."""
+    """Give the columns of nodes as they are, shape (8, ...)."""
     return nodes[X], nodes[Y], nodes[AREA], nodes[SPREAD_X], 3.0 * nodes[SPREAD_Y]
 
 

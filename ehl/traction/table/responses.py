@@ -28,7 +28,7 @@ from .table import TableContact
 # chosen on the inner race of `6208_with_heat` (76 nodes), tried on its outer one
 LOAD_BY_SPEED = 2.0 / 3.0  # power of the speed with which the load of the turn grows
 SHARPEST = 0.2  # power of W in x: loads where a film turns are the lightest of most tables
-# of ln(speed) beside x: where nodes are chosen, and where values are interpolated
+# scales of ln(speed) against x, for the choice of nodes and for the interpolation
 CHOICE_SCALE = 0.31
 SPEED_SCALE = 0.16
 APART = 0.2  # distance to the nearest node that is solved, at most

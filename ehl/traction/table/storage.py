@@ -200,7 +200,7 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
 
 
 def _content(arrays: dict[str, Any]) -> str:
-    """Of the arrays of a file."""
+    """Hash the arrays of a file."""
     digest = sha256()
     for name in ARRAYS:
         digest.update(np.ascontiguousarray(arrays[name], dtype="<f8").tobytes())

@@ -37,7 +37,7 @@ FLAGS = ("load below", "load above", "speed below", "speed above", "slide_x", "s
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TableContact:
-    """What a table is built for: the pair of bodies, the oil, its rheology and temperature."""
+    """Inputs of a table: the pair of bodies, the oil, its rheology and temperature."""
 
     radius_x: float  # reduced radius of curvature along the entrainment [m]
     radius_y: float  # and across [m]
@@ -45,7 +45,7 @@ class TableContact:
     lubricant: Lubricant
     rheology: Rheology
     temperature: float  # of the oil at the inlet [K]
-    # of the loaded surface across the entrainment; infinite: no curvature slip [m]
+    # radius of the loaded surface across the entrainment; infinite: no curvature slip [m]
     curvature_radius: float = inf
     curvature_difference: float = 0.0  # 1/R_2x - 1/R_1x of the bodies [1/m]
     # body 1, the ball, and body 2; None: the oil stays at its temperature
@@ -141,8 +141,8 @@ class TableError:
     films: int  # films solved for the check
     motions: int  # motions at each
     tolerance: float  # asked for, on the largest [-]
-    # of the force vector over kappa_max Q at as many motions without spin or with little, from
-    # slides of 1e-7 of the entrainment on; NaN in files written before it was known [-]
+    # error of the force vector over kappa_max Q at as many motions without spin or with little,
+    # from slides of 1e-7 of the entrainment on; NaN in files written before it was known [-]
     largest_straight: float = nan
     # over those solved at `responses` films of the check; NaN where none converged and in files
     # written before they were measured
@@ -152,8 +152,8 @@ class TableError:
 
     @property
     def reached(self) -> bool:
-        """Whether every point of the check is within the tolerance, those drawn evenly in the
-        table's coordinates; near rolling without spin `largest_straight` tells.
+        """True if every point of the check is within the tolerance, those drawn evenly in the
+        table's coordinates; `largest_straight` counts near rolling without spin.
         """
         return self.largest <= self.tolerance
 
@@ -201,7 +201,7 @@ class TractionTable:
 
     @cached_property
     def constants(self) -> Array:
-        """As the kernel takes them, shape (13,): see `_kernels.table_lookup`."""
+        """Constants as the kernel takes them, shape (13,): see `_kernels.table_lookup`."""
         contact = self.contact
         bodies = (contact.radius_x, contact.curvature_difference)
         along, across = contact.unit_semi_axes

@@ -32,7 +32,7 @@ class TemperatureTable:
     """Traction of one contact at several temperatures of its oil."""
 
     tables: tuple[TractionTable, ...]  # of the same range and nodes, at rising temperatures
-    # of the tables half-way between neighbours, against films and shear at that temperature
+    # errors of the tables half-way between neighbours, against films and shear at that temperature
     errors: tuple[TableError, ...] = ()
 
     def __post_init__(self) -> None:
@@ -48,12 +48,12 @@ class TemperatureTable:
 
     @property
     def temperatures(self) -> tuple[float, ...]:
-        """Of the tables [K]."""
+        """Temperatures of the tables [K]."""
         return tuple(table.contact.temperature for table in self.tables)
 
     @property
     def converged(self) -> bool:
-        """Whether every table is, and those between keep the tolerance."""
+        """True if every table converged, and those between are within the tolerance."""
         between = all(error.reached for error in self.errors)
         return between and all(table.converged for table in self.tables)
 
