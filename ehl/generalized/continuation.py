@@ -40,7 +40,7 @@ SMALLER_STEP = "rheology and heat raised in smaller steps"
 # Beside each number the cycles that half and double of it add to 24, 26 and 46, measured on 65
 # points for Eyring films of 5 MPa at 2.3 GPa, without and with heat, and at 3.6 GPa with a factor
 # that follows the pressure. All converge, central films to 0.1 %; "none" are bounds not reached.
-FIRST_SHARE = 0.1  # of rheology and heat; +4, -5
+FIRST_FRACTION = 0.1  # of rheology and heat; +4, -5
 STEP_GROWTH = 2.0  # of the share from step to step; +4 to +12 (1.4), 0 to -8
 STEP_CYCLES = 4  # at each share below the full one, and the first ones at that; -22, +44
 # largest step of the share where the factor follows the pressure; +32, -20
@@ -56,7 +56,7 @@ TEMPERATURE_RELAXATION = 0.3  # +8, -4 with heat
 # fraction of the change from the Newtonian film in the error bar: effect of the mesh on shear and
 # heat. On 129 points it was 0.03 at most where the bar in proportion alone missed (100 N at 20
 # m/s: 3.8 %)
-CHANGE_SHARE = 0.05
+CHANGE_FRACTION = 0.05
 # largest change in a cycle [K] at which cycles are accelerated; none
 REST_TEMPERATURE_CHANGE = 1.0
 
@@ -95,7 +95,7 @@ def solve_by_continuation(
         return with_fallbacks(replace(plain, message=message), fallbacks), None
     # 2. share of rheology and heat
     start, attempt = _start(plain, options, flow)
-    state, fraction, halvings = _raise_share(start, flow)
+    state, fraction, halvings = _raise_fraction(start, flow)
     fallbacks += halvings * (SMALLER_STEP,)
     # 3. cycles at the full share
     result = AttemptResult(state=state, attempt=attempt)
@@ -175,7 +175,7 @@ def _start(
     return state, attempt
 
 
-def _raise_share(state: Multigrid, flow: GeneralizedFlow) -> tuple[Multigrid, float, int]:
+def _raise_fraction(state: Multigrid, flow: GeneralizedFlow) -> tuple[Multigrid, float, int]:
     """Raise the share to 1 [-], the first cycles there included; the levels with the flow of the
     last step, the share reached, below 1 if even the smallest step diverged, and the number of
     steps halved.
@@ -184,7 +184,7 @@ def _raise_share(state: Multigrid, flow: GeneralizedFlow) -> tuple[Multigrid, fl
     damped = Continuation(relaxation=TEMPERATURE_RELAXATION, follow_pressure=follows)
     largest = FOLLOWING_STEP if follows else 1.0
     reached = 0.0
-    share = FIRST_SHARE
+    share = FIRST_FRACTION
     halvings = 0
     index = len(state.levels) - 1
     while reached < 1.0:
@@ -287,5 +287,5 @@ def _in_proportion(plain: FilmValue, result: AttemptResult, kind: int) -> FilmVa
     finest = history.film[-1][kind]
     ratio = finest / plain.finest
     uncertainty = abs(ratio) * plain.uncertainty + history.noise(kind) * abs(finest)
-    uncertainty += CHANGE_SHARE * abs(1.0 - ratio) * plain.finest
+    uncertainty += CHANGE_FRACTION * abs(1.0 - ratio) * plain.finest
     return FilmValue(value=ratio * plain.value, uncertainty=uncertainty, finest=finest)

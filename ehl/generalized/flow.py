@@ -55,12 +55,12 @@ SETTLED_FLOW = 2e-2
 RELAXATION = 0.6
 # sweeps of the heat of a film at rest, for its traction: that of a 6208 under 50 N at a slide-roll
 # ratio of 0.002 was 5 % too high without
-MOST_SWEEPS = 4
+MAX_SWEEPS = 4
 # pending change over the largest rise of temperature from which on a column is solved at rest [-]:
 # the heat of 18 films within 1e-3 of that with all columns, 4e-2 with LEAST_UNSEEN where it rises
 # by 0.4 K
-RESTED_SHARE = 2e-3
-RESTED_TEMPERATURE = 0.5  # largest change in a cycle up to which heat is at rest [K]
+CONVERGED_HEAT_FRACTION = 2e-3
+CONVERGED_HEAT_TEMPERATURE = 0.5  # largest change in a cycle up to which heat is at rest [K]
 SMALLEST_SLOPE = 1e-10  # of ln(eta) by pressure, below which an oil counts as isoviscous [1/Pa]
 
 
@@ -225,13 +225,15 @@ class GeneralizedFlow:
             return last
         fields = film_fields(contact, grid, P, H, self.conditions)
         rise = float(np.abs(last.heat.temperature - self.heat.inlet).max())
-        heat = replace(last.heat, least=min(RESTED_SHARE * rise, SMALLEST_PENDING_CHANGE))
+        heat = replace(
+            last.heat, least=min(CONVERGED_HEAT_FRACTION * rise, SMALLEST_PENDING_CHANGE)
+        )
         middle = last.mid_stress.copy()
-        for _ in range(MOST_SWEEPS):
+        for _ in range(MAX_SWEEPS):
             heat = self.heat.advance(
                 contact, grid, fields, middle, (self.section, self.rheology), heat
             )
-            if heat.change < RESTED_TEMPERATURE:
+            if heat.change < CONVERGED_HEAT_TEMPERATURE:
                 break
         unsolved = self._evaluate(fields, middle, heat.temperature)[-1]
         return replace(last, mid_stress=middle, heat=heat, unsolved_stresses=unsolved)

@@ -25,15 +25,15 @@ from .section import film_section
 
 # fraction of the columns that may stay unsolved or over the limiting stress, measured: they lie at
 # the edge of the cavity, where hardly anything flows
-UNSOLVED_SHARE = 0.005
+UNSOLVED_FRACTION = 0.005
 # error bar of the film by twelve nodes across it: a fraction, and one times the fourth power of
 # what heat takes by Gupta's formula. 38 films are -0.05 % to 0.41 times that power thicker than on
 # 36 nodes, on which up to a fifth as much is left
-SECTION_SHARE = 5e-4
+SECTION_FRACTION = 5e-4
 SECTION_ERROR = 0.55
 # error bar of the film for each kelvin by which the heat of a film at rest still changes: where
 # the eddy ahead of two contacts changed by 14 K their films were 0.2 to 0.4 % off [1/K]
-RESTLESS_ERROR = 3e-4
+UNCONVERGED_HEAT_ERROR = 3e-4
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -146,7 +146,11 @@ def _with_heat_error(
     pressure_ratio = hertz_pressure / conditions.reduced_modulus
     loading = thermal_loading(conditions)
     left = film_reduction_gupta(pressure_ratio, loading, conditions.slide_roll_ratio)
-    error = SECTION_SHARE + SECTION_ERROR * (1.0 - max(left, 0.0)) ** 4 + RESTLESS_ERROR * change
+    error = (
+        SECTION_FRACTION
+        + SECTION_ERROR * (1.0 - max(left, 0.0)) ** 4
+        + UNCONVERGED_HEAT_ERROR * change
+    )
     central, minimum = (
         replace(film, uncertainty=film.uncertainty + error * abs(film.finest))
         for film in (contact.film_central_dimensionless, contact.film_minimum_dimensionless)
@@ -244,7 +248,7 @@ def _checked(
     """
     if state is None:
         return contact, state
-    few = UNSOLVED_SHARE * contact.P.size
+    few = UNSOLVED_FRACTION * contact.P.size
     over = f"the limiting stress is below h/2 grad p at {state.over_limit_columns} columns"
     if not contact.converged:
         if state.over_limit_columns:

@@ -33,7 +33,7 @@ Array = NDArray[np.float64]
 # for the position at which the oil breaks begins
 DIRECTIONS = 720
 FIRST_DIRECTIONS = 45
-MOST_PASSES = 100  # of that search on one set of directions
+MAX_PASSES = 100  # of that search on one set of directions
 CACHED_PROFILES = 64  # profiles of the last contacts
 
 
@@ -222,7 +222,7 @@ def _reynolds_condition(
     before = np.roll(after, 1)
     middle = -(before + after) - 9.0 * g
     f = np.zeros(count)
-    for _ in range(MOST_PASSES):
+    for _ in range(MAX_PASSES):
         # 3. the equation in wet directions, f = 0 in others
         bands = np.ones((3, count))
         bands[0, 1:] = np.where(wet, after, 0.0)[:-1]

@@ -17,7 +17,7 @@ from .far_field import far_field
 from .flow_model import FlowModel
 from .history import FILMS, RESOLVED, LevelHistory, central_film, start_history
 from .levels import Damping, Multigrid, make_multigrid
-from .newton import MOST_NODES, certify
+from .newton import MAX_NODES, certify
 from .settling import Progress, iterate_level
 from .threads import Threads
 from .transfer import interpolate_cubic, interpolate_linear
@@ -30,7 +30,7 @@ COARSEST_CELLS = 16
 STARTING_MESH = (0.2, 0.55)
 COARSE_LEVEL_CYCLES = 12  # most cycles on the other levels below the finest
 # Hmin/(S hx^2) from which a flow model acts on the level below the finest; it does on the finest
-LEAST_FINE = 1.0
+MIN_FINENESS = 1.0
 FLOW_STRICTNESS = 2.5  # on what cycles leave with a flow model on levels below the finest
 # load reached in steps: cycles under each lighter load, on the first level with Hc/(S hx^2) above
 # the last; 15 to 36 there and in the six hardest of 1000 random contacts
@@ -39,7 +39,7 @@ STEP_FINENESS = 15.0
 ACCEPTED_ERROR = 5e-3  # of the film, left by the cycles; above, further attempts are made
 # deflections after which no further attempt is made, of the finest mesh or of the second, which
 # takes a minute for them, if that is finer; and those that an attempt is counted for in advance
-MOST_WORK = 300
+MAX_WORK = 300
 WORK_MESH = 1025**2  # [nodes]
 ATTEMPT_WORK = 60
 # the origin is a node of the level with this many cells along x, and of all finer ones
@@ -149,7 +149,7 @@ def solve_with_fallbacks(
     """Solve a contact by the first attempt that converges to `ACCEPTED_ERROR`.
 
     Else the attempt with the smallest error counts, one that converged before others. Attempts for
-    which too little of `MOST_WORK` remains are not made, and the fallbacks name them.
+    which too little of `MAX_WORK` remains are not made, and the fallbacks name them.
 
     Parameters
     ----------
@@ -180,10 +180,10 @@ def solve_with_fallbacks(
         if not attempt.applies(*contacts) or (attempt.newton and not plain):
             continue
         state = contact_multigrid(contact, domain, options, attempt, flow_model)
-        if attempt.newton and state.levels[-1].P.size > MOST_NODES:
+        if attempt.newton and state.levels[-1].P.size > MAX_NODES:
             continue
         if best is not None:
-            remaining_work = MOST_WORK * max(best.state.levels[-1].P.size, WORK_MESH)
+            remaining_work = MAX_WORK * max(best.state.levels[-1].P.size, WORK_MESH)
             remaining_work -= progress.deflected_nodes
             if attempt.cycles_factor * ATTEMPT_WORK * state.levels[-1].P.size > remaining_work:
                 progress.fallbacks.append(f"{attempt.name}: {TOO_MUCH_WORK}")
@@ -332,7 +332,7 @@ def full_multigrid(
 
 def _fine_enough(plain: LevelHistory, above: int) -> bool:
     """Tell whether a flow model acts on the level of a Newtonian film, with levels `above` it."""
-    return above == 0 or plain.fineness >= (LEAST_FINE if above == 1 else RESOLVED)
+    return above == 0 or plain.fineness >= (MIN_FINENESS if above == 1 else RESOLVED)
 
 
 def add_level(

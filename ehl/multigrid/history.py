@@ -44,7 +44,7 @@ RESIDUAL_TO_FILM = 2.5
 # behind a layer most of the residual sits at the meniscus, which moves by parts of a mesh, far
 # from the film: it counts this share. 35 random contacts on 129 points: films off by 0.08 (median)
 # to 1.9 times the residual
-MENISCUS_SHARE = 0.2
+MENISCUS_FRACTION = 0.2
 # relative error of a film over the change of its flow factors: 0.1 to 10 on 20 contacts with heat
 FLOW_TO_FILM = 10.0
 SMALLEST_FILM = 1e-12  # keeps a relative change finite
@@ -212,7 +212,7 @@ class LevelHistory:
     @property
     def _residual_error(self) -> float:
         """Relative error of the films by the residual [-]."""
-        fraction = MENISCUS_SHARE if self.starved else 1.0
+        fraction = MENISCUS_FRACTION if self.starved else 1.0
         return fraction * RESIDUAL_TO_FILM * self.residual[-1] if self.residual else inf
 
     def finished(self, below: "LevelHistory | None") -> bool:
@@ -233,7 +233,7 @@ class LevelHistory:
         """
         residual, load = FINISHED
         if self.starved:
-            residual /= MENISCUS_SHARE
+            residual /= MENISCUS_FRACTION
             if not (
                 self.imbalance and abs(self.imbalance[-1]) < self.strictness * OIL_IMBALANCE[0]
             ):

@@ -34,7 +34,7 @@ from .levels import Multigrid
 # from a Hertz pressure, the others after one to four cycles: deflections, then factorisations.
 # of the residual, of the load and of the edge pressure [-]; round-off leaves 1e-13 to 1e-11
 TOLERANCE = 1e-8
-MOST_NODES = 300_000  # factors of more take gigabytes: 513 points with both halves have fewer
+MAX_NODES = 300_000  # factors of more take gigabytes: 513 points with both halves have fewer
 STEPS = 30  # 26 were needed at most by contacts that came to the tolerance
 LINEAR_TOLERANCE = 1e-2  # of each step: a third 2 % less, 5 % more; three times 1 % less, 5 % less
 PRESSURE_STEP = 0.5  # largest change of pressure in a step [-]: half 4 % more, double no change
@@ -105,8 +105,8 @@ def certify(state: Multigrid, index: int | None = None) -> Certificate:
     before = state.deflections.get(index, 0)
     history = _History()
     with np.errstate(all="ignore"):  # a step that diverges may overflow
-        if level.P.size > MOST_NODES:
-            message = f"{level.P.size} nodes are more than the {MOST_NODES} that are factored"
+        if level.P.size > MAX_NODES:
+            message = f"{level.P.size} nodes are more than the {MAX_NODES} that are factored"
         else:
             message = _newton(state, index, history)
     after = film_values(level.grid, level.H)
@@ -255,12 +255,12 @@ def factor(state: Multigrid, index: int, lin: Linearisation) -> Factored:
     reach = 3 if lin.couette[2] else 2
     order = nested_dissection(lin.P.shape, (reach, 3))
     row = load_row(state, index, lin.load_by_film).ravel()
-    border = border_of(lin, diagonal, row)
+    border = load_border(lin, diagonal, row)
     scaled = (rows @ matrix @ columns + identity).tocsr()
     return Factored(factor_bordered(scaled, border, order), diagonal)
 
 
-def border_of(lin: Linearisation, diagonal: Array, row: Array) -> Border:
+def load_border(lin: Linearisation, diagonal: Array, row: Array) -> Border:
     """Assemble the derivative of the equations by H0, rows over the diagonal, and that of the
     load.
 
@@ -295,7 +295,7 @@ def _solved(
         scaled = product(lin, change, deflected(state, index, change)) / diagonal
         return np.where(dry, change, scaled).ravel()
 
-    border = border_of(lin, diagonal, factored.preconditioner.border.row)
+    border = load_border(lin, diagonal, factored.preconditioner.border.row)
     right = np.where(dry, -lin.P, np.where(lin.edge, 1.0, -1.0) * lin.residual / diagonal)
     p, h = solve_bordered(
         operator,

@@ -18,11 +18,11 @@ Box = tuple[float, float, float]
 INLET = (2.5, 169.0)
 OUTLET = (1.35, 2.0)
 SIDE = (1.6, 40.0, 120.0)  # the last times v^2, as an oblique side is an inlet, too
-EXTERIOR_SHARE = 0.1  # of the load; a box is widened until less than this lies outside
+EXTERIOR_FRACTION = 0.1  # of the load; a box is widened until less than this lies outside
 LARGEST_WIDENING = 4.0
 # interval of the widening around 1, in which a box changes from one of its film to one of its load
 # without a bend, which splines over the load of tables would not follow
-TURN = 0.15
+TRANSITION = 0.15
 # over the share of the load outside, by boxes of twice the size around 90 random contacts:
 # relative error of the films, that of H0 over 1 + Hc, and what the square of the rotation's speed
 # over u_m at b (1 + 2 Hc/(T b^2)) adds to both, T the gap's curvature across; a film without end
@@ -37,8 +37,8 @@ def choose_domain(contact: ScaledContact) -> Box:
     Inlet sqrt(2.5^2 + 169 G), outlet sqrt(1.35^2 + 2 G) with G = Hc/(S A^2), Hc of the film
     formula, S the gap's curvature and A the half-extent along x; side sqrt(1.6^2 + (40 + 120 v^2)
     Hc/(T B^2)). Inlet and side are widened together until Kapitza's pressure carries less than
-    `EXTERIOR_SHARE` of the load outside; where that needs a factor w of 1 - t to 1 + t, by
-    1 + (w - 1 + t)^2/(4 t), t = `TURN`, in place of max(1, w).
+    `EXTERIOR_FRACTION` of the load outside; where that needs a factor w of 1 - t to 1 + t, by
+    1 + (w - 1 + t)^2/(4 t), t = `TRANSITION`, in place of max(1, w).
 
     Parameters
     ----------
@@ -54,15 +54,15 @@ def choose_domain(contact: ScaledContact) -> Box:
 
     def excess(widening: float) -> float:
         box = _box(contact, widening)
-        return _load_outside(contact, field, box) / contact.load - EXTERIOR_SHARE
+        return _load_outside(contact, field, box) / contact.load - EXTERIOR_FRACTION
 
-    if excess(1.0 - TURN) <= 0.0:
+    if excess(1.0 - TRANSITION) <= 0.0:
         return _box(contact, 1.0)
     if excess(LARGEST_WIDENING) >= 0.0:
         return _box(contact, LARGEST_WIDENING)
-    needed = float(brentq(excess, 1.0 - TURN, LARGEST_WIDENING, xtol=1e-3))
-    turned = 1.0 + (needed - 1.0 + TURN) ** 2 / (4.0 * TURN)
-    return _box(contact, needed if needed > 1.0 + TURN else turned)
+    needed = float(brentq(excess, 1.0 - TRANSITION, LARGEST_WIDENING, xtol=1e-3))
+    turned = 1.0 + (needed - 1.0 + TRANSITION) ** 2 / (4.0 * TRANSITION)
+    return _box(contact, needed if needed > 1.0 + TRANSITION else turned)
 
 
 def box_uncertainty(state: Multigrid, central: float) -> float:

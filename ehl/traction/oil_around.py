@@ -111,7 +111,7 @@ class OilAround:
         ends.
         """
         excess, reach = self._rigid_excess(x, y)
-        edge, _ = self._rigid_excess(*self._edge_beside(x, y))
+        edge, _ = self._rigid_excess(*self._nearest_edge(x, y))
         return np.asarray(np.where(reach < 1.0, excess - edge, np.inf))
 
     def _rigid_excess(self, x: Array, y: Array) -> tuple[Array, Array]:
@@ -124,7 +124,7 @@ class OilAround:
         excess = circles.excess(r, self.height_scale)
         return np.where(reach > PARABOLA_SHARE, excess, 0.0), reach
 
-    def _edge_beside(self, x: Array, y: Array) -> tuple[Array, Array]:
+    def _nearest_edge(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Place on the edge of Hertz' ellipse beside one outside it: with the same y or, past its
         ends, the end of its axis; in principal directions.
         """

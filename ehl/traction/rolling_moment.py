@@ -116,7 +116,7 @@ def rolling_moment(
     moments *= along_entrainment(contact, solution.X[:, None], solution.Y[None, :])
     box = float(moments.sum())
     if solution.supply is not None:
-        return _behind_layer(solution, conditions, contact, box)
+        return _with_inlet_film(solution, conditions, contact, box)
     change = 0.0 if solution.state else scale * pressure_moment(solution, contact)[1]
     box += change
     if solution.options.domain is not None:
@@ -149,7 +149,7 @@ def _unknown(inlet_film_thickness: float, note: str) -> RollingMoment:
     )
 
 
-def _behind_layer(
+def _with_inlet_film(
     solution: ContactSolution, conditions: ContactConditions, contact: ScaledContact, box: float
 ) -> RollingMoment:
     """Integrate the moment of a film that was solved behind a layer. Its pressure ends at its own
@@ -183,7 +183,7 @@ def _behind_layer(
         value=value,
         uncertainty=abs(change)
         + MESH_ERROR * _film_step(solution) * abs(value)
-        + _left_by_cycles(solution, value)
+        + _cycle_error(solution, value)
         + FAR_FIELD_ERROR * abs(beyond),
         box=box + change,
         layer=inlet_film_thickness,
@@ -203,7 +203,7 @@ def _by_law(solution: ContactSolution, inlet_film_thickness: float, scale: float
     fraction = supply.law.rolling_moment
     flooded = scale * sum(supply.flooded_moment)
     value = fraction.value * flooded
-    of_film = scale * abs(supply.flooded_moment[1]) + _left_by_cycles(solution, flooded)
+    of_film = scale * abs(supply.flooded_moment[1]) + _cycle_error(solution, flooded)
     return RollingMoment(
         value=value,
         uncertainty=hypot(fraction.value * of_film, fraction.uncertainty * flooded),
@@ -257,7 +257,7 @@ def _solution_error(
     change by the balance of power [N m].
     """
     value, change = moment
-    cycles = _left_by_cycles(solution, value)
+    cycles = _cycle_error(solution, value)
     if solution.state is None:
         return MESH_ERROR * (abs(change) + _film_step(solution) * abs(value)) + cycles
     conditions, a = _dimensions(solution)
@@ -273,7 +273,7 @@ def _film_step(solution: ContactSolution) -> float:
     return abs(film.value - film.finest) / abs(film.value)
 
 
-def _left_by_cycles(solution: ContactSolution, moment: float) -> float:
+def _cycle_error(solution: ContactSolution, moment: float) -> float:
     """Estimate the error of a moment by the cycles of a solution, in its unit."""
     residual = solution.record.residual[-1] if solution.record.residual else 0.0
     return RESIDUAL_ERROR * residual * abs(moment)

@@ -7,10 +7,10 @@ from ..arrays import Array
 from .inputs import Impact, TransientConditions
 
 GROWTH = 1.5  # of a step over the one before; second order backwards is stable below 2.41
-SLOWEST = 4.0  # steps as long as this many of those at the speed of the scales
-MOST_STEPS = 1_000_000
+LONGEST_STEP = 4.0  # steps as long as this many of those at the speed of the scales
+MAX_STEPS = 1_000_000
 IMPACT_STEPS = 300.0  # of the time that dry elastic bodies touch each other
-FULL = 1.0 - 1e-9  # of a node, that counts as one
+FULL_NODE = 1.0 - 1e-9  # of a node, that counts as one
 
 
 def step_times(conditions: TransientConditions, mesh: float, largest: float | None) -> Array:
@@ -33,23 +33,23 @@ def step_times(conditions: TransientConditions, mesh: float, largest: float | No
     Raises
     ------
     ValueError
-        if there are more than `MOST_STEPS`
+        if there are more than `MAX_STEPS`
     """
     usual = mesh / conditions.contact.entrainment_speed
-    longest = SLOWEST * usual if largest is None else largest
+    longest = LONGEST_STEP * usual if largest is None else largest
     if largest is None and conditions.impact is not None:
         longest = impact_time(conditions, conditions.impact) / IMPACT_STEPS
     times = [0.0]
     before = longest
-    while times[-1] < conditions.end_time * FULL:
+    while times[-1] < conditions.end_time * FULL_NODE:
         step = min(_step(conditions, times[-1], mesh, longest), GROWTH * before)
         left = conditions.end_time - times[-1]
         if conditions.impact is not None or conditions.speed is not None:
             step = min(step, left)
         times.append(times[-1] + step)
         before = step
-        if len(times) > MOST_STEPS:
-            raise ValueError(f"end_time: takes more than {MOST_STEPS} steps")
+        if len(times) > MAX_STEPS:
+            raise ValueError(f"end_time: takes more than {MAX_STEPS} steps")
     return np.array(times)
 
 

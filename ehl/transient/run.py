@@ -18,8 +18,8 @@ from .step import Diverged, Past, StepConditions, Stepper, StepReport
 DIVERGED = "step {step} of {planned}, t = {time:.4g} s, did not converge with any damping"
 # error of single steps over the tolerance, and share of all steps that may be above it: what they
 # leave is handed on to the next step and no more there
-MOST_EXCESS = 10.0
-MOST_MISSED = 0.02
+MAX_EXCESS = 10.0
+MAX_MISSED_FRACTION = 0.02
 FILM_NOT_POSITIVE = (
     "not converged: the film is not positive on this mesh at t = {time:.4g} s; try more points"
 )
@@ -178,7 +178,7 @@ class TransientRun:
         tolerance = self.options.tolerance
         worst = float(errors.max())
         missed = float(np.mean(errors > tolerance))
-        if worst > MOST_EXCESS * tolerance or missed > MOST_MISSED:
+        if worst > MAX_EXCESS * tolerance or missed > MAX_MISSED_FRACTION:
             return (
                 False,
                 f"not converged: {RESIDUAL_MESSAGE.format(share=worst, tolerance=tolerance)}",

@@ -34,7 +34,7 @@ from .step import far_fields_by_direction
 # times a cycle at (M, L) = (100, 2.5), see docs/theory/transient.md
 SWITCH = 1.0
 POLISHED = 1e-7  # residual of the steady film
-MOST_CYCLES = 40
+MAX_CYCLES = 40
 
 
 class NoStart(Exception):  # noqa: N818
@@ -197,7 +197,7 @@ def _polished(state: Multigrid, index: int) -> float:
     """Residual after cycles until the equations hold, or come no nearer to it [-]."""
     before = np.inf
     residual = np.inf
-    for _ in range(MOST_CYCLES):
+    for _ in range(MAX_CYCLES):
         cycle(state, index)
         residual = relative_residual(state, index)[0]
         if residual < POLISHED or (residual < 1e-5 and residual > 0.9 * before):

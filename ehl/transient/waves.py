@@ -13,7 +13,7 @@ from .record import TransientSolution
 FIT_LUBRICANT = 10.0  # least L that the fit holds for
 FIT_RANGE = (0.8, 7.0)  # of (lambda/a) sqrt(M/L)
 WAVES = 1.5  # that pass before the amplitude is taken, the first of which rises
-ROUND = 1e-3  # deviation of the ellipse from a circle
+CIRCULARITY = 1e-3  # deviation of the ellipse from a circle
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -111,7 +111,7 @@ def _fit(solution: TransientSolution, wave: Waviness) -> float | None:
     c = solution.conditions.contact
     load, lubricant = solution.moes
     rolling = c.slide_roll_ratio == 0.0 and c.lateral_slide_ratio == 0.0
-    circular = abs(c.radius_x / c.radius_y - 1.0) < ROUND
+    circular = abs(c.radius_x / c.radius_y - 1.0) < CIRCULARITY
     if not rolling or not circular or lubricant < FIT_LUBRICANT * (1.0 - 1e-3):
         return None
     a = solution.semi_axes[0]

@@ -39,7 +39,7 @@ from .table import (
 NODES = ((225, 13, 17), (25, 21, 41))
 RATIOS = 129  # of ln D for f, within 2e-9; half as many within 3e-8
 FUNCTIONS = 3  # ln(Hc A), ln(Hmin A), Hc - H0
-KNOWN = FUNCTIONS + 2  # with the derivatives by ln A of first and last
+TABULATED = FUNCTIONS + 2  # with the derivatives by ln A of first and last
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -105,7 +105,7 @@ def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
     """
     shape, columns = _contact_columns(contacts)
     # 1. places in the table, those of contacts outside anywhere
-    place = _places(columns)
+    place = _positions(columns)
     place.x[~place.inside] = np.log(SEAM[1]), 1.0, 0.0
     # 2. functions, films in a^2/Rx
     x = place.x
@@ -137,11 +137,11 @@ def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
     )
 
 
-def _interpolated(place: "_Places") -> Array:
+def _interpolated(place: "_Positions") -> Array:
     """The functions and the derivatives by ln A of first and last, shape (n, 5) [-]."""
     fraction, rise = heavy_weight(place.x[:, 0])
     features = oil_features(place.x, place.alpha, place.z)
-    result = np.zeros((len(fraction), KNOWN))
+    result = np.zeros((len(fraction), TABULATED))
     for lattice, fractions in zip(
         _lattices(), ((1.0 - fraction, -rise), (fraction, rise)), strict=True
     ):
@@ -158,7 +158,7 @@ def _contact_columns(c: ContactArrays) -> tuple[tuple[int, ...], list[Array]]:
     return arrays[0].shape, columns
 
 
-class _Places(NamedTuple):
+class _Positions(NamedTuple):
     """Positions of contacts in the table, shape (n,) but for x of (n, 3) [-]."""
 
     x: Array
@@ -168,7 +168,7 @@ class _Places(NamedTuple):
     inside: NDArray[np.bool_]
 
 
-def _places(columns: list[Array]) -> _Places:
+def _positions(columns: list[Array]) -> _Positions:
     """L = alpha E' (2U)^(1/4), D and A = f^2 M^(2/3) = f^2 (F/(E' Rx^2))^(2/3)/sqrt(2U)."""
     force, along, across, modulus, speed, eta, alpha, z = columns
     x = np.empty((len(force), 3))
@@ -183,7 +183,7 @@ def _places(columns: list[Array]) -> _Places:
         heavy = unit / np.sqrt(twice)
         x[:, 0] = np.log(heavy)
         inside = _in_range((heavy, thick, ratio, z, alpha))
-    return _Places(
+    return _Positions(
         x=x,
         alpha=np.where(inside, alpha, BASE_ALPHA),
         z=np.where(inside, z, BASE_Z),

@@ -39,8 +39,8 @@ RANGE = {
     "roelands_z": (0.4, 0.8),
     "pressure_viscosity": (1e-8, 3e-8),
 }
-LARGE_L = 20.0  # beyond which A reaches from `LEAST_A` on
-LEAST_A = 27.0
+LARGE_L = 20.0  # beyond which A reaches from `MIN_A_AT_LARGE_L` on
+MIN_A_AT_LARGE_L = 27.0
 HALF = LINES // 2  # lines on one side of the middle
 # radii of the rings of cells, over the ellipse's, and sectors of half a turn
 RINGS = (0.0, 1.12, 1.25, 1.5, 2.2, np.inf)
@@ -280,7 +280,7 @@ def require_fields(conditions: ContactConditions) -> None:
     load = atlas_load(contact)
     require_covered(conditions, contact, load)
     oil = conditions.lubricant
-    if not _judged_oil(oil):
+    if not _validated_oil(oil):
         raise NotInAtlasError(
             "viscosity_law, roelands_pressure_MPa, density_law: an oil after Roelands with p_r "
             "196 MPa and the density of Dowson and Higginson is what the atlas has fields of"
@@ -292,13 +292,13 @@ def require_fields(conditions: ContactConditions) -> None:
         )
     values = (load, contact.moes_lubricant, contact.radius_ratio)
     require_range((*values, oil.exponent, oil.pressure_viscosity), RANGE)
-    if contact.moes_lubricant > LARGE_L and load < LEAST_A:
+    if contact.moes_lubricant > LARGE_L and load < MIN_A_AT_LARGE_L:
         raise NotInAtlasError(
-            f"A = {load:.3g} must lie above {LEAST_A:g} where L lies above {LARGE_L:g}"
+            f"A = {load:.3g} must lie above {MIN_A_AT_LARGE_L:g} where L lies above {LARGE_L:g}"
         )
 
 
-def _judged_oil(oil: Lubricant) -> bool:
+def _validated_oil(oil: Lubricant) -> bool:
     """Tell whether the oil is of the kind of the solved ones."""
     usual = Lubricant(viscosity=oil.viscosity, pressure_viscosity=oil.pressure_viscosity)
     return (

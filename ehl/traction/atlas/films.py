@@ -154,10 +154,10 @@ def atlas_films_of(
     ):
         raise ValueError(f"layer must be positive and finite, got {inlet_film_thickness!r}")
     result: list[AtlasFilms | NotInAtlasError | None] = [None] * len(contacts)
-    positions: dict[int, _Place] = {}
+    positions: dict[int, _Position] = {}
     for n, conditions in enumerate(contacts):
         try:
-            positions[n] = _place(conditions)
+            positions[n] = _position(conditions)
         except NotInAtlasError as refusal:
             result[n] = refusal
     known = list(positions.values())
@@ -171,7 +171,7 @@ def atlas_films_of(
     return [one for one in result if one is not None]
 
 
-class _Place(NamedTuple):
+class _Position(NamedTuple):
     """A contact that the atlas covers, with the oil that stands for its own."""
 
     conditions: ContactConditions | MoesConditions
@@ -181,7 +181,7 @@ class _Place(NamedTuple):
     oil: tuple[float, float]  # alpha [1/Pa] and z of the one that stands for it
 
 
-def _place(given: ContactConditions | MoesConditions) -> _Place:
+def _position(given: ContactConditions | MoesConditions) -> _Position:
     """Locate a contact in the atlas; NotInAtlasError where it is not covered, its film aside."""
     conditions = with_inlet_oil(given)
     contact = scale_contact(conditions)
@@ -194,11 +194,11 @@ def _place(given: ContactConditions | MoesConditions) -> _Place:
     if along.mixed:
         require_range(along.slimmer, SKEW_RANGE)
     _require_density(given.lubricant, contact.hertz_pressure, along.load)
-    return _Place(conditions, given.lubricant, contact, along, (alpha, z))
+    return _Position(conditions, given.lubricant, contact, along, (alpha, z))
 
 
 def _films(
-    place: _Place, found: Array, bars: Array, inlet_film_thickness: float | None
+    place: _Position, found: Array, bars: Array, inlet_film_thickness: float | None
 ) -> AtlasFilms:
     """By the six functions at A, and at A a little smaller and larger, shape (3, 6), and their
     errors, shape (6,) [-].
@@ -265,7 +265,7 @@ def _rolling_moment(
     return rolling
 
 
-def _functions(places: Sequence[_Place]) -> Array:
+def _functions(places: Sequence[_Position]) -> Array:
     """The six functions of contacts at A, and at A a little smaller and larger, shape (n, 3, 6)
     [-].
     """
@@ -318,7 +318,7 @@ def oil_numbers(oil: Lubricant) -> tuple[float, float]:
     return oil.pressure_viscosity, oil.exponent
 
 
-def _bars(places: Sequence[_Place]) -> Array:
+def _bars(places: Sequence[_Position]) -> Array:
     """Errors of the six functions of contacts, shape (n, 6) [-]."""
     if not places:
         return np.empty((0, 6))

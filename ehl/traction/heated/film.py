@@ -41,7 +41,7 @@ SOFTENING_STEP = 0.5  # [K], half of that of the difference quotient
 SLIDE_RATIOS = (0.0, 0.5, 1.1, 1.5, 1.8, 1.95, 2.0, 2.2)
 # sliding speeds of the factors over that of entrainment, and their number, even in the logarithm
 SLIDES = (1e-4, 4.0, 28)
-ALIKE = 1e-9  # relative difference of numbers that count as equal
+EQUALITY_RTOL = 1e-9  # relative difference of numbers that count as equal
 FALL_SPAN = 100.0  # [K] above the film's own temperature, where the fall of the softening is taken
 
 
@@ -111,9 +111,9 @@ class HeatedLines:
         slides = self.slides
         responses = self.wall_response(_ratio_nodes() * self.speed)
         # once where lines are mirror images of each other, and where both bodies are alike
-        mirrored = _alike(self.lines[..., 2:], self.lines[::-1, :, 2:])
+        mirrored = _equal(self.lines[..., 2:], self.lines[::-1, :, 2:])
         lines = (self.span.size + 1) // 2 if mirrored else self.span.size
-        swapped = _alike(responses, responses[::-1, ::-1])
+        swapped = _equal(responses, responses[::-1, ::-1])
         first = len(SLIDE_RATIOS) - 1 if swapped else 0
         film = (self.lines[:lines], self.span[:lines], self.history)
         law, *constants = kernel_rheology(self.rheology)
@@ -336,8 +336,8 @@ def slide_axis(speed: float) -> tuple[float, float]:
     return float(np.log(first * speed)), float((count - 1.0) / np.log(last / first))
 
 
-def _alike(first: Array, second: Array) -> bool:
-    return bool(np.allclose(first, second, rtol=ALIKE, atol=0.0))
+def _equal(first: Array, second: Array) -> bool:
+    return bool(np.allclose(first, second, rtol=EQUALITY_RTOL, atol=0.0))
 
 
 def _ratio_nodes() -> Array:

@@ -11,7 +11,7 @@ from ...closed_form.hertz import hertz_contact
 from ...conditions import ContactConditions, MoesConditions
 from ...multigrid.bordered import LinearSolverError
 from ...multigrid.levels import Multigrid
-from ...multigrid.newton import MOST_NODES
+from ...multigrid.newton import MAX_NODES
 from ...options import SolverOptions
 from ...scaling import scale_contact
 from ...solution import ContactSolution
@@ -21,11 +21,11 @@ from .linear import LinearContact, SlowResponse, linear_contact
 POINTS = (257, 513)  # the first that resolves the film, and half of them
 COARSEST = 65
 # error of the extrapolated value over the step between the meshes; a third is what order 2 adds
-MESH_SHARE = 0.5
+MESH_FRACTION = 0.5
 # error of a stiffness k over (1 - k/k_H) k/points, k_H of the dry contact: the edge of the cavity
 # stands by a node, and what the film gives in changes with its place from mesh to mesh
 EDGE_ERROR = 2.6
-LAYER_SHARE = 2.0  # behind a layer, where values depend on the meniscus' place in its cell
+INLET_FILM_FRACTION = 2.0  # behind a layer, where values depend on the meniscus' place in its cell
 # angular frequency times a/u_m, below which movement is slow: damping differs by 0.02 % at most
 # there, and is too small a part of the reaction to be told from it
 SLOWEST = 0.02
@@ -226,8 +226,8 @@ def _mesh(
     solution, state = solved
     if not solution.converged:
         raise LinearSolverError(solution.message)
-    if state.levels[-1].P.size > MOST_NODES:
-        raise LinearSolverError(f"more than the {MOST_NODES} nodes that are factored")
+    if state.levels[-1].P.size > MAX_NODES:
+        raise LinearSolverError(f"more than the {MAX_NODES} nodes that are factored")
     a, scale = solution.semi_axis_x, solution.film_scale
     assert a is not None and scale is not None
     time = a / conditions.entrainment_speed
@@ -270,7 +270,7 @@ def _extrapolated(
         if single:
             return ResponseValue(value=after - shift, uncertainty=abs(after))
         step = after - before
-        bar = hypot((LAYER_SHARE if starved else MESH_SHARE) * step, shift)
+        bar = hypot((INLET_FILM_FRACTION if starved else MESH_FRACTION) * step, shift)
         without_mesh = after if starved else after + step / 3.0
         return ResponseValue(value=without_mesh - shift, uncertainty=bar)
 

@@ -20,7 +20,7 @@ from .many_motions import vectorised_heated_forces, vectorised_sliding_forces
 from .table import TableContact, TableRange
 
 # scale over the motion where the traction has risen by half, along, across and of spin
-SCALE_SHARE = (0.004, 0.006, 0.16)
+SCALE_FRACTION = (0.004, 0.006, 0.16)
 # motions over the largest ones, between which that one is interpolated
 SCALE_SAMPLES = np.geomspace(1e-7, 1.0, 29)
 RESPONSE_POINTS = 129  # of the films that stiffness and damping are taken from
@@ -234,7 +234,7 @@ def motion_scales(
     """
     none = np.zeros(SCALE_SAMPLES.size)
     scales = []
-    for axis, (limit, fraction) in enumerate(zip(limits.motions, SCALE_SHARE, strict=True)):
+    for axis, (limit, fraction) in enumerate(zip(limits.motions, SCALE_FRACTION, strict=True)):
         motion = limit * SCALE_SAMPLES
         motions = [motion if axis == k else none for k in range(3)]
         values = relative_forces(contact, film, speed, motions)[:, axis]

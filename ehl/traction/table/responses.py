@@ -31,11 +31,11 @@ SHARPEST = 0.2  # power of W in x: loads where a film turns are the lightest of 
 # scales of ln(speed) against x, for the choice of nodes and for the interpolation
 CHOICE_SCALE = 0.31
 SPEED_SCALE = 0.16
-APART = 0.2  # distance to the nearest node that is solved, at most
-FEWEST = 6  # responses to interpolate from
+MAX_DISTANCE = 0.2  # distance to the nearest node that is solved, at most
+MIN_RESPONSES = 6  # responses to interpolate from
 # A = a^2/(Rx^2 sqrt(2 U)) between which films turn: there nodes are not far enough from each other
-TURN = (1.4, 6.0)
-ALL_OF = 24  # nodes of a table so small that all have their own
+TRANSITION_LOADS = (1.4, 6.0)
+SMALL_TABLE = 24  # nodes of a table so small that all have their own
 
 Place = tuple[float, float]  # ln(load), ln(speed)
 Mask = NDArray[np.bool_]
@@ -63,14 +63,14 @@ def response_nodes(
     list[bool]
         whether a node's response is wanted
     """
-    if len(places) <= ALL_OF:
+    if len(places) <= SMALL_TABLE:
         return [True] * len(places)
     points = _coordinates(places, CHOICE_SCALE)
-    chosen = np.array(known) | _corners(places) | _turning(contact, places)
+    chosen = np.array(known) | _corners(places) | _in_transition(contact, places)
     while True:
         distances = np.linalg.norm(points[:, None] - points[chosen], axis=-1).min(axis=1)
         farthest = int(np.argmax(distances))
-        if distances[farthest] <= APART and np.count_nonzero(chosen) > FEWEST:
+        if distances[farthest] <= MAX_DISTANCE and np.count_nonzero(chosen) > MIN_RESPONSES:
             return [bool(one) for one in chosen]
         chosen[farthest] = True
 
@@ -122,7 +122,7 @@ def _interpolate(values: Array, asked: Mask, points: Array) -> None:
     was has none.
     """
     solved = np.isfinite(values[:, 0])
-    if np.count_nonzero(solved) < FEWEST or asked.all():
+    if np.count_nonzero(solved) < MIN_RESPONSES or asked.all():
         return
     distances = np.linalg.norm(points[:, None] - points[asked], axis=-1)
     nearest = np.flatnonzero(asked)[np.argmin(distances, axis=1)]
@@ -140,9 +140,9 @@ def _coordinates(places: Sequence[Place], scale: float) -> Array:
     return np.stack([x, scale * log_speed], axis=1)
 
 
-def _turning(contact: TableContact, places: Sequence[Place]) -> Mask:
+def _in_transition(contact: TableContact, places: Sequence[Place]) -> Mask:
     """At which places a film turns."""
-    low, high = TURN
+    low, high = TRANSITION_LOADS
     loads = [atlas_load(scale_contact(contact.conditions(exp(q), exp(u)))) for q, u in places]
     return np.array([low < load < high for load in loads])
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ...arrays import Array
 
 SMALLEST = 4  # nodes that the end conditions need
-FEW_INNER = 16  # numbers side by side behind an axis
+MIN_INNER = 16  # numbers side by side behind an axis
 Numbers = NDArray[Any]  # of single or double precision
 
 
@@ -85,7 +85,7 @@ def along_axis(matrix: Array, values: Numbers, axis: int) -> Numbers:
     before = values.shape[:axis]
     after = values.shape[axis + 1 :]
     inner = prod(after)
-    if inner < FEW_INNER:  # one product in place of many small ones
+    if inner < MIN_INNER:  # one product in place of many small ones
         turned = np.kron(own.T, np.eye(inner, dtype=own.dtype))
         product = values.reshape(prod(before), -1) @ turned
     else:

@@ -331,7 +331,7 @@ def test_heat_of_a_weak_film_at_rest_is_that_of_all_its_columns(monkeypatch):
     contact = ball_contact(entrainment_speed=2.0, slide_roll_ratio=0.01)
     solve = partial(solve_generalized, contact, Rheology(), solids=(STEEL, STEEL), options=SolverOptions(points=33))
     film = solve()
-    monkeypatch.setattr(flow, "RESTED_SHARE", 0.0)
+    monkeypatch.setattr(flow, "CONVERGED_HEAT_FRACTION", 0.0)
     whole = solve()
     assert whole.temperature.max() - T_0 < 1.0
     assert_allclose(film.heat_flux.sum(axis=(1, 2)), whole.heat_flux.sum(axis=(1, 2)), rtol=2e-3)
@@ -358,7 +358,7 @@ def test_temperatures_that_still_change_are_in_the_error_bar():
     plain = solve_contact(ball_contact(entrainment_speed=20.0), SolverOptions(points=65))
     still, restless = (solver._with_heat_error(plain, 1e9, change, None) for change in (0.0, 10.0))
     wider = restless.film_central_dimensionless.uncertainty - still.film_central_dimensionless.uncertainty
-    assert_allclose(wider, 10.0 * solver.RESTLESS_ERROR * plain.film_central_dimensionless.finest, rtol=1e-9)
+    assert_allclose(wider, 10.0 * solver.UNCONVERGED_HEAT_ERROR * plain.film_central_dimensionless.finest, rtol=1e-9)
 
 
 @pytest.mark.parametrize(("share", "said"), [(1.001, True), (0.5, False)])
