@@ -132,8 +132,7 @@ def last_flow(
     flow: GeneralizedFlow, state: Multigrid, solution: ContactSolution
 ) -> FlowState | None:
     """Give the flow of the last cycle on the finest grid; where the solution converged, with heat
-    and
-    stress at rest.
+    and stress at rest.
 
     Parameters
     ----------

@@ -31,11 +31,11 @@ class HeatState:
 
     # temperature of the oil, walls included, of second order and upwind, shape (ny, nx, n) [K]
     temperature: Array
-    upwind_temperature: Array
+    upwind_temperature: Array  # likewise, upwind [K]
     mass: Array  # int_0^z rho u dz/rho_0, shape (ny, nx, n) [m^2/s]
     # into body 1 and body 2, of second order and upwind, shape (2, ny, nx) [W/m^2]
     flux: Array
-    upwind_flux: Array
+    upwind_flux: Array  # likewise, upwind [W/m^2]
     dissipation: Array  # heat of shear over the film, shape (ny, nx) [W/m^2]
     recirculates: Mask  # whether oil of a column flows against the entrainment, shape (ny, nx)
     # change that the temperatures of a column do not follow yet, infinite: any, shape (ny, nx) [K]
@@ -66,7 +66,7 @@ class HeatState:
 class FilmHeat:
     """A contact whose film is solved with heat; the lubricant has thermal properties."""
 
-    conditions: ContactConditions
+    conditions: ContactConditions  # of the contact
     solids: tuple[SolidThermal, SolidThermal]  # body 1 and body 2
     oil_temperature: float | None = None  # of the inflow [K]; None: the temperature of operation
 

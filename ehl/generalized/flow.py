@@ -116,11 +116,11 @@ class _Linearised:
 class GeneralizedFlow:
     """Flow model of an oil with any rheology, with heat or at uniform temperature."""
 
-    conditions: ContactConditions
-    rheology: Rheology
+    conditions: ContactConditions  # of the contact
+    rheology: Rheology  # shear law of the oil
     heat: FilmHeat | None = None  # None: uniform temperature
-    section: Section = field(default_factory=film_section)
-    continuation: Continuation = Continuation()
+    section: Section = field(default_factory=film_section)  # nodes across the film
+    continuation: Continuation = Continuation()  # fraction of shear and heat
 
     @property
     def symmetric(self) -> bool:

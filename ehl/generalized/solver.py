@@ -41,7 +41,7 @@ class GeneralizedSolution:
     """One contact with its oil's rheology and heat; fields on the grid of `contact`."""
 
     contact: ContactSolution  # `converged` and `message` include shear and heat
-    rheology: Rheology
+    rheology: Rheology  # shear law of the oil
     nodes: Array  # z/h across the film, from body 1 to body 2, shape (n,) [-]
     # in the middle of the film along x and y, shape (2, nx, ny) [Pa]; None: Newtonian, isothermal
     mid_stress: Array | None = None

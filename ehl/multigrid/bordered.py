@@ -31,20 +31,20 @@ class LinearSolverError(Exception):
 class Border:
     """Column b and row w, shape (n,), and corner c of a bordered system [-]."""
 
-    column: Array
-    row: Array
-    corner: float = 0.0
+    column: Array  # b, shape (n,) [-]
+    row: Array  # w, shape (n,) [-]
+    corner: float = 0.0  # c [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Preconditioner:
     """Factors of the near field, and its response to the border's column [-]."""
 
-    factors: Any
+    factors: Any  # sparse factors of SuperLU
     order: NDArray[np.intp] | None  # in which the unknowns were eliminated; None: SuperLU's own
-    border: Border
-    response: Array
-    schur: float
+    border: Border  # column, row and corner of the system
+    response: Array  # of the near field to the column, shape (n,) [-]
+    schur: float  # complement of the load [-]
 
     def solve(self, right: Array) -> Array:
         """Solve the bordered system with the near field in place of A.

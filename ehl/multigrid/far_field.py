@@ -46,8 +46,8 @@ class FarField:
     pressure_y: float  # k_y
     pressure_xy: float  # k_xy
     curvature_x: float  # S, T, C of the gap
-    curvature_y: float
-    curvature_xy: float
+    curvature_y: float  # T [-]
+    curvature_xy: float  # C, mixed [-]
     squeeze: float = 0.0  # P H^2 by bodies that close in, see `transient_far_field`
 
     def strength(self, X: Array, Y: Array) -> Array:
@@ -257,7 +257,7 @@ def _source(contact: _Wedge, count: int) -> Array:
 class EdgeField:
     """A far field on the edge of a grid's box, whatever the film: P H^2 [-]."""
 
-    field: FarField
+    field: FarField  # far field that was evaluated
     rows: dict[int, Array]  # by the number of the row, shape (nx,)
     columns: dict[int, Array]  # by the number of the column, shape (ny,)
 

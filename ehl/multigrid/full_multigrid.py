@@ -50,8 +50,8 @@ ORIGIN_CELLS = 32
 class Attempt:
     """Settings of one attempt to solve a contact."""
 
-    name: str
-    damping: Damping
+    name: str  # in the record and among the fallbacks
+    damping: Damping  # to begin with
     finer_start: int = 0  # levels above the usual one to start from
     mesh_y: float = 1.0  # mesh size across the entrainment over the usual one [-]
     # turn the grid to the entrainment; only where that is not a principal direction
@@ -87,8 +87,8 @@ class Attempt:
 class AttemptResult:
     """Levels of one attempt and what their cycles did."""
 
-    state: Multigrid
-    attempt: Attempt
+    state: Multigrid  # levels, coarsest first
+    attempt: Attempt  # settings of the levels
     # histories from the first level on, coarsest first; empty if the iteration diverged
     levels: list[LevelHistory] = field(default_factory=list)
     certificate: Certificate | None = None  # of the finest level, where one was asked for

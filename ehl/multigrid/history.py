@@ -56,14 +56,14 @@ class LevelHistory:
     and the load balance hold after each; all [-].
     """
 
-    film: list[tuple[float, float]]
+    film: list[tuple[float, float]]  # central and minimum, before the first cycle and after each
     approach: list[float]  # H0, likewise
     mesh: float  # S hx^2, twice the gap's rise in a mesh along the entrainment
     strictness: float = 1.0  # factor on what the cycles may leave, see `SolverOptions`
     starved: bool = False  # behind a layer: the oil lost counts, too
-    residual: list[float] = field(default_factory=list)
+    residual: list[float] = field(default_factory=list)  # relative, after each cycle
     imbalance: list[float] = field(default_factory=list)  # oil lost or gained
-    load: list[float] = field(default_factory=list)
+    load: list[float] = field(default_factory=list)  # error of the load balance
     # change of the factors of a flow model before the last cycle; 0: without one, as in all that
     # Newton's method solves
     flow: float = 0.0

@@ -45,17 +45,17 @@ TAPER = (1.0, 0.5)
 class Linearisation:
     """Equations of a level and what their derivative needs, arrays of shape (ny, nx); all [-]."""
 
-    grid: Grid
+    grid: Grid  # of the level
     near: Array  # deflection by the distance in lines and columns
-    P: Array
-    eps: Array
-    eps_by_pressure: Array
-    eps_by_film: Array
+    P: Array  # pressure, shape (ny, nx)
+    eps: Array  # flow coefficient
+    eps_by_pressure: Array  # its derivative by P
+    eps_by_film: Array  # its derivative by H
     couette: tuple[Array, Array, bool]  # rho u; rho v and whether it is used
     content_by_pressure: Array  # (rho'/rho) H
     density: Array  # rho, over that at ambient pressure
-    H: Array
-    edge: NDArray[np.bool_]
+    H: Array  # film, shape (ny, nx)
+    edge: NDArray[np.bool_]  # True on the edge of the box
     edge_by_film: Array  # derivative of the edge pressure, zero inside
     residual: Array  # L(P) inside, k/H^2 - P on the edge
     load_error: float  # load - exterior load - integral of P

@@ -55,27 +55,27 @@ class TimeStep:
 class Level:
     """Workspace of one grid; all arrays of shape (ny, nx), all quantities [-]."""
 
-    grid: Grid
-    kernel: DeflectionKernel
+    grid: Grid  # nodes of the level
+    kernel: DeflectionKernel  # of the deflection
     gap: Array  # S X^2/2 + T Y^2/2 + C X Y
-    P: Array
-    H: Array
-    f: Array
-    s: Array
-    eps: Array
+    P: Array  # pressure
+    H: Array  # film
+    f: Array  # right side of Reynolds' equation
+    s: Array  # film without deflection and H0
+    eps: Array  # flow coefficient
     flow_x: Array  # rho u
     slope_x: Array  # u d(rho)/dP
     flow_y: Array  # rho v; empty if nothing flows along Y
-    slope_y: Array
+    slope_y: Array  # v d(rho)/dP
     scratch: Array  # always zero on the edge
     node_types: NDArray[np.int8]  # of the nodes in the last sweep
-    factors: FlowFactors
+    factors: FlowFactors  # of the flow model and the entrainment
     # density and its derivative by P over a time step, shape (2, ny, nx); empty in steady contacts
     storage: Array = field(default_factory=lambda: np.zeros((0, 0, 0)))
     film_content: FilmContent | None = None  # where the inlet carries a layer; None: flooded
     # pressure that s already holds the deflection of; below the level being solved
     start: Array | None = None
-    load: float = 0.0
+    load: float = 0.0  # that the box carries
     flow_state: Any = None  # of the flow model after the last cycle on this level
     edge: EdgeField | None = None  # on the edge of the grid, of the last far field there
 
@@ -84,12 +84,12 @@ class Level:
 class Multigrid:
     """All levels of one contact, the approach they share and the work done; all quantities [-]."""
 
-    contact: ScaledContact
+    contact: ScaledContact  # scaled contact
     far_field: FarField | None  # edge pressure of an open box; None: zero pressure on the edge
     levels: tuple[Level, ...]  # coarsest first
-    damping: Damping
+    damping: Damping  # of the cycles, halved where one diverged
     flow_model: FlowModel | None = None  # None: Newtonian, of uniform temperature
-    threads: Threads = field(default_factory=Threads)
+    threads: Threads = field(default_factory=Threads)  # that share the lines
     approach: float = 0.0  # H0
     exterior: float = 0.0  # load outside the box
     time_step: TimeStep | None = None  # None: a steady contact

@@ -75,8 +75,8 @@ class _History:
 class Factored:
     """Preconditioner of some state, and the diagonal that scales the rows, shape (ny, nx) [-]."""
 
-    preconditioner: Preconditioner
-    diagonal: Array
+    preconditioner: Preconditioner  # of the linear systems
+    diagonal: Array  # that scales the rows, shape (ny, nx) [-]
 
 
 def certify(state: Multigrid, index: int | None = None) -> Certificate:

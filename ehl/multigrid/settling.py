@@ -36,7 +36,7 @@ HALVINGS = 3  # of the damping on one level before it counts as diverged
 class Progress:
     """Work and fallbacks of a contact so far, over all attempts and the pilot solve [-]."""
 
-    fallbacks: list[str] = field(default_factory=list)
+    fallbacks: list[str] = field(default_factory=list)  # in the order in which they were taken
     deflected_nodes: int = 0  # nodes times deflection FFTs
 
 

@@ -48,12 +48,12 @@ class FilmContent:
 class Fields:
     """Fields that the flux of a grid follows from, arrays of shape (ny, nx) [-]."""
 
-    P: Array
-    H: Array
-    eps: Array
+    P: Array  # pressure
+    H: Array  # film
+    eps: Array  # flow coefficient
     flow_x: Array  # rho u
     flow_y: Array  # rho v; empty if nothing flows across the lines
-    f: Array
+    f: Array  # right side of Reynolds' equation
 
 
 def make_film_content(inlet_film_thickness: InletLayer, grid: Grid, lateral: bool) -> FilmContent:

@@ -36,7 +36,7 @@ class StarvedFlux:
     said; all [-].
     """
 
-    empty: NDArray[np.bool_]
+    empty: NDArray[np.bool_]  # True where the gap is not full
     gap_enters: NDArray[np.bool_]  # (ny,) lines that the gap at the inlet lets in less than layer
     speed: Array  # u
 

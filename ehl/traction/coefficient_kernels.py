@@ -62,9 +62,9 @@ def coefficient(law: Array, slide: float, speed: float) -> float:
 class Constant:
     """A constant of a law as case files have it in [friction], at most `largest` [-]."""
 
-    key: str
-    largest: float
-    text: str
+    key: str  # of [friction]
+    largest: float  # allowed value [-]
+    text: str  # description of the key
     simulated: float  # where a simulation leaves it out [-]
     positive: bool = True  # zero is not allowed
     below: str = ""  # key of the constant that it must not reach

@@ -59,7 +59,7 @@ class FilmQuadrature:
 
     nodes: Array  # shape (8, n)
     half_width: float  # transverse semi-axis, beyond which curvature slip does not grow [m]
-    rheology: Rheology
+    rheology: Rheology  # shear law with the stresses of the contact
     strips: int = 0  # strips of `node_shares` each, which the first nodes stand on
 
     def parts(self) -> tuple[Array, Array]:

@@ -38,8 +38,8 @@ class ContactShape:
 class EllipseLaw:
     """A coefficient of friction that depends on the local sliding, over the Hertz ellipse."""
 
-    shape: ContactShape
-    coefficient: Coefficient
+    shape: ContactShape  # ellipse and curvature of the contact
+    coefficient: Coefficient  # of friction by the local sliding
 
     def kernel_arguments(self) -> tuple[Array, Array, Array]:
         """Nodes, law and shape as `_kernels.hertz_friction` takes them, [-], [m/s] and [m]."""

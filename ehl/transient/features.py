@@ -75,7 +75,7 @@ class Waviness:
     Over the first wavelength behind its front the amplitude rises smoothly.
     """
 
-    body: int
+    body: int  # 1 or 2
     amplitude: float  # A [m]
     wavelength: float  # lambda_x [m]
     wavelength_across: float | None = None  # lambda_y [m]; None: no waves across
@@ -125,7 +125,7 @@ class Waviness:
 class Dent:
     """A round or oval dent, z = -depth exp(-(x/r_x)^2 - (y/r_y)^2); a bump of negative depth."""
 
-    body: int
+    body: int  # 1 or 2
     depth: float  # [m]
     radius: float  # r_x, at which 1/e of the depth is left [m]
     radius_across: float | None = None  # r_y [m]; None: round
@@ -182,7 +182,7 @@ class Ridge:
     height. At the angle 0 it lies across the entrainment.
     """
 
-    body: int
+    body: int  # 1 or 2
     ridge_height: float  # h [m]
     width: float  # w, at which 1/e of the height is left [m]
     angle: float = 0.0  # of the crest from y, towards -x [rad]
@@ -239,7 +239,7 @@ class Profile:
     be near zero.
     """
 
-    body: int
+    body: int  # 1 or 2
     x: Array  # rising, shape (n,) [m]
     heights: Array  # shape (n,), or (n, m) with y [m]
     y: Array | None = None  # rising, shape (m,) [m]

@@ -91,12 +91,12 @@ class TransientConditions:
     The load of the contact is to be the largest, or that of the impact: the box is made for it.
     """
 
-    contact: ContactConditions
+    contact: ContactConditions  # sets the scales
     end_time: float  # [s]
     load: Course | None = None  # [N]
     speed: Course | None = None  # mean surface speed u_m, negative backwards [m/s]
-    features: tuple[Feature, ...] = ()
-    impact: Impact | None = None
+    features: tuple[Feature, ...] = ()  # of both surfaces
+    impact: Impact | None = None  # None: the bodies follow the load at once
 
     def __post_init__(self) -> None:
         require_positive(self, "end_time")
@@ -222,10 +222,10 @@ class TransientOptions:
     points: int = 257  # nodes along the entrainment, 2^k + 1 [-]
     # box (x_in, x_out, y_half) in Hertz semi-axes [-]; None: the solver's own, open
     domain: tuple[float, float, float] | None = None
-    scheme: Scheme = Scheme.CHARACTERISTIC
+    scheme: Scheme = Scheme.CHARACTERISTIC  # discretisation of flow and storage
     # step at most [s]; None: four times that in which the film moves from node to node
     largest_step: float | None = None
     frames: int = 60  # fields that are kept, at even times, the first and last among them
     cycles: int = 2  # multigrid cycles a step at least
-    most_cycles: int = 20
+    most_cycles: int = 20  # multigrid cycles a step at most
     tolerance: float = 1e-3  # error of a step over the film, or a feature that is smaller [-]

@@ -51,7 +51,7 @@ class MeshError:
 
     central: float  # error of the nodal film over the film without mesh, with its bar [-]
     minimum: float  # likewise [-]
-    resolved: bool
+    resolved: bool  # whether the mesh resolves the film
     message: str  # of the steady solution
 
 
@@ -59,20 +59,20 @@ class MeshError:
 class TransientSolution:
     """One contact over time, SI."""
 
-    conditions: TransientConditions
-    options: TransientOptions
+    conditions: TransientConditions  # contact over time
+    options: TransientOptions  # of the run
     x: Array  # along the entrainment, shape (nx,) [m]
     y: Array  # across, y >= 0 where fields are even, shape (ny,) [m]
-    symmetric: bool
+    symmetric: bool  # whether fields are even in y
     semi_axes: tuple[float, float]  # of Hertz' ellipse along x and y of the grid [m]
     hertz_pressure: float  # of the scales [Pa]
     moes: tuple[float, float]  # M and L of the scales [-]
     domain: tuple[float, float, float]  # x_in, x_out, y_half in Hertz semi-axes [-]
     planned: int  # steps from t = 0 to the end
     steps: tuple[StepRecord, ...]  # the start first
-    frames: tuple[Frame, ...]
-    converged: bool
-    message: str
+    frames: tuple[Frame, ...]  # fields at some steps
+    converged: bool  # whether all steps were solved
+    message: str  # status of the run
     mesh: MeshError | None = None  # of an impact, which has no steady start
     starts: tuple[float, ...] = ()  # places of the features at t = 0 [m]; inf: everywhere
 

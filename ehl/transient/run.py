@@ -30,28 +30,28 @@ RESIDUAL_MESSAGE = "the cycles left {share:.1e} of the film or the feature, abov
 class StepResult:
     """One step done, not yet part of the run."""
 
-    past: Past
+    past: Past  # fields that the next step starts from
     exterior: float  # load outside the box [-]
-    halvings: int
-    record: StepRecord
-    frame: Frame | None
+    halvings: int  # of the damping so far [-]
+    record: StepRecord  # values of the step
+    frame: Frame | None  # fields, where they are recorded
 
 
 @dataclass(slots=True, kw_only=True)
 class TransientRun:
     """One contact over time, as far as it has come."""
 
-    conditions: TransientConditions
-    options: TransientOptions
+    conditions: TransientConditions  # contact over time
+    options: TransientOptions  # of the run
     times: Array  # of all steps planned [s]
     nodes: Array  # by which the film moves in each [-]
-    stepper: Stepper
-    past: Past
+    stepper: Stepper  # multigrid of the contact
+    past: Past  # fields of the last two steps
     starts: tuple[float, ...]  # of the features [m]
     domain: tuple[float, float, float]  # x_in, x_out, y_half in Hertz semi-axes [-]
-    mesh: MeshError | None = None
-    steps: list[StepRecord] = field(default_factory=list)
-    frames: list[Frame] = field(default_factory=list)
+    mesh: MeshError | None = None  # error of the start by the mesh
+    steps: list[StepRecord] = field(default_factory=list)  # records, the start first
+    frames: list[Frame] = field(default_factory=list)  # fields at some steps
     message: str = ""  # of a step that failed
     exterior: float = 0.0  # load outside the box [-]
 

@@ -45,7 +45,7 @@ class NoStart(Exception):  # noqa: N818
 class InitialState:
     """A multigrid at the start of a run, and the oil that its nodes hold; all [-]."""
 
-    state: Multigrid
+    state: Multigrid  # levels of the contact
     smooth: Array  # gap without features, shape (ny, nx)
     content: Array  # m, shape (ny, nx)
     fields: dict[bool, FarField]  # of an open box, by the direction of the entrainment

@@ -22,7 +22,7 @@ class Past:
     """Fields of the last two steps, arrays of shape (ny, nx), and how bodies moved; all [-]."""
 
     content: tuple[Array, Array]  # m of the last step and the one before
-    pressure: tuple[Array, Array]
+    pressure: tuple[Array, Array]  # P of the last step and the one before
     approach: tuple[float, float]  # H0
     rate: tuple[float, float]  # dH0/dT
     step: float  # T of the last step; zero before the first
@@ -46,7 +46,7 @@ class StepConditions:
 class StepReport:
     """Errors that a step left; all [-]."""
 
-    cycles: int
+    cycles: int  # of the multigrid
     # mean of |residual| H_c/(sigma max(H, H_c)) where oil carries: error of the film
     residual: float
     load_error: float  # over the load of the scales
@@ -57,7 +57,7 @@ class StepReport:
 class Stepper:
     """The multigrid of a contact over time."""
 
-    state: Multigrid
+    state: Multigrid  # levels of the contact
     smooth: Array  # gap without features, shape (ny, nx) [-]
     film: float  # H_c; in a wider gap an error counts over the gap [-]
     scale: float  # that the error of a step is counted in: the film, or a smaller feature [-]
@@ -65,7 +65,7 @@ class Stepper:
     cycles: tuple[int, int]  # at least and at most
     predicts: bool = True  # first guess from two steps
     fields: dict[bool, FarField] = field(default_factory=dict)  # forwards and backwards
-    halvings: int = 0
+    halvings: int = 0  # of the damping so far
 
     @property
     def level(self) -> Level:

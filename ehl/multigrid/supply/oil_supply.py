@@ -161,8 +161,7 @@ def _moment(solution: ContactSolution, levels: Multigrid) -> float:
 
 def pressure_moment(solution: ContactSolution, contact: ScaledContact) -> tuple[float, float]:
     """Evaluate the moment of the pressure in the box that resists rolling along the entrainment,
-    and
-    its correction by the balance of power.
+    and its correction by the balance of power.
 
     The corrected moment is that by which the surfaces turn as much power into heat as the flow
     does that the pressure drives. Reynolds' equation times the integral of dP/rho, summed over the

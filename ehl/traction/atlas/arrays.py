@@ -69,10 +69,10 @@ class FilmArrays:
     # errors that cover nineteen of twenty contacts, those of the approach in its unit [m], others
     # over the value [-]
     central_error: Array
-    minimum_error: Array
-    approach_error: Array
-    stiffness_error: Array
-    inside: NDArray[np.bool_]
+    minimum_error: Array  # over the film [-]
+    approach_error: Array  # in its unit [m]
+    stiffness_error: Array  # over the stiffness [-]
+    inside: NDArray[np.bool_]  # True where the atlas covers the contact
 
 
 class _Lattice(NamedTuple):

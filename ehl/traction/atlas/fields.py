@@ -81,12 +81,12 @@ class ContactFields(NamedTuple):
 class Layout(NamedTuple):
     """Parts of a vector."""
 
-    half_width: slice
+    half_width: slice  # of the zone across
     first: slice  # edge of each line on the side of the inlet
-    last: slice
-    pressure: slice
+    last: slice  # edge on the side of the outlet
+    pressure: slice  # over Hertz' pressure
     film: slice  # ln(H A)
-    cells: slice
+    cells: slice  # rows of the cells of low pressure
     load: slice  # share of the load that the zone carries
     damping: slice  # ln(c u_m/(p_h a Rx))
     shear: slice  # ln of the area over film of all cells together
@@ -169,8 +169,7 @@ def amplitudes(x: Array, alpha: Array, z: Array, known: FieldTable) -> Array:
 
 def field_vectors(x: Array, alpha: Array, z: Array, known: FieldTable | None = None) -> Array:
     """Evaluate vectors of `layout`, the pressure scaled to carry the load, the cells to the shear
-    of
-    all.
+    of all.
 
     Parameters
     ----------

@@ -44,8 +44,8 @@ class FilmShapes(NamedTuple):
     over Hertz', and film over the central one, of those around over a^2/Rx.
     """
 
-    zone: Array
-    around: Array
+    zone: Array  # nodes of high pressure, shape (5, n, m)
+    around: Array  # nodes around them, shape (5, n, k)
 
 
 class _Parts(NamedTuple):

@@ -59,8 +59,8 @@ class NotInAtlasError(ValueError):
 class AtlasValue:
     """A value of the atlas and its error bar, both SI or in the units of `AtlasFilms` [-]."""
 
-    value: float
-    uncertainty: float
+    value: float  # in the unit of the quantity
+    uncertainty: float  # error bar in this unit
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -69,8 +69,8 @@ class AtlasFilms:
     approach in a^2/Rx, the moment in p_h a^3 and the stiffness in the load over a^2/Rx [-].
     """
 
-    central: AtlasValue
-    minimum: AtlasValue
+    central: AtlasValue  # film [m] or [a^2/Rx]
+    minimum: AtlasValue  # film [m] or [a^2/Rx]
     approach: AtlasValue  # h_0, the constant of the film equation
     # up to where the gap is as wide as the layer; None: a layer below 3 (1 + H_c) a^2/Rx ends
     # too near the contact for the table, see `ehl.traction.rolling_moment`, or the entrainment is
@@ -298,8 +298,7 @@ def _with_density(found: Array, x: Array, added: Array) -> Array:
 
 def oil_numbers(oil: Lubricant) -> tuple[float, float]:
     """Give alpha and z of a Roelands oil; of an isoviscous one, where they do not count, those of
-    the
-    base oil.
+    the base oil.
 
     Parameters
     ----------

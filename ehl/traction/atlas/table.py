@@ -63,8 +63,8 @@ class Patch(NamedTuple):
 class Table(NamedTuple):
     """Contents of the file [-]."""
 
-    light: Patch
-    heavy: Patch
+    light: Patch  # patch of light contacts
+    heavy: Patch  # patch of heavy contacts
     # (2, 3, 6) relative errors, of Hc - H0 absolute ones, within which nineteen of twenty fresh
     # contacts lie, below and above the beginning of the seam: of the base oil with D up to 1, of
     # that with D above 1, of other oils

@@ -60,7 +60,7 @@ class HeatedLines:
     speed: float  # of entrainment [m/s]
     solids: tuple[SolidThermal, SolidThermal]  # body 1 and body 2
     semi_axis: float  # of the contact along the lines [m]
-    rheology: Rheology
+    rheology: Rheology  # shear law with the stresses of the contact
 
     def wall_response(self, slide_x: Array) -> Array:
         """Evaluate the response 1/(sqrt(pi u) e) of both bodies at sliding speeds.
@@ -160,8 +160,8 @@ class HeatedLines:
 class HeatedFilm:
     """A film with heat: lines of high pressure; other nodes keep the temperature of rolling."""
 
-    lines: HeatedLines
-    low_pressure: FilmQuadrature
+    lines: HeatedLines  # nodes of high pressure
+    low_pressure: FilmQuadrature  # nodes of low pressure
 
 
 def heated_film(

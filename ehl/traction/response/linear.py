@@ -50,10 +50,10 @@ class SlowResponse:
 class LinearContact:
     """Linearised equations of the finest level of a contact, arrays of shape (ny, nx); all [-]."""
 
-    state: Multigrid
-    index: int
-    lin: Linearisation
-    factored: Factored
+    state: Multigrid  # levels of the contact
+    index: int  # number of the finest level
+    lin: Linearisation  # linearised equations
+    factored: Factored  # near field
     squeeze: Array  # pressure on the edge by -dH0/dT
     squeeze_load: float  # load outside by the same
 

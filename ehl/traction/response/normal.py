@@ -36,8 +36,8 @@ FASTEST = 10.0  # likewise; beyond it a mesh no longer carries the film's wave
 class ResponseValue:
     """A stiffness [N/m] or damping [N s/m], and its error bar in the same unit."""
 
-    value: float
-    uncertainty: float
+    value: float  # in the unit of the quantity
+    uncertainty: float  # error bar in this unit
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -48,9 +48,9 @@ class NormalResponse:
 
     stiffness: ResponseValue  # -dF/dh_0 [N/m], slow movement
     damping: ResponseValue  # -dF/d(dh_0/dt) [N s/m], slow movement
-    converged: bool
+    converged: bool  # whether the film and all systems were solved
     resolved: bool  # the film, by the finer mesh
-    message: str
+    message: str  # status of the solve
     frequencies: tuple[float, ...] = ()  # [Hz]
     stiffnesses: tuple[ResponseValue, ...] = ()  # at these [N/m]
     dampings: tuple[ResponseValue, ...] = ()  # [N s/m]

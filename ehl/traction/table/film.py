@@ -30,9 +30,9 @@ RESPONSE_POINTS = 129  # of the films that stiffness and damping are taken from
 class TableFilm:
     """The quadrature of a film, ready to shear."""
 
-    quadrature: FilmQuadrature | HeatedFilm
+    quadrature: FilmQuadrature | HeatedFilm  # nodes of the film
     central: float  # film [m]: extrapolated; with heat that of the finest grid
-    converged: bool
+    converged: bool  # whether the film did
 
     def sliding_forces(
         self,
@@ -71,7 +71,7 @@ class TableFilm:
 class SolvedFilm(TableFilm):
     """Quadrature of a film that was solved."""
 
-    solution: ContactSolution
+    solution: ContactSolution  # of the contact
 
 
 def table_film(
@@ -132,7 +132,7 @@ class FilmSample:
     """A film of a table at a load and a speed, and what splines over both need of it."""
 
     place: tuple[float, float]  # ln(load), ln(speed) [-]
-    film: TableFilm
+    film: TableFilm  # ready to shear
     scales: tuple[float, float, float]  # of slide_x/u, slide_y/u, spin R_x/u [-]
     moment: float  # hydrodynamic, of the oil up to its meniscus, positive [N m]
     response: NormalResponse | None  # stiffness and damping; None: not asked for

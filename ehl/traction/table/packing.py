@@ -48,8 +48,7 @@ DAMAGED = (lzma.LZMAError,)  # what bytes that were not packed so raise
 
 def mirrored(values: NDArray[Any]) -> NDArray[Any]:
     """Extend values at slide_y from zero on by their mirror image: F_y and M_n change sign with
-    slide_y
-    and spin.
+    slide_y and spin.
 
     Parameters
     ----------

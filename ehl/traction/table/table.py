@@ -42,8 +42,8 @@ class TableContact:
     radius_x: float  # reduced radius of curvature along the entrainment [m]
     radius_y: float  # and across [m]
     reduced_modulus: float  # E' [Pa]
-    lubricant: Lubricant
-    rheology: Rheology
+    lubricant: Lubricant  # oil of the contact
+    rheology: Rheology  # its shear law
     temperature: float  # of the oil at the inlet [K]
     # radius of the loaded surface across the entrainment; infinite: no curvature slip [m]
     curvature_radius: float = inf
@@ -182,8 +182,8 @@ class TractionTable:
     sliding forces and moments over these units [-].
     """
 
-    contact: TableContact
-    range: TableRange
+    contact: TableContact  # bodies, oil and temperature
+    range: TableRange  # of load, speed and motion
     points: int  # of the films along x
     # start, nodes per unit, nodes of load_place(load), ln(speed), and the scaled motions, of
     # slide_y the half above zero; shape (5, 3)
@@ -191,10 +191,10 @@ class TractionTable:
     scalars: Array  # shape (nQ + 2, nU + 2, 10)
     values: Values  # of `stored_values`, shape (nQ + 2, nU + 2, nX + 2, nY + 2, nS + 2, 4)
     kappa_max: float  # largest coefficient of sliding of all films, at the smallest loads [-]
-    error: TableError
+    error: TableError  # of the check
     films: int  # solved in all, with those of the check
     converged: bool  # every film, stiffness and damping, and the tolerance is reached
-    message: str
+    message: str  # status of the build
     # LIMIT_SHARE, SPIN_SHARE_Y and REST_SHARE of the coordinates [-]
     spacing: tuple[float, float, float] = (LIMIT_SHARE, SPIN_SHARE_Y, REST_SHARE)
     full_solves: tuple[FullSolve, ...] = ()  # beside films of the table, where requested
