@@ -121,18 +121,18 @@ def atlas_arrays(contacts: ContactArrays) -> FilmArrays:
     stiffness = -1.5 * columns[0] / (approach + rise)
     inside = place.inside & (central <= MAX_FILM_OVER_RADIUS * columns[1])
 
-    def known(values: Array) -> Array:
+    def covered(values: Array) -> Array:
         return np.where(inside, values, np.nan).reshape(shape)
 
     return FilmArrays(
-        central=known(central),
-        minimum=known(np.minimum(central, minimum)),
-        approach=known(approach),
-        stiffness=known(stiffness),
-        central_error=known(bars[:, 0]),
-        minimum_error=known(bars[:, 1]),
-        approach_error=known(bars[:, 2] * height + bars[:, 0] * central),
-        stiffness_error=known(np.where(heavy, STIFFNESS_ERROR[1], STIFFNESS_ERROR[0])),
+        central=covered(central),
+        minimum=covered(np.minimum(central, minimum)),
+        approach=covered(approach),
+        stiffness=covered(stiffness),
+        central_error=covered(bars[:, 0]),
+        minimum_error=covered(bars[:, 1]),
+        approach_error=covered(bars[:, 2] * height + bars[:, 0] * central),
+        stiffness_error=covered(np.where(heavy, STIFFNESS_ERROR[1], STIFFNESS_ERROR[0])),
         inside=inside.reshape(shape),
     )
 

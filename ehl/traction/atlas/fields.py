@@ -144,7 +144,7 @@ def kernel(x: Array, oils: Array, y: Array, others: Array, scales: Array) -> Arr
     return DEVIATION**2 * near + OIL**2 * (oils @ others.T) * (with_line + near)
 
 
-def amplitudes(x: Array, alpha: Array, z: Array, known: FieldTable) -> Array:
+def amplitudes(x: Array, alpha: Array, z: Array, tabulated: FieldTable) -> Array:
     """Evaluate the amplitudes of the modes.
 
     Parameters
@@ -155,7 +155,7 @@ def amplitudes(x: Array, alpha: Array, z: Array, known: FieldTable) -> Array:
         pressure-viscosity coefficient, shape (m,) [1/Pa]
     z : Array
         Roelands' z, shape (m,) [-]
-    known : FieldTable
+    tabulated : FieldTable
         table of fields
 
     Returns
@@ -163,11 +163,11 @@ def amplitudes(x: Array, alpha: Array, z: Array, known: FieldTable) -> Array:
     Array
         amplitudes, shape (m, k) [-]
     """
-    near = kernel(x, oil_features(x, alpha, z), known.places, known.oils, known.scales)
-    return np.asarray(trend_terms(x) @ known.trend + near @ known.weights)
+    near = kernel(x, oil_features(x, alpha, z), tabulated.places, tabulated.oils, tabulated.scales)
+    return np.asarray(trend_terms(x) @ tabulated.trend + near @ tabulated.weights)
 
 
-def field_vectors(x: Array, alpha: Array, z: Array, known: FieldTable | None = None) -> Array:
+def field_vectors(x: Array, alpha: Array, z: Array, tabulated: FieldTable | None = None) -> Array:
     """Evaluate vectors of `layout`, the pressure scaled to carry the load, the cells to the shear
     of all.
 
@@ -179,7 +179,7 @@ def field_vectors(x: Array, alpha: Array, z: Array, known: FieldTable | None = N
         pressure-viscosity coefficient, shape (m,) [1/Pa]
     z : Array
         Roelands' z, shape (m,) [-]
-    known : FieldTable | None, optional
+    tabulated : FieldTable | None, optional
         table of fields; None: that of the package
 
     Returns
@@ -187,8 +187,8 @@ def field_vectors(x: Array, alpha: Array, z: Array, known: FieldTable | None = N
     Array
         vectors, shape (m, length) [-]
     """
-    known = known or field_table()
-    result = known.mean + amplitudes(x, alpha, z, known) @ known.modes
+    tabulated = tabulated or field_table()
+    result = tabulated.mean + amplitudes(x, alpha, z, tabulated) @ tabulated.modes
     parts = layout()
     for own in result:
         own[parts.pressure] *= own[parts.load] / carried_load_fraction(own)

@@ -137,14 +137,14 @@ def mixed_oil_terms(places: Array, alpha: Array, z: Array) -> Array:
     return np.asarray((own[:, :, None] * more[:, None, :]).reshape(len(places), -1))
 
 
-def mixed_radial(x: Array, known: Skew) -> Array:
+def mixed_radial(x: Array, tabulated: Skew) -> Array:
     """Evaluate the radial functions times m m_i.
 
     Parameters
     ----------
     x : Array
         (ln A, sqrt L, ln D, m) of contacts, shape (m, 4) [-]
-    known : Skew
+    tabulated : Skew
         table of the mixed curvature
 
     Returns
@@ -152,11 +152,11 @@ def mixed_radial(x: Array, known: Skew) -> Array:
     Array
         products, shape (m, n) [-]
     """
-    fractions = x[:, 3:] * known.places[None, :, 3]
-    return np.asarray(fractions * radial(x, known.places, known.scales))
+    fractions = x[:, 3:] * tabulated.places[None, :, 3]
+    return np.asarray(fractions * radial(x, tabulated.places, tabulated.scales))
 
 
-def mixed_functions(x: Array, alpha: Array, z: Array, known: Skew | None = None) -> Array:
+def mixed_functions(x: Array, alpha: Array, z: Array, tabulated: Skew | None = None) -> Array:
     """Evaluate the change of the first three functions by the mixed curvature.
 
     Parameters
@@ -167,7 +167,7 @@ def mixed_functions(x: Array, alpha: Array, z: Array, known: Skew | None = None)
         pressure-viscosity coefficient, shape (m,) [1/Pa]
     z : Array
         Roelands' z, shape (m,) [-]
-    known : Skew | None, optional
+    tabulated : Skew | None, optional
         table of the mixed curvature; None: that of the package
 
     Returns
@@ -175,9 +175,10 @@ def mixed_functions(x: Array, alpha: Array, z: Array, known: Skew | None = None)
     Array
         changes, shape (m, 3) [-]
     """
-    known = known or skew()
+    tabulated = tabulated or skew()
     return np.asarray(
-        mixed_radial(x, known) @ known.weights + mixed_oil_terms(x, alpha, z) @ known.oils
+        mixed_radial(x, tabulated) @ tabulated.weights
+        + mixed_oil_terms(x, alpha, z) @ tabulated.oils
     )
 
 

@@ -100,13 +100,13 @@ def error_bars(x: Array, base: NDArray[np.bool_]) -> Array:
     Array
         errors, shape (m, 6) [-]
     """
-    light, _, known, at_step = table()
+    light, _, tabulated, at_step = table()
     heavy = x[:, 0] >= log(SEAM[0])
     wide = x[:, 2] > 0.0
     away = np.abs(slanted(x, light.slant)[:, 0] - light.step[0])
     # 1. errors of all kinds: by load, ratio and oil, then of light contacts at the step
-    plain = np.stack([known[:, :2], np.maximum(known[:, :2], known[:, 2:])], axis=2)
-    kinds = np.concatenate([plain, np.maximum(plain[:1], at_step)]).reshape(-1, known.shape[2])
+    plain = np.stack([tabulated[:, :2], np.maximum(tabulated[:, :2], tabulated[:, 2:])], axis=2)
+    kinds = np.concatenate([plain, np.maximum(plain[:1], at_step)]).reshape(-1, tabulated.shape[2])
     # 2. kinds of these contacts
     first = np.where((away < STEP) & ~heavy, 2, heavy)
     return np.asarray(kinds[4 * first + 2 * wide + ~base])
@@ -336,7 +336,7 @@ def patch_oils(patch: Patch, x: Array) -> Array:
     return np.asarray(trend + around.reshape(trend.shape))
 
 
-def functions(x: Array, alpha: Array, z: Array, known: Table | None = None) -> Array:
+def functions(x: Array, alpha: Array, z: Array, tabulated: Table | None = None) -> Array:
     """Evaluate the six functions of the atlas.
 
     Parameters
@@ -347,7 +347,7 @@ def functions(x: Array, alpha: Array, z: Array, known: Table | None = None) -> A
         pressure-viscosity coefficient, shape (m,) [1/Pa]
     z : Array
         Roelands' z, shape (m,) [-]
-    known : Table | None, optional
+    tabulated : Table | None, optional
         table; None: that of the package
 
     Returns
@@ -355,11 +355,11 @@ def functions(x: Array, alpha: Array, z: Array, known: Table | None = None) -> A
     Array
         functions, shape (m, 6) [-]
     """
-    known = known or table()
+    tabulated = tabulated or table()
     fraction = heavy_weight(x[:, 0])[0]
     features = oil_features(x, alpha, z)
-    result = np.zeros((len(x), known.bars.shape[-1]))
-    for patch, weight in ((known.light, 1.0 - fraction), (known.heavy, fraction)):
+    result = np.zeros((len(x), tabulated.bars.shape[-1]))
+    for patch, weight in ((tabulated.light, 1.0 - fraction), (tabulated.heavy, fraction)):
         own = weight > 0.0
         if own.any():
             values = patch_base(patch, x[own])

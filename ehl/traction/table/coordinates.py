@@ -20,7 +20,7 @@ from ...arrays import Array
 from .._kernels import LIMIT_SHARE, REST_SHARE, SHIFT_MARGIN, SPIN_SHARE, SPIN_SHARE_Y, STANDING
 from .table import TableContact
 
-Part = Callable[[Array | float], Array]
+FurtherTerm = Callable[[Array | float], Array]
 STEPS = 60  # of an inversion at most; some ten are needed
 INVERTED = 1e-14  # of a place that is inverted, or of the last step to it
 
@@ -200,7 +200,9 @@ def linear_term(size: Array | float) -> Array:
 PLACE_PARTS = (standstill_term, linear_term, no_further_term)  # of slide_x, slide_y and spin
 
 
-def place_of(motion: Array, scale: Array | float, limit: float, part: Part) -> Array:
+def place_of(
+    motion: Array, scale: Array | float, limit: float, further_term: FurtherTerm
+) -> Array:
     """Evaluate the coordinate X of a motion on its axis.
 
     Mostly asinh(S/(u s))/asinh(L/s), s the scale and L the limit, and a further term over that of
@@ -214,7 +216,7 @@ def place_of(motion: Array, scale: Array | float, limit: float, part: Part) -> A
         scale s, of a shape that fits [-]
     limit : float
         largest motion L [-]
-    part : Part
+    further_term : FurtherTerm
         further term by the absolute motion
 
     Returns
@@ -224,12 +226,14 @@ def place_of(motion: Array, scale: Array | float, limit: float, part: Part) -> A
     """
     size = np.abs(motion)
     place = np.arcsinh(size / scale) / np.arcsinh(limit / scale)
-    further = part(np.minimum(size, limit)) / part(limit)
+    further = further_term(np.minimum(size, limit)) / further_term(limit)
     mixed = (1.0 - LIMIT_SHARE) * place + LIMIT_SHARE * further
     return np.copysign(np.where(np.isnan(further), place, mixed), motion)
 
 
-def motion_at(place: Array, scale: Array | float, limit: float, part: Part) -> Array:
+def motion_at(
+    place: Array, scale: Array | float, limit: float, further_term: FurtherTerm
+) -> Array:
     """Invert `place_of`.
 
     In asinh(S/(u s)), over which the coordinate is nearly a line, by the secant through two values
@@ -243,7 +247,7 @@ def motion_at(place: Array, scale: Array | float, limit: float, part: Part) -> A
         scale s, of a shape that fits [-]
     limit : float
         largest motion L [-]
-    part : Part
+    further_term : FurtherTerm
         further term by the absolute motion
 
     Returns
@@ -262,7 +266,9 @@ def motion_at(place: Array, scale: Array | float, limit: float, part: Part) -> A
         fraction = np.divide(-off[0], apart, out=np.zeros(place.shape), where=apart > 0.0)
         last = at
         at = ends[0] + fraction * (ends[1] - ends[0])
-        result = place_of(np.minimum(scale * np.sinh(at), limit), scale, limit, part) - wanted
+        result = (
+            place_of(np.minimum(scale * np.sinh(at), limit), scale, limit, further_term) - wanted
+        )
         if np.all((np.abs(result) <= INVERTED) | (np.abs(at - last) <= INVERTED * at)):
             break
         below = result < 0.0
