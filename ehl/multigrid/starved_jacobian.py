@@ -101,12 +101,12 @@ def flux_change(
         change of the equations and of the oil [-]
     """
     kind = np.result_type(gained, content, type(turn))
-    own = (flux.speed * content).astype(kind)
-    along, held, rows = np.zeros((3, *own.shape), dtype=kind)
-    along[:, 0] = np.where(flux.gap_enters, 0.5 * (own[:, 0] + own[:, 1]), 0.0)
+    transport = (flux.speed * content).astype(kind)
+    along, held, rows = np.zeros((3, *transport.shape), dtype=kind)
+    along[:, 0] = np.where(flux.gap_enters, 0.5 * (transport[:, 0] + transport[:, 1]), 0.0)
     _starved_kernels.march_change(
         gained.astype(kind),
-        own,
+        transport,
         flux.speed,
         flux.empty,
         kind.type(turn),

@@ -317,9 +317,9 @@ def node_shares() -> tuple[Array, Array]:
     positions: list[float] = []
     weights: list[float] = []
     for low, high, count in PANELS:
-        nodes, own = np.polynomial.legendre.leggauss(count)
+        nodes, panel_weights = np.polynomial.legendre.leggauss(count)
         positions.extend(low + 0.5 * (high - low) * (nodes + 1.0))
-        weights.extend(0.5 * (high - low) * own)
+        weights.extend(0.5 * (high - low) * panel_weights)
     return np.array(positions), np.array(weights)
 
 

@@ -77,10 +77,10 @@ def advected(content: Array, nodes: float) -> Array:
     # places in nodes upstream of the whole one: -1, 0, 1, 2
     positions = (-1.0, 0.0, 1.0, 2.0)
     total = np.zeros_like(content)
-    for own in positions:
-        others = [place for place in positions if place != own]
-        weight = np.prod([(part - place) / (own - place) for place in others])
-        total += weight * at(whole + round(own))
+    for position in positions:
+        others = [other for other in positions if other != position]
+        weight = np.prod([(part - other) / (position - other) for other in others])
+        total += weight * at(whole + round(position))
     return total
 
 
@@ -88,13 +88,13 @@ def _extended(content: Array, pad: int) -> Array:
     """Lines with so many more nodes at both ends."""
     k = np.arange(1, pad + 1)
     # weights of a parabola through the last three nodes, k nodes beyond
-    near = (k + 1.0) * (k + 2.0) / 2.0
+    nearest = (k + 1.0) * (k + 2.0) / 2.0
     middle = -k * (k + 2.0)
-    far = k * (k + 1.0) / 2.0
-    left = np.outer(content[:, 0], near) + np.outer(content[:, 1], middle)
-    left += np.outer(content[:, 2], far)
-    right = np.outer(content[:, -1], near) + np.outer(content[:, -2], middle)
-    right += np.outer(content[:, -3], far)
+    farthest = k * (k + 1.0) / 2.0
+    left = np.outer(content[:, 0], nearest) + np.outer(content[:, 1], middle)
+    left += np.outer(content[:, 2], farthest)
+    right = np.outer(content[:, -1], nearest) + np.outer(content[:, -2], middle)
+    right += np.outer(content[:, -3], farthest)
     return np.concatenate((left[:, ::-1], content, right), axis=1)
 
 

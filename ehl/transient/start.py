@@ -149,16 +149,16 @@ def _settle(
     speed = conditions.speed_at(0.0)
     load = conditions.load_at(0.0)
     c = conditions.contact
-    own = replace(c, load=load, entrainment_speed=abs(speed))
+    at_zero = replace(c, load=load, entrainment_speed=abs(speed))
     points = SolverOptions(points=options.points, domain=options.domain)
-    solution, levels = solve_attempts(own, points)
+    solution, levels = solve_attempts(at_zero, points)
     if not solution.converged:
         raise NoStart(f"steady film at the start: {solution.message}")
     # 1. onto this grid, backwards where it runs so
     index = len(state.levels) - 1
     start = _interpolated_pressure(levels, solution.frame_angle, state, speed < 0.0)
     contact = state.contact
-    state.approach = _carried_approach(levels, state)
+    state.approach = _scaled_approach(levels, state)
     fractions = (abs(speed) / c.entrainment_speed, load / c.load)
     turn = 1.0 if speed > 0.0 else -1.0
     at_start = replace(
@@ -206,12 +206,12 @@ def _polished(state: Multigrid, index: int) -> float:
     return float(residual)
 
 
-def _carried_approach(levels: Multigrid, state: Multigrid) -> float:
+def _scaled_approach(levels: Multigrid, state: Multigrid) -> float:
     """H0 of a solution in the scales of another grid [-]."""
-    own = levels.contact.film_scale
+    scale_before = levels.contact.film_scale
     scale = state.contact.film_scale
-    assert own is not None and scale is not None
-    return levels.approach * own / scale
+    assert scale_before is not None and scale is not None
+    return levels.approach * scale_before / scale
 
 
 def _interpolated_pressure(
@@ -222,17 +222,18 @@ def _interpolated_pressure(
     grid = level.grid
     P = unfolded(level.P) if grid.symmetric else level.P
     Y = unfolded(grid.Y, sign=-1.0) if grid.symmetric else grid.Y
-    own, to = levels.contact, state.contact
-    assert own.semi_axis_x is not None and to.semi_axis_x is not None
-    length = to.semi_axis_x / own.semi_axis_x
+    before = levels.contact
+    after = state.contact
+    assert before.semi_axis_x is not None and after.semi_axis_x is not None
+    length = after.semi_axis_x / before.semi_axis_x
     target = state.levels[-1].grid
-    turn = to.frame_angle - angle
+    turn = after.frame_angle - angle
     c, s = np.cos(turn), np.sin(turn)
     X, YY = np.meshgrid(target.X, target.Y)
     sign = -1.0 if backwards else 1.0
     positions = np.stack((YY * c + X * s, sign * (X * c - YY * s)), axis=-1) * length
     at = RegularGridInterpolator((Y, grid.X), P, bounds_error=False, fill_value=0.0)
-    return np.asarray(at(positions)) * own.hertz_pressure / to.hertz_pressure
+    return np.asarray(at(positions)) * before.hertz_pressure / after.hertz_pressure
 
 
 def _content(state: Multigrid, conditions: TransientConditions) -> Array:

@@ -115,10 +115,10 @@ def oil_supply(
     assert film_content is not None
     grid = level.grid
     # 1. share of the gap that is filled, at the outgoing faces; the edges as beside them
-    own = level.flow_x * level.H
-    full = 1.5 * own
-    full[:, 1:] -= 0.5 * own[:, :-1]
-    filled = np.ones_like(own)
+    transport = level.flow_x * level.H
+    full = 1.5 * transport
+    full[:, 1:] -= 0.5 * transport[:, :-1]
+    filled = np.ones_like(transport)
     np.divide(film_content.along, full, out=filled, where=(film_content.empty > 0) & (full > 0.0))
     filled = np.clip(filled, 0.0, 1.0)
     filled[:, [0, -1]] = filled[:, [1, -2]]

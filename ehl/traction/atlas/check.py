@@ -30,13 +30,16 @@ def beyond_both_bars(solution: ContactSolution) -> Iterator[Pair]:
     if not trusted or film.state is not None or film.options.domain is not None:
         return
     try:
-        known = atlas_films(replace(film.conditions, inlet_layer=None))
+        films = atlas_films(replace(film.conditions, inlet_layer=None))
     except NotInAtlasError:
         return
     unit = film.film_scale or 1.0
-    for name, own, other in (
-        ("central", film.film_central_dimensionless, known.central),
-        ("minimum", film.film_minimum_dimensionless, known.minimum),
+    for name, solved, tabulated in (
+        ("central", film.film_central_dimensionless, films.central),
+        ("minimum", film.film_minimum_dimensionless, films.minimum),
     ):
-        if abs(unit * own.value - other.value) > unit * own.uncertainty + other.uncertainty:
-            yield name, own, other
+        if (
+            abs(unit * solved.value - tabulated.value)
+            > unit * solved.uncertainty + tabulated.uncertainty
+        ):
+            yield name, solved, tabulated

@@ -139,9 +139,9 @@ def kernel(x: Array, oils: Array, y: Array, others: Array, scales: Array) -> Arr
     Array
         covariance, shape (m, n) [-]
     """
-    near = radial(x, y, scales)
+    radial_terms = radial(x, y, scales)
     with_line = 1.0 + ((x - CENTRE) / SPREAD) @ ((y - CENTRE) / SPREAD).T
-    return DEVIATION**2 * near + OIL**2 * (oils @ others.T) * (with_line + near)
+    return DEVIATION**2 * radial_terms + OIL**2 * (oils @ others.T) * (with_line + radial_terms)
 
 
 def amplitudes(x: Array, alpha: Array, z: Array, tabulated: FieldTable) -> Array:
@@ -163,8 +163,10 @@ def amplitudes(x: Array, alpha: Array, z: Array, tabulated: FieldTable) -> Array
     Array
         amplitudes, shape (m, k) [-]
     """
-    near = kernel(x, oil_features(x, alpha, z), tabulated.places, tabulated.oils, tabulated.scales)
-    return np.asarray(trend_terms(x) @ tabulated.trend + near @ tabulated.weights)
+    covariance = kernel(
+        x, oil_features(x, alpha, z), tabulated.places, tabulated.oils, tabulated.scales
+    )
+    return np.asarray(trend_terms(x) @ tabulated.trend + covariance @ tabulated.weights)
 
 
 def field_vectors(x: Array, alpha: Array, z: Array, tabulated: FieldTable | None = None) -> Array:
@@ -190,10 +192,10 @@ def field_vectors(x: Array, alpha: Array, z: Array, tabulated: FieldTable | None
     tabulated = tabulated or field_table()
     result = tabulated.mean + amplitudes(x, alpha, z, tabulated) @ tabulated.modes
     parts = layout()
-    for own in result:
-        own[parts.pressure] *= own[parts.load] / carried_load_fraction(own)
-        rows = own[parts.cells].reshape(CELL_ROWS, CELLS)[:2]
-        rows *= np.exp(own[parts.shear]) / sheared_area(own)
+    for vector in result:
+        vector[parts.pressure] *= vector[parts.load] / carried_load_fraction(vector)
+        rows = vector[parts.cells].reshape(CELL_ROWS, CELLS)[:2]
+        rows *= np.exp(vector[parts.shear]) / sheared_area(vector)
     return np.asarray(result)
 
 

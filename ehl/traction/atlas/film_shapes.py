@@ -99,11 +99,11 @@ def shape_places(contacts: Sequence[ContactConditions], semi_axes: Array) -> Arr
     twice = 2.0 * oil.viscosity * speeds / (moduli * along)
     groups = (semi_axes**2 / (along**2 * np.sqrt(twice)), counted * moduli * twice**0.25)
     values = (*groups, along / across, np.full_like(along, alpha), np.full_like(along, z))
-    own, thick, ratio, *rest = (
+    load, thick, ratio, *rest = (
         np.clip(value, *limits) for value, limits in zip(values, BOX, strict=True)
     )
-    light = (groups[0] < own).astype(np.float64)
-    return np.stack([np.log(own), np.sqrt(thick), np.log(ratio), *rest, light], axis=1)
+    light = (groups[0] < load).astype(np.float64)
+    return np.stack([np.log(load), np.sqrt(thick), np.log(ratio), *rest, light], axis=1)
 
 
 def film_shapes(places: Array, central: Array) -> FilmShapes:
@@ -127,12 +127,14 @@ def film_shapes(places: Array, central: Array) -> FilmShapes:
         some = fraction > 0.0
         if some.any():
             vectors[some] += fraction[some, None] * _vectors(path, places[some])
-    own = _split(vectors)
+    components = _split(vectors)
     load = np.exp(places[:, 0])
     # s^2
-    wider = np.where(places[:, PLACE - 1] > 0.0, central * load * np.exp(-_central(own)), 1.0)
-    zone = _stretched(_zone(own), wider)
-    around = _stretched(_around(own, load), wider)
+    wider = np.where(
+        places[:, PLACE - 1] > 0.0, central * load * np.exp(-_central(components)), 1.0
+    )
+    zone = _stretched(_zone(components), wider)
+    around = _stretched(_around(components, load), wider)
     around[4] *= wider[:, None]
     return FilmShapes(zone=_mirrored(zone), around=_mirrored(around))
 
@@ -151,39 +153,41 @@ def _vectors(path: Path, places: Array) -> Array:
     return np.asarray(known[0] + weights @ known[1:])
 
 
-def _zone(own: _Parts) -> Array:
+def _zone(components: _Parts) -> Array:
     """Nodes of high pressure of one half, shape (5, n, m)."""
     fractions, weights = _gauss()
-    width = own.half_width / HALF_LINES
-    x = own.first[..., None] + own.span[..., None] * fractions
+    width = components.half_width / HALF_LINES
+    x = components.first[..., None] + components.span[..., None] * fractions
     lines = np.arange(HALF_LINES) + 0.5
     y = np.broadcast_to((width[:, None] * lines)[..., None], x.shape)
-    area = own.span[..., None] * weights * width[:, None, None]
+    area = components.span[..., None] * weights * width[:, None, None]
     # pressure that carries the load, whose share in the zone is known
-    carried = 2.0 * (area * own.pressure).sum(axis=(1, 2)) / (2.0 * pi / 3.0)
-    pressure = np.maximum(own.pressure, 0.0) * (own.load / carried)[:, None, None]
-    film = np.exp(own.film - _central(own)[:, None, None])
+    carried = 2.0 * (area * components.pressure).sum(axis=(1, 2)) / (2.0 * pi / 3.0)
+    pressure = np.maximum(components.pressure, 0.0) * (components.load / carried)[:, None, None]
+    film = np.exp(components.film - _central(components)[:, None, None])
     return np.stack([x, y, area, pressure, film]).reshape(5, x.shape[0], -1)
 
 
-def _central(own: _Parts) -> Array:
+def _central(components: _Parts) -> Array:
     """ln(H A) at the middle of contacts, shape (n,)."""
     fractions = _gauss()[0]
-    place = np.clip(-own.middle[:, 0] / own.middle[:, 1], fractions[0], fractions[-1])
-    weights = lagrange_weights(np.broadcast_to(fractions, (place.size, fractions.size)), place)
-    return np.asarray((weights * own.central).sum(axis=1))
+    centre = np.clip(
+        -components.middle[:, 0] / components.middle[:, 1], fractions[0], fractions[-1]
+    )
+    weights = lagrange_weights(np.broadcast_to(fractions, (centre.size, fractions.size)), centre)
+    return np.asarray((weights * components.central).sum(axis=1))
 
 
-def _around(own: _Parts, load: Array) -> Array:
+def _around(components: _Parts, load: Array) -> Array:
     """Cells around of one half, shape (5, n, k), each as two nodes as far apart as the oil of the
     cell is spread; those without oil have no area.
     """
-    area, by_film, pressure, along, across, spread_x, spread_y = own.cells.swapaxes(0, 1)
+    area, by_film, pressure, along, across, spread_x, spread_y = components.cells.swapaxes(0, 1)
     sheared = np.minimum(area, by_film) > 0.0
     whole = np.where(sheared, by_film, 0.0).sum(axis=1)
     film = np.where(sheared, area / np.where(sheared, by_film, 1.0), 1.0)
     # half of a cell's area, on one side of the middle, and in one of its nodes
-    size = np.where(sheared, 0.25 * area, 0.0) * (np.exp(own.shear) / whole)[:, None]
+    size = np.where(sheared, 0.25 * area, 0.0) * (np.exp(components.shear) / whole)[:, None]
     p = np.clip(pressure, 0.0, HIGH_PRESSURE)
     x, y = np.sqrt(np.maximum(spread_x, 0.0)), np.sqrt(np.maximum(spread_y, 0.0))
     rest = (size, p, film / load[:, None])
@@ -261,13 +265,13 @@ def _along_weights() -> Array:
     """Interpolate the table's nodes to the few of a line, by the polynomials of its panels, shape
     (PLACES, n) [-].
     """
-    known, wanted = node_shares()[0], _gauss()[0]
-    weights = np.zeros((wanted.size, known.size))
+    table_nodes, wanted = node_shares()[0], _gauss()[0]
+    weights = np.zeros((wanted.size, table_nodes.size))
     start = 0
     for low, high, count in PANELS:
-        own = (low <= wanted) & (wanted < high)
-        panel = known[start : start + count]
-        near = np.broadcast_to(panel, (int(own.sum()), count))
-        weights[own, start : start + count] = lagrange_weights(near, wanted[own])
+        inside = (low <= wanted) & (wanted < high)
+        panel = table_nodes[start : start + count]
+        panels = np.broadcast_to(panel, (int(inside.sum()), count))
+        weights[inside, start : start + count] = lagrange_weights(panels, wanted[inside])
         start += count
     return weights

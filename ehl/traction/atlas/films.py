@@ -160,9 +160,9 @@ def atlas_films_of(
             positions[n] = _position(conditions)
         except NotInAtlasError as refusal:
             result[n] = refusal
-    known = list(positions.values())
+    covered = list(positions.values())
     for n, place, values, bars in zip(
-        positions, known, _functions(known), _bars(known), strict=True
+        positions, covered, _functions(covered), _bars(covered), strict=True
     ):
         try:
             result[n] = _films(place, values, bars, inlet_film_thickness)
@@ -175,37 +175,37 @@ class _Position(NamedTuple):
     """A contact that the atlas covers, with the oil that stands for its own."""
 
     conditions: ContactConditions | MoesConditions
-    own: Lubricant  # its own oil
-    contact: ScaledContact
+    actual_oil: Lubricant  # of the contact
+    scaled: ScaledContact
     along: Along
     oil: tuple[float, float]  # alpha [1/Pa] and z of the one that stands for it
 
 
-def _position(given: ContactConditions | MoesConditions) -> _Position:
+def _position(conditions_of_case: ContactConditions | MoesConditions) -> _Position:
     """Locate a contact in the atlas; NotInAtlasError where it is not covered, its film aside."""
-    conditions = with_inlet_oil(given)
+    conditions = with_inlet_oil(conditions_of_case)
     contact = scale_contact(conditions)
-    own = atlas_load(contact)
-    require_covered(conditions, contact, own)
+    load = atlas_load(contact)
+    require_covered(conditions, contact, load)
     angle = conditions.entrainment_angle if skewed(conditions.entrainment_angle) else 0.0
-    along = along_entrainment(own, contact.moes_lubricant, contact.radius_ratio, angle)
+    along = along_entrainment(load, contact.moes_lubricant, contact.radius_ratio, angle)
     alpha, z = oil_numbers(conditions.lubricant)
     require_range((along.load, along.lubricant, along.ratio, z, alpha))
     if along.mixed:
         require_range(along.slimmer, SKEW_RANGE)
-    _require_density(given.lubricant, contact.hertz_pressure, along.load)
-    return _Position(conditions, given.lubricant, contact, along, (alpha, z))
+    _require_density(conditions_of_case.lubricant, contact.hertz_pressure, along.load)
+    return _Position(conditions, conditions_of_case.lubricant, contact, along, (alpha, z))
 
 
 def _films(
-    place: _Position, found: Array, bars: Array, inlet_film_thickness: float | None
+    place: _Position, values: Array, bars: Array, inlet_film_thickness: float | None
 ) -> AtlasFilms:
     """By the six functions at A, and at A a little smaller and larger, shape (3, 6), and their
     errors, shape (6,) [-].
     """
     conditions, _, contact, along, _ = place
     load = along.load
-    central, minimum = (exp(found[0, k]) / load for k in (0, 1))
+    central, minimum = (exp(values[0, k]) / load for k in (0, 1))
     lowered, lobes, moved = rotation_effect(load, along.ratio, contact.turning)
     minimum = min(minimum, central) * lowered
     middle = float(bars[0]) + moved
@@ -213,7 +213,7 @@ def _films(
     first = log(load)
     approach, smaller, larger = (
         exp(row[0] - x) - row[2]
-        for row, x in zip(found.tolist(), (first, first - STEP, first + STEP), strict=True)
+        for row, x in zip(values.tolist(), (first, first - STEP, first + STEP), strict=True)
     )
     stiffness = -1.5 / (approach + (larger - smaller) / (2.0 * STEP))
     approach_error = float(bars[2]) + middle * central
@@ -229,7 +229,7 @@ def _films(
         minimum=AtlasValue(minimum * unit, (float(bars[1]) + lobes) * minimum * unit),
         approach=AtlasValue(approach * unit, approach_error * unit),
         rolling_moment=_rolling_moment(
-            conditions, contact, found[0], float(bars[3:].max()), inlet_film_thickness
+            conditions, contact, values[0], float(bars[3:].max()), inlet_film_thickness
         ),
         stiffness=AtlasValue(stiffness, STIFFNESS_ERROR[int(load >= LIGHT)] * stiffness),
         inside=True,
@@ -239,7 +239,7 @@ def _films(
 def _rolling_moment(
     conditions: ContactConditions | MoesConditions,
     contact: ScaledContact,
-    found: Array,
+    values: Array,
     share: float,
     inlet_film_thickness: float | None,
 ) -> AtlasValue | None:
@@ -249,7 +249,7 @@ def _rolling_moment(
     if skewed(conditions.entrainment_angle):
         return None
     load = atlas_load(contact)
-    central = exp(found[0]) / load
+    central = exp(values[0]) / load
     unit = contact.film_scale or 1.0
     moment_unit = 1.0
     if isinstance(conditions, ContactConditions) and contact.semi_axis_x is not None:
@@ -259,41 +259,41 @@ def _rolling_moment(
         inlet_film_thickness = MOES_LAYER if dimensionless else conditions.lubricant.flooded_layer
     ratio = contact.radius_ratio
     scale = moment_unit * pi * contact.speed / ((3.0 + 2.0 * ratio) * sqrt(ratio))
-    rolling = _moment(found[3:], inlet_film_thickness / unit, central, share, scale)
+    rolling = _moment(values[3:], inlet_film_thickness / unit, central, share, scale)
     if rolling is not None and isinstance(conditions, ContactConditions):
         rolling = _of_circles(rolling, conditions, contact, (central * unit, inlet_film_thickness))
     return rolling
 
 
-def _functions(places: Sequence[_Position]) -> Array:
+def _functions(contacts: Sequence[_Position]) -> Array:
     """The six functions of contacts at A, and at A a little smaller and larger, shape (n, 3, 6)
     [-].
     """
-    if not places:
+    if not contacts:
         return np.empty((0, 3, 6))
-    x = np.repeat([place.along.place for place in places], 3, axis=0)
+    x = np.repeat([contact.along.place for contact in contacts], 3, axis=0)
     x[1::3, 0] -= STEP
     x[2::3, 0] += STEP
-    alpha, z = np.repeat([place.oil for place in places], 3, axis=0).T
+    alpha, z = np.repeat([contact.oil for contact in contacts], 3, axis=0).T
     result = functions(x[:, :3], alpha, z)
     mixed = x[:, 3] > 0.0
     if mixed.any():
         result[mixed, :MIXED] += mixed_functions(x[mixed], alpha[mixed], z[mixed])
-        turned = np.repeat([place.along.approach for place in places], 3)
+        turned = np.repeat([contact.along.approach for contact in contacts], 3)
         result[mixed, MIXED - 1] += turned[mixed]
     result = result.reshape(-1, 3, 6)
-    for n, place in enumerate(places):
-        added = by_density(place.own, place.contact.hertz_pressure, place.along.load)
+    for n, contact in enumerate(contacts):
+        added = by_density(contact.actual_oil, contact.scaled.hertz_pressure, contact.along.load)
         if added.any():
             result[n] = _with_density(result[n], x[3 * n : 3 * n + 3], added)
     return result
 
 
-def _with_density(found: Array, x: Array, added: Array) -> Array:
+def _with_density(values: Array, x: Array, added: Array) -> Array:
     """The six functions at x, shape (m, 6), with what density adds, to moments a share [-]."""
-    layers = 1.0 + np.exp(found[:, :1] - x[:, :1])
-    moments = found[:, 3:] + np.log(np.array(LAYERS) * layers)  # T/C
-    return found + np.concatenate([np.tile(added[:3], (len(x), 1)), added[3:] * moments], axis=1)
+    layers = 1.0 + np.exp(values[:, :1] - x[:, :1])
+    moments = values[:, 3:] + np.log(np.array(LAYERS) * layers)  # T/C
+    return values + np.concatenate([np.tile(added[:3], (len(x), 1)), added[3:] * moments], axis=1)
 
 
 def oil_numbers(oil: Lubricant) -> tuple[float, float]:
@@ -317,16 +317,18 @@ def oil_numbers(oil: Lubricant) -> tuple[float, float]:
     return oil.pressure_viscosity, oil.exponent
 
 
-def _bars(places: Sequence[_Position]) -> Array:
+def _bars(contacts: Sequence[_Position]) -> Array:
     """Errors of the six functions of contacts, shape (n, 6) [-]."""
-    if not places:
+    if not contacts:
         return np.empty((0, 6))
-    base = np.array([oil_numbers(place.own) == (BASE_ALPHA, BASE_Z) for place in places])
-    bars = error_bars(np.array([place.along.place for place in places])[:, :3], base)
-    for n, (_, own, _, along, _) in enumerate(places):
+    base = np.array(
+        [oil_numbers(contact.actual_oil) == (BASE_ALPHA, BASE_Z) for contact in contacts]
+    )
+    bars = error_bars(np.array([contact.along.place for contact in contacts])[:, :3], base)
+    for n, (_, oil, _, along, _) in enumerate(contacts):
         if along.mixed:
             bars[n, :MIXED] = np.maximum(bars[n, :MIXED], skew_bars(along.ratio, bool(base[n])))
-        bars[n] = np.maximum(bars[n], law_error(own, along.load >= LIGHT))
+        bars[n] = np.maximum(bars[n], law_error(oil, along.load >= LIGHT))
     return bars
 
 

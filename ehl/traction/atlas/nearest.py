@@ -41,8 +41,8 @@ def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | 
     contact = scale_contact(standing)
     if skewed(conditions.entrainment_angle):
         return None, 0.0
-    own = atlas_load(contact)
-    wanted = _nearest("A = a^2/(Rx^2 sqrt(2U))", own)
+    load = atlas_load(contact)
+    wanted = _nearest("A = a^2/(Rx^2 sqrt(2U))", load)
     slim = rotation_law(wanted, contact.radius_ratio)
     if slim is not None and contact.turning > slim.largest:
         wanted = max(wanted, LIGHT)
@@ -50,7 +50,7 @@ def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | 
     alpha, z = oil_numbers(standing.lubricant)
     thick = _nearest("L", contact.moes_lubricant)
     rise = _nearest("roelands_z", z)
-    way = abs(log(own / wanted)) + abs(z - rise)
+    way = abs(log(load / wanted)) + abs(z - rise)
     oil = standing.lubricant
     if rise != z:
         oil = replace(oil, roelands_z=rise)
@@ -59,13 +59,13 @@ def nearest_covered(conditions: ContactConditions) -> tuple[ContactConditions | 
         oil = replace(oil, pressure_viscosity=alpha, roelands_z=rise)
         way += abs(log(contact.moes_lubricant / thick))
     # 2. check that the change brings it into the range
-    near = replace(standing, load=conditions.load * (wanted / own) ** 1.5, lubricant=oil)
+    nearest = replace(standing, load=conditions.load * (wanted / load) ** 1.5, lubricant=oil)
     try:
-        require_covered(near, contact, wanted)
+        require_covered(nearest, contact, wanted)
         require_range((wanted, thick, contact.radius_ratio, rise, alpha))
     except NotInAtlasError:
         return None, 0.0
-    return (near, way) if way else (conditions, 0.0)
+    return (nearest, way) if way else (conditions, 0.0)
 
 
 def _nearest(name: str, value: float) -> float:

@@ -116,17 +116,17 @@ def with_inlet_oil(
     oil = conditions.lubricant
     if not oil.piezoviscous or _roelands(oil):
         return conditions
-    own = inlet_oil(oil)
+    inlet = inlet_oil(oil)
     roelands = replace(
         oil,
         viscosity_law=ViscosityLaw.ROELANDS,
-        pressure_viscosity=own.pressure_viscosity,
-        roelands_z=own.exponent,
+        pressure_viscosity=inlet.pressure_viscosity,
+        roelands_z=inlet.exponent,
         roelands_pressure=ROELANDS_PRESSURE,
     )
     if isinstance(conditions, ContactConditions):
         return replace(conditions, lubricant=roelands)
-    fraction = own.pressure_viscosity / oil.pressure_viscosity
+    fraction = inlet.pressure_viscosity / oil.pressure_viscosity
     thick = conditions.lubricant_parameter * fraction
     return replace(conditions, lubricant=roelands, lubricant_parameter=thick)
 
@@ -213,8 +213,8 @@ def law_error(oil: Lubricant, heavy: bool) -> Array:
 
 def _roelands(oil: Lubricant) -> bool:
     """Tell whether an oil is one of Roelands' as the table has them."""
-    own = oil.viscosity_law is ViscosityLaw.ROELANDS
-    return own and oil.roelands_pressure == ROELANDS_PRESSURE
+    is_roelands = oil.viscosity_law is ViscosityLaw.ROELANDS
+    return is_roelands and oil.roelands_pressure == ROELANDS_PRESSURE
 
 
 def _alpha(z: float, first: float) -> float:

@@ -87,9 +87,9 @@ def along_entrainment(load: float, lubricant: float, ratio: float, angle: float)
     c, s = cos(angle), sin(angle)
     first, across = c * c + ratio * s * s, s * s + ratio * c * c
     f, _, d = hertz_coefficients(ratio)
-    own = across / first
-    own_f, _, own_d = hertz_coefficients(own)
-    unit = (own_f / f) ** 2 * first ** (1.0 / 3.0)
+    straight_ratio = across / first
+    straight_f, _, straight_d = hertz_coefficients(straight_ratio)
+    unit = (straight_f / f) ** 2 * first ** (1.0 / 3.0)
     mixed = (s * c * (ratio - 1.0)) ** 2 / (first * across)
     slimmer = (load, ratio)
     if ratio > 1.0:  # A goes with f^2 S^(5/6)
@@ -98,11 +98,11 @@ def along_entrainment(load: float, lubricant: float, ratio: float, angle: float)
     return Along(
         load=load * unit * sqrt(first),
         lubricant=lubricant * first**0.25,
-        ratio=own,
+        ratio=straight_ratio,
         curvature=first,
         mixed=mixed if mixed > STRAIGHT else 0.0,
         unit=unit,
-        approach=d / f**2 / unit - own_d / own_f**2,
+        approach=d / f**2 / unit - straight_d / straight_f**2,
         slimmer=slimmer,
     )
 
@@ -131,10 +131,10 @@ def mixed_oil_terms(places: Array, alpha: Array, z: Array) -> Array:
     Array
         terms, shape (n, 8) [-]
     """
-    own = np.stack([np.asarray(z) - BASE_Z, np.log(np.asarray(alpha) / BASE_ALPHA)], axis=1)
-    own = own * (places[:, 3] * places[:, 1])[:, None]
-    more = np.column_stack([np.ones(len(places)), places[:, 0], places[:, 2], places[:, 3]])
-    return np.asarray((own[:, :, None] * more[:, None, :]).reshape(len(places), -1))
+    terms = np.stack([np.asarray(z) - BASE_Z, np.log(np.asarray(alpha) / BASE_ALPHA)], axis=1)
+    terms = terms * (places[:, 3] * places[:, 1])[:, None]
+    factors = np.column_stack([np.ones(len(places)), places[:, 0], places[:, 2], places[:, 3]])
+    return np.asarray((terms[:, :, None] * factors[:, None, :]).reshape(len(places), -1))
 
 
 def mixed_radial(x: Array, tabulated: Skew) -> Array:

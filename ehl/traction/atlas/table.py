@@ -269,8 +269,8 @@ def oil_features(x: Array, alpha: Array, z: Array) -> Array:
     """
     a = np.log(np.asarray(alpha) / BASE_ALPHA) / OIL_UNITS[1]
     d = (np.asarray(z) - BASE_Z) / OIL_UNITS[0]
-    own = np.stack([d, a, 0.5 * d * a, 0.5 * a * a, 0.5 * d * d], axis=1)
-    return np.asarray(0.25 * x[:, 1:2] * own)
+    terms = np.stack([d, a, 0.5 * d * a, 0.5 * a * a, 0.5 * d * d], axis=1)
+    return np.asarray(0.25 * x[:, 1:2] * terms)
 
 
 def with_line(features: Array, x: Array) -> Array:
@@ -307,9 +307,9 @@ def patch_base(patch: Patch, x: Array) -> Array:
     Array
         functions, shape (m, 6) [-]
     """
-    own = slanted(x, patch.slant)
-    base = patch.mean + trend_terms(own) @ patch.trend
-    base += weighted_radial_sums(own, patch.places, patch.scales, patch.step, patch.weights)
+    slanted_x = slanted(x, patch.slant)
+    base = patch.mean + trend_terms(slanted_x) @ patch.trend
+    base += weighted_radial_sums(slanted_x, patch.places, patch.scales, patch.step, patch.weights)
     return np.asarray(base)
 
 
@@ -360,10 +360,10 @@ def functions(x: Array, alpha: Array, z: Array, tabulated: Table | None = None) 
     features = oil_features(x, alpha, z)
     result = np.zeros((len(x), tabulated.bars.shape[-1]))
     for patch, weight in ((tabulated.light, 1.0 - fraction), (tabulated.heavy, fraction)):
-        own = weight > 0.0
-        if own.any():
-            values = patch_base(patch, x[own])
-            if features[own].any():
-                values += np.einsum("mf,mfk->mk", features[own], patch_oils(patch, x[own]))
-            result[own] += weight[own, None] * values
+        inside = weight > 0.0
+        if inside.any():
+            values = patch_base(patch, x[inside])
+            if features[inside].any():
+                values += np.einsum("mf,mfk->mk", features[inside], patch_oils(patch, x[inside]))
+            result[inside] += weight[inside, None] * values
     return result

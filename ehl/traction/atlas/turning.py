@@ -48,7 +48,7 @@ def rotation_law(load: float, ratio: float) -> Turning | None:
     Turning | None
         coefficients; None in wide ellipses
     """
-    return next((own for own in TURNING if load < own.load and ratio <= own.ratio), None)
+    return next((law for law in TURNING if load < law.load and ratio <= law.ratio), None)
 
 
 def rotation_effect(load: float, ratio: float, turning: float) -> tuple[float, float, float]:
@@ -72,9 +72,9 @@ def rotation_effect(load: float, ratio: float, turning: float) -> tuple[float, f
     central_error
         relative error of the central film [-]
     """
-    own = rotation_law(load, ratio)
-    if own is None:
+    law = rotation_law(load, ratio)
+    if law is None:
         return 1.0, ROTATION_WIDE * turning, TURNING[0].central_error * turning**2
     square = turning**2
-    lowered = exp(-own.minimum * square)
-    return lowered, own.minimum_error * square, own.central_error * square
+    lowered = exp(-law.minimum * square)
+    return lowered, law.minimum_error * square, law.central_error * square

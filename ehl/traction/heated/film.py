@@ -90,8 +90,8 @@ class HeatedLines:
         x, y, _, film, eta, pressure, temperature = np.moveaxis(self.lines[..., :7], -1, 0)
         size, width = np.sqrt(12.0 * np.moveaxis(self.lines[..., 9:11], -1, 0))
         y, width = strip_places(y, width)
-        known = (x, np.log(film), np.log(eta), pressure, temperature, size)
-        x, film, eta, pressure, temperature, size = (on_strips(values) for values in known)
+        smooth_fields = (x, np.log(film), np.log(eta), pressure, temperature, size)
+        x, film, eta, pressure, temperature, size = (on_strips(values) for values in smooth_fields)
         limit = limiting_stress(np.maximum(pressure, 0.0), self.rheology, temperature)
         spread = (size**2 / 12.0, width**2 / 12.0)
         rows = (x, y, size * width, np.exp(film), np.exp(eta), limit, *spread)
@@ -142,7 +142,7 @@ class HeatedLines:
         """
         nodes = _ratio_nodes()
         positions = np.clip(slide_x / self.speed, nodes[0], nodes[-1])
-        known = _difference(self.wall_response(nodes * self.speed))
+        node_values = _difference(self.wall_response(nodes * self.speed))
         at = _difference(self.wall_response(positions * self.speed))
         count = nodes.size
         inside = np.clip(np.searchsorted(nodes, positions) - 2, 1, count - 5)
@@ -151,8 +151,8 @@ class HeatedLines:
         weights = np.zeros((positions.size, count))
         for chosen, points in ((np.flatnonzero(~beyond), 4), (np.flatnonzero(beyond), 2)):
             columns = first[chosen, None] + np.arange(points)
-            own = lagrange_weights(known[columns], at[chosen])
-            weights[chosen[:, None], columns] = own
+            chosen_weights = lagrange_weights(node_values[columns], at[chosen])
+            weights[chosen[:, None], columns] = chosen_weights
         return weights
 
 

@@ -282,7 +282,10 @@ def _with_smooth_scales(films: list[list[FilmSample]], axes: Array) -> list[list
     known = np.log([[film.scales for film in row] for row in films])
     scales = np.exp(_smooth(known, axes, SCALE_DEGREES))
     return [
-        [replace(film, scales=tuple(own)) for film, own in zip(row, rows, strict=True)]
+        [
+            replace(film, scales=tuple(film_scales))
+            for film, film_scales in zip(row, rows, strict=True)
+        ]
         for row, rows in zip(films, scales.tolist(), strict=True)
     ]
 

@@ -85,10 +85,12 @@ def adaptive_check_points(table: TractionTable) -> list[Place]:
     half = count // 2
     result = []
     for kind in kinds:
-        for own, at in ((kind[:, :half], 0.5), (kind[:, half:], count - 1.5)):
-            row = int(np.argmax(own.max(axis=1)))
-            place = loads[0] + (row + 0.5) / loads[1]
-            result.append((float(log(-place) / LOAD_POWER), float(speeds[0] + at / speeds[1])))
+        for half_differences, at in ((kind[:, :half], 0.5), (kind[:, half:], count - 1.5)):
+            row = int(np.argmax(half_differences.max(axis=1)))
+            coordinate = loads[0] + (row + 0.5) / loads[1]
+            result.append(
+                (float(log(-coordinate) / LOAD_POWER), float(speeds[0] + at / speeds[1]))
+            )
     return list(dict.fromkeys(result))
 
 

@@ -96,16 +96,22 @@ def _forces(
     of_strips, of_low = np.split(shear_per_sliding, [flat.shape[1] - low.shape[1]])
     of_strips = of_strips.reshape(*strips.shape[1:], squares.coarse.size)
     changed = int(np.searchsorted(squares.coarse, change**2)) - 1
-    own = node_clusters(
+    clusters = node_clusters(
         (strips, of_strips),
         (low, of_low),
         film.half_width,
         min(max(changed, 0), squares.coarse.size - 1),
     )
     _many_kernels.patch_sums(
-        (_single(own.nodes), _refined(own.shear_per_sliding, squares), own.rows),
-        (own.groups, _single(own.boxes), _single(own.strips), _least(), own.starts),
-        _heat(own, lines, squares, of_strips.sum(axis=1)),
+        (_single(clusters.nodes), _refined(clusters.shear_per_sliding, squares), clusters.rows),
+        (
+            clusters.groups,
+            _single(clusters.boxes),
+            _single(clusters.strips),
+            _least(),
+            clusters.starts,
+        ),
+        _heat(clusters, lines, squares, of_strips.sum(axis=1)),
         squares.fine,
         _single(np.stack([*slide, rolling])),
         _ratio_weights(lines, slide[0]),
@@ -149,39 +155,43 @@ def _refined(shear_per_sliding: Float32Array, squares: _Squares) -> Float32Array
     # twice the last
     fine = 1.0 + np.arange(FINE) / FINE
     every = 1.0 + np.arange(0, FINE, COARSE) / FINE
-    known = np.log(np.concatenate([0.5 * every[-1:], every, 2.0 * every[:2]]))
-    near = known[np.arange(FINE)[:, None] // COARSE + np.arange(4)]
-    weights = _single(lagrange_weights(near, np.log(fine)).T)
+    log_squares = np.log(np.concatenate([0.5 * every[-1:], every, 2.0 * every[:2]]))
+    nearest = log_squares[np.arange(FINE)[:, None] // COARSE + np.arange(4)]
+    weights = _single(lagrange_weights(nearest, np.log(fine)).T)
     out = np.empty((shear_per_sliding.shape[0], squares.fine.size), np.float32)
     _many_kernels.refined_pulls(shear_per_sliding, weights, out)
     return out
 
 
 def _heat(
-    own: NodeClusters, lines: HeatedLines | None, squares: _Squares, strip_pulls: Array
+    clusters: NodeClusters, lines: HeatedLines | None, squares: _Squares, strip_pulls: Array
 ) -> tuple[Float32Array, Array, Float32Array]:
     """Factors, shape (K, R, squares), the one of each row, and one over its area."""
-    count = own.rows.shape[0]
+    count = clusters.rows.shape[0]
     of_row = np.full(count, NO_FACTOR)
     if lines is None:
         return np.empty((0, 0, 0), np.float32), of_row, np.empty(0, np.float32)
     of_strips = lines.strip_factors
-    in_groups, strips = own.shares.shape
-    known = np.concatenate([_patch_factors(own, lines, squares, strip_pulls), of_strips])
+    in_groups, strips = clusters.shares.shape
+    known_factors = np.concatenate(
+        [_patch_factors(clusters, lines, squares, strip_pulls), of_strips]
+    )
     of_row[:in_groups] = np.arange(in_groups)
-    for start in own.starts:
+    for start in clusters.starts:
         of_row[start : start + strips] = in_groups + np.arange(strips)
-    factors = np.empty((*known.shape[:2], squares.fine.size), np.float32)
+    factors = np.empty((*known_factors.shape[:2], squares.fine.size), np.float32)
     slides = np.sqrt(squares.fine.astype(np.float64))
-    _many_kernels.factor_table(known, slide_axis(lines.speed), slides, factors)
-    areas = np.add.reduceat(np.append(own.nodes[_many_kernels.NODE_AREA], 0.0), own.rows[:, 0])
-    areas[own.rows[:, 0] == own.rows[:, 1]] = 0.0
+    _many_kernels.factor_table(known_factors, slide_axis(lines.speed), slides, factors)
+    areas = np.add.reduceat(
+        np.append(clusters.nodes[_many_kernels.NODE_AREA], 0.0), clusters.rows[:, 0]
+    )
+    areas[clusters.rows[:, 0] == clusters.rows[:, 1]] = 0.0
     by_area = np.divide(1.0, areas, out=np.zeros(count), where=areas > 0.0)
     return factors, of_row, _single(by_area)
 
 
 def _patch_factors(
-    own: NodeClusters, lines: HeatedLines, squares: _Squares, strip_pulls: Array
+    clusters: NodeClusters, lines: HeatedLines, squares: _Squares, strip_pulls: Array
 ) -> Array:
     """Factors of the rows of groups, shape (rows, R, S): means of the strips' by what each pulls,
     shape (K, squares), in the patch.
@@ -189,7 +199,7 @@ def _patch_factors(
     positions = np.searchsorted(squares.coarse, lines.slides**2)
     shear_per_sliding = strip_pulls[:, np.minimum(positions, squares.coarse.size - 1)]
     of_strips = lines.strip_factors
-    parts = own.shares[:, :, None] * shear_per_sliding
+    parts = clusters.shares[:, :, None] * shear_per_sliding
     means = np.einsum("jkm,krm->jrm", parts, of_strips) / parts.sum(axis=1)[:, None]
     return np.clip(means, 0.5 * of_strips.min(), 2.0 * of_strips.max())
 
@@ -198,8 +208,8 @@ def _ratio_weights(lines: HeatedLines | None, slide_x: Array) -> Float32Array:
     """Weights of the factors' slide-roll ratios, shape (n, R) [-]; without heat none."""
     if lines is None:
         return np.empty((0, 0), np.float32)
-    slides, place = np.unique(slide_x, return_inverse=True)  # tables have each many times
-    return _single(lines.ratio_weights(slides))[place]
+    slides, index = np.unique(slide_x, return_inverse=True)  # tables have each many times
+    return _single(lines.ratio_weights(slides))[index]
 
 
 def _least() -> Float32Array:

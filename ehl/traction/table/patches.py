@@ -174,22 +174,27 @@ def _add_groups(
     boxes: list[tuple[float, ...]] = []
     fractions: list[Array] = []
     ends = np.rint(np.cumsum(GROUPS) * (y.size / sum(GROUPS))).astype(int)
-    for own in np.split(np.arange(y.size), ends[:-1]):
-        few = own.size <= ACROSS + 1
-        positions = y[own] if few else _gauss(y[own[0]], y[own[-1]], ACROSS)
-        across = _weights(positions, y[own])
+    for members in np.split(np.arange(y.size), ends[:-1]):
+        few = members.size <= ACROSS + 1
+        positions = y[members] if few else _gauss(y[members[0]], y[members[-1]], ACROSS)
+        across = _weights(positions, y[members])
         start = rows.count
-        spread = (nodes[SPREAD_X, own].mean(), 3.0 * nodes[SPREAD_Y, own].mean())
+        spread = (nodes[SPREAD_X, members].mean(), 3.0 * nodes[SPREAD_Y, members].mean())
         edge, end = (np.interp(positions, y, ends_of)[:, None] for ends_of in (first, last))
-        columns = (edge + (end - edge) * parts, positions[:, None], across.T @ area[own], *spread)
-        flat = across.T.astype(np.float32) @ summed[own].reshape(own.size, -1)
+        columns = (
+            edge + (end - edge) * parts,
+            positions[:, None],
+            across.T @ area[members],
+            *spread,
+        )
+        flat = across.T.astype(np.float32) @ summed[members].reshape(members.size, -1)
         rows.add(columns, flat.reshape(positions.size, *summed.shape[1:]))
         fraction = np.zeros((positions.size, y.size))
-        fraction[:, own] = across.T
+        fraction[:, members] = across.T
         fractions.append(fraction)
-        groups.append((start, rows.count, int(own[0]), int(own[-1]) + 1))
-        low = np.array([first[own].min(), y[own[0]]])
-        high = np.array([last[own].max(), y[own[-1]]])
+        groups.append((start, rows.count, int(members[0]), int(members[-1]) + 1))
+        low = np.array([first[members].min(), y[members[0]]])
+        high = np.array([last[members].max(), y[members[-1]]])
         boxes.append(tuple(np.stack([0.5 * (low + high), 0.5 * (high - low)], axis=1).ravel()))
     return groups, boxes, fractions
 
@@ -231,19 +236,19 @@ def _add_low(
     beside = np.sign(nodes[Y]) * (np.abs(nodes[Y]) >= half_width)
     alone = ~plain
     for side, across in zip((-1, 0, 1), LOW_ACROSS, strict=True):
-        own = np.flatnonzero(plain & (beside == side))
-        x, y = nodes[X, own], nodes[Y, own]
-        if own.size <= LOW_ALONG * across or np.ptp(y) == 0.0:
-            alone[own] = True
+        members = np.flatnonzero(plain & (beside == side))
+        x, y = nodes[X, members], nodes[Y, members]
+        if members.size <= LOW_ALONG * across or np.ptp(y) == 0.0:
+            alone[members] = True
             continue
         along = _gauss(x.min(), x.max(), LOW_ALONG)
         weights_x = _weights(along, x)
-        spread = (nodes[SPREAD_X, own].mean(), 3.0 * nodes[SPREAD_Y, own].mean())
+        spread = (nodes[SPREAD_X, members].mean(), 3.0 * nodes[SPREAD_Y, members].mean())
         positions = _gauss(y.min(), y.max(), across)
         weights = _weights(positions, y)[:, :, None] * weights_x[:, None, :]
-        flat = weights.reshape(own.size, -1).T
-        area = (flat @ nodes[AREA, own]).reshape(weights.shape[1:])
-        summed = flat.astype(np.float32) @ shear_per_sliding[own]
+        flat = weights.reshape(members.size, -1).T
+        area = (flat @ nodes[AREA, members]).reshape(weights.shape[1:])
+        summed = flat.astype(np.float32) @ shear_per_sliding[members]
         rows.add(
             (along, positions[:, None], area, *spread), summed.reshape(*weights.shape[1:], -1)
         )

@@ -81,15 +81,15 @@ def along_axis(matrix: Array, values: Numbers, axis: int) -> Numbers:
     Numbers
         values with m numbers along it [same unit]
     """
-    own: Numbers = matrix.astype(values.dtype, copy=False)
+    map_matrix: Numbers = matrix.astype(values.dtype, copy=False)
     before = values.shape[:axis]
     after = values.shape[axis + 1 :]
     inner = prod(after)
     if inner < MIN_INNER:  # one product in place of many small ones
-        turned = np.kron(own.T, np.eye(inner, dtype=own.dtype))
+        turned = np.kron(map_matrix.T, np.eye(inner, dtype=map_matrix.dtype))
         product = values.reshape(prod(before), -1) @ turned
     else:
-        product = own @ values.reshape(prod(before), values.shape[axis], inner)
+        product = map_matrix @ values.reshape(prod(before), values.shape[axis], inner)
     return np.asarray(product.reshape(*before, matrix.shape[0], *after))
 
 
