@@ -283,13 +283,13 @@ def require_fields(conditions: ContactConditions) -> None:
     oil = conditions.lubricant
     if not _validated_oil(oil):
         raise NotInAtlasError(
-            "viscosity_law, roelands_pressure_MPa, density_law: an oil after Roelands with p_r "
-            "196 MPa and the density of Dowson and Higginson is what the atlas has fields of"
+            "viscosity_law, roelands_pressure_MPa, density_law: the atlas has fields of oils "
+            "after Roelands with p_r 196 MPa and the density of Dowson and Higginson"
         )
     if skewed(conditions.entrainment_angle) or contact.turning > 0.0:
         raise NotInAtlasError(
-            "mean_spin_rad_s: entrainment along x that does not turn is what the atlas has fields "
-            "of"
+            "mean_spin_rad_s: the atlas has fields of contacts with entrainment along x "
+            "without spin"
         )
     values = (load, contact.moes_lubricant, contact.radius_ratio)
     require_range((*values, oil.exponent, oil.pressure_viscosity), RANGE)

@@ -428,16 +428,18 @@ def require_covered(
     layered = contact.coating is not None or contact.inlet_layer is not None
     if not (turns or contact.turning > turning or layered):  # as nearly all
         return
+    turns_too_much = contact.turning > turning
+    coated = contact.coating is not None
     faults = {
-        "mean_spin_rad_s: entrainment at an angle that does not turn": turns,
-        f"mean_spin_rad_s: entrainment that turns at the end of the ellipse by less than "
-        f"{turning:g} of it, not {contact.turning:.2g},": contact.turning > turning,
-        "coating_thickness_um: bodies without a coating": contact.coating is not None,
-        "inlet_film_um: flooded contacts": contact.inlet_layer is not None,
+        "mean_spin_rad_s: the film atlas covers entrainment at an angle without spin": turns,
+        "mean_spin_rad_s: the film atlas covers spin that changes the entrainment at the end of "
+        f"the ellipse by less than {turning:g} of it, not by {contact.turning:.2g}": turns_too_much,
+        "coating_thickness_um: the film atlas covers bodies without a coating": coated,
+        "inlet_film_um: the film atlas covers flooded contacts": contact.inlet_layer is not None,
     }
-    for fault, result in faults.items():
-        if result:
-            raise NotInAtlasError(f"{fault} is what the film atlas covers")
+    for fault, applies in faults.items():
+        if applies:
+            raise NotInAtlasError(fault)
 
 
 def _require_density(oil: Lubricant, hertz_pressure: float, load: float) -> None:
@@ -447,9 +449,9 @@ def _require_density(oil: Lubricant, hertz_pressure: float, load: float) -> None
     excess = density_excess(oil, hertz_pressure)
     if abs(excess) > LIGHT_DENSITY:
         raise NotInAtlasError(
-            f"density_law: in light contacts, A below {LIGHT:g}, a density within "
-            f"{LIGHT_DENSITY:.0%} of that of Dowson and Higginson at Hertz' pressure, not "
-            f"{abs(excess):.0%} off, is what the film atlas covers"
+            f"density_law: in light contacts, A below {LIGHT:g}, the film atlas covers densities "
+            f"within {LIGHT_DENSITY:.0%} of that of Dowson and Higginson at Hertz' pressure, not "
+            f"{abs(excess):.0%} off"
         )
 
 

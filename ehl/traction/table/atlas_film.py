@@ -16,7 +16,7 @@ from .build import FilmSampler
 from .film import FilmSample, TableFilm, motion_scales
 from .table import TableContact, TableRange
 
-LAYER = "flooded_layer_um: a thicker layer is what the atlas has moments of"
+LAYER = "flooded_layer_um: the atlas has rolling moments of thicker layers"
 
 
 def atlas_sampler(solve: FilmSampler) -> FilmSampler:
@@ -117,11 +117,11 @@ def atlas_sample(
 def _require_law(contact: TableContact) -> None:
     """NotInAtlasError unless films are isothermal and sheared as those judged."""
     if contact.solids is not None:
-        raise NotInAtlasError("film_model: isothermal films are what the atlas has")
+        raise NotInAtlasError("film_model: the atlas has isothermal films")
     law = contact.rheology
     if law.law is not ShearLaw.REE_EYRING or law.limiting_coefficient is None:
         raise NotInAtlasError(
-            "rheology: films sheared after Eyring up to a limiting stress are what the atlas has"
+            "rheology: the atlas has films sheared after Eyring up to a limiting stress"
         )
 
 
