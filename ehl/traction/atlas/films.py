@@ -428,12 +428,12 @@ def require_covered(
     layered = contact.coating is not None or contact.inlet_layer is not None
     if not (turns or contact.turning > turning or layered):  # as nearly all
         return
-    turns_too_much = contact.turning > turning
+    turns_more = contact.turning > turning
     coated = contact.coating is not None
     faults = {
         "mean_spin_rad_s: the film atlas covers entrainment at an angle without spin": turns,
         "mean_spin_rad_s: the film atlas covers spin that changes the entrainment at the end of "
-        f"the ellipse by less than {turning:g} of it, not by {contact.turning:.2g}": turns_too_much,
+        f"the ellipse by less than {turning:g} of it, not by {contact.turning:.2g}": turns_more,
         "coating_thickness_um: the film atlas covers bodies without a coating": coated,
         "inlet_film_um: the film atlas covers flooded contacts": contact.inlet_layer is not None,
     }
