@@ -4,9 +4,9 @@ With an oil whose viscosity falls a millionfold under shear, cycles with frozen 
 diverge from a pressure that is far from the solution and converge from one that is close to it.
 
 1. Solve the Newtonian film.
-2. On the finest grid, raise the share of rheology and heat (`flow.Continuation`) from zero to one;
-   a step whose cycles diverge is undone and halved, and so is the damping, twice at most.
-3. At the full share, accelerate the cycles once the temperatures have settled.
+2. On the finest grid, raise the fraction of rheology and heat (`flow.Continuation`) from zero
+   to one; a step whose cycles diverge is undone and halved, and so is the damping, twice at most.
+3. At the full fraction, accelerate the cycles once the temperatures have settled.
 
 Where the pressure falls steeply at the outlet, decompression cools the oil by tens of kelvins
 within a few nodes, and the pressure responds to the viscosity there. Temperatures of single
@@ -41,14 +41,14 @@ SMALLER_STEP = "rheology and heat raised in smaller steps"
 # points for Eyring films of 5 MPa at 2.3 GPa, without and with heat, and at 3.6 GPa with a factor
 # that follows the pressure. All converge, central films to 0.1 %; "none" are bounds not reached.
 FIRST_FRACTION = 0.1  # of rheology and heat; +4, -5
-STEP_GROWTH = 2.0  # of the share from step to step; +4 to +12 (1.4), 0 to -8
-STEP_CYCLES = 4  # at each share below the full one, and the first ones at that; -22, +44
-# largest step of the share where the factor follows the pressure; +32, -20
+STEP_GROWTH = 2.0  # of the fraction from step to step; +4 to +12 (1.4), 0 to -8
+STEP_CYCLES = 4  # at each fraction below the full one, and the first ones at that; -22, +44
+# largest step of the fraction where the factor follows the pressure; +32, -20
 FOLLOWING_STEP = 0.1
-FOLLOWING_CYCLES = 15  # most cycles at each share until the flow has settled, there; none
-SMALLEST_STEP = 0.01  # of the share, below which the continuation gives up; none
+FOLLOWING_CYCLES = 15  # most cycles at each fraction until the flow has settled, there; none
+SMALLEST_STEP = 0.01  # of the fraction, below which the continuation gives up; none
 HALVINGS = 2  # of the damping, at most; none
-CYCLES_FACTOR = 3  # on the cycles of the options, at the full share; none
+CYCLES_FACTOR = 3  # on the cycles of the options, at the full fraction; none
 # change of the logarithm of the Poiseuille factor in a cycle, weighted with the pressure's flow,
 # up to which the flow counts as settled; none
 FLOW_TOLERANCE = 0.03
@@ -73,7 +73,7 @@ def solve_by_continuation(
     Parameters
     ----------
     flow : GeneralizedFlow
-        flow model at its full share
+        flow model at its full fraction
     options : SolverOptions
         options of the solver, without a tolerance
     newtonian : ContactSolution | None, optional
@@ -93,11 +93,11 @@ def solve_by_continuation(
     if not plain.converged:
         message = f"the Newtonian film is {plain.message}"
         return with_fallbacks(replace(plain, message=message), fallbacks), None
-    # 2. share of rheology and heat
+    # 2. fraction of rheology and heat
     start, attempt = _start(plain, options, flow)
     state, fraction, halvings = _raise_fraction(start, flow)
     fallbacks += halvings * (SMALLER_STEP,)
-    # 3. cycles at the full share
+    # 3. cycles at the full fraction
     result = AttemptResult(state=state, attempt=attempt)
     if fraction == 1.0:
         _finish(result, CYCLES_FACTOR * options.max_cycles)
@@ -175,40 +175,40 @@ def _start(
 
 
 def _raise_fraction(state: Multigrid, flow: GeneralizedFlow) -> tuple[Multigrid, float, int]:
-    """Raise the share to 1 [-], the first cycles there included; the levels with the flow of the
-    last step, the share reached, below 1 if even the smallest step diverged, and the number of
+    """Raise the fraction to 1 [-], the first cycles there included. Give the levels with the flow
+    of the last step, the fraction reached, below 1 if even the smallest step diverged, and the number of
     steps halved.
     """
     follows = flow.continuation.follow_pressure
     damped = Continuation(relaxation=TEMPERATURE_RELAXATION, follow_pressure=follows)
     largest = FOLLOWING_STEP if follows else 1.0
     reached = 0.0
-    share = FIRST_FRACTION
+    fraction = FIRST_FRACTION
     halvings = 0
     index = len(state.levels) - 1
     while reached < 1.0:
         before = snapshot(state, index)
         flow_before = state.levels[index].flow_state
-        at_share = replace(flow, continuation=replace(damped, share=share))
-        step = replace(state, flow_model=at_share)
+        at_fraction = replace(flow, continuation=replace(damped, fraction=fraction))
+        step = replace(state, flow_model=at_fraction)
         if _cycles_to_rest(step, FOLLOWING_CYCLES if follows else STEP_CYCLES):
             state = step
-            reached = share
-            share = min(STEP_GROWTH * share, 1.0, reached + largest)
+            reached = fraction
+            fraction = min(STEP_GROWTH * fraction, 1.0, reached + largest)
             continue
         restore(state, index, before)
         state.levels[index].flow_state = flow_before
-        share = 0.5 * (reached + share)
+        fraction = 0.5 * (reached + fraction)
         halvings += 1
         if halvings <= HALVINGS:
             state = replace(state, damping=state.damping.halved())
-        if share - reached < SMALLEST_STEP:
+        if fraction - reached < SMALLEST_STEP:
             break
     return state, reached, halvings
 
 
 def _cycles_to_rest(state: Multigrid, cycles: int) -> bool:
-    """Cycle at a share until the flow has settled; False if a cycle diverged."""
+    """Cycle at a fraction until the flow has settled; False if a cycle diverged."""
     level = state.levels[-1]
     for count in range(1, cycles + 1):
         if guarded_cycle(state, len(state.levels) - 1) == DIVERGED:
@@ -219,7 +219,7 @@ def _cycles_to_rest(state: Multigrid, cycles: int) -> bool:
 
 
 def _finish(result: AttemptResult, cycles: int) -> None:
-    """Accelerated cycles at the full share to convergence; no history if one diverges."""
+    """Accelerated cycles at the full fraction to convergence; no history if one diverges."""
     state = result.state
     index = len(state.levels) - 1
     level = state.levels[index]

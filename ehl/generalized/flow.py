@@ -19,7 +19,7 @@ that is solved at convergence.
    the gradient does: at a given flux the gradient answers a change of ln(eta) with its m-th power,
    so that 1/(1 + m) of the change remains. A frozen factor passes all of it within a cycle, and
    the pressure at the outlet oscillates or diverges however strong the damping. A factor that
-   follows the pressure takes back (k + m)/(1 + m) of a change of ln(eta), k the share that the
+   follows the pressure takes back (k + m)/(1 + m) of a change of ln(eta), k the fraction that the
    thinned oil leaves out by itself, and is relaxed from its value at the new pressure.
 """
 
@@ -70,7 +70,7 @@ class Continuation:
 
     # fraction of rheology and heat, in (0, 1]: stresses of the rheology are divided by it, the
     # rise of temperature is multiplied by it [-]
-    share: float = 1.0
+    fraction: float = 1.0
     relaxation: float = RELAXATION  # of the temperature towards its new value, in (0, 1] [-]
     follow_pressure: bool = True  # whether the Poiseuille factor follows the pressure (3. above)
 
@@ -83,7 +83,8 @@ class FlowState:
     pressure: Array  # [Pa]
     poiseuille: Array  # relaxed factor at that pressure [-]
     thinning: Array  # k [-]
-    # share of a change of ln(eta) by pressure that the factor takes back, k or (k + m)/(1 + m) [-]
+    # fraction of a change of ln(eta) by pressure that the factor takes back, k or
+    # (k + m)/(1 + m) [-]
     taken_back: Array
     temperature: Array  # relaxed, as the flow used it, shape (ny, nx, n) [K]
     heat: HeatState | None  # None: uniform temperature
@@ -297,11 +298,11 @@ class GeneralizedFlow:
         across = (self.section, self.rheology)
         before = None if last is None else last.heat
         heat = self.heat.advance(contact, grid, fields, middle, across, before)
-        share = self.continuation.share
+        fraction = self.continuation.fraction
         relaxation = self.continuation.relaxation
         temperature = heat.temperature
-        if share < 1.0:
-            temperature = operation + share * (temperature - operation)
+        if fraction < 1.0:
+            temperature = operation + fraction * (temperature - operation)
         if last is not None and relaxation < 1.0:
             temperature = last.temperature + relaxation * (temperature - last.temperature)
         return middle, heat, temperature
@@ -363,8 +364,8 @@ class GeneralizedFlow:
 
     @property
     def _rheology(self) -> Rheology:
-        """The rheology at the continuation's share."""
-        return divide_stresses(self.rheology, self.continuation.share)
+        """The rheology at the continuation's fraction."""
+        return divide_stresses(self.rheology, self.continuation.fraction)
 
     def _evaluate(
         self, fields: FilmFields, middle: Array, temperature: Array

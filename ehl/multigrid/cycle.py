@@ -236,7 +236,7 @@ def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
     lateral = level.factors.couette_y is not None
     oil = (level.scratch, level.node_types, level.scratch)  # in place of those of a layer
     if film_content is not None:
-        oil = (film_content.residual, film_content.empty, film_content.share)
+        oil = (film_content.residual, film_content.empty, film_content.fraction_along)
     return partial(
         _relaxation_kernels.relax_lines,
         level.P,

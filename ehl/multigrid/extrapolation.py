@@ -12,8 +12,8 @@ ORDER_STEP = 3.0  # 2^2 - 1: the step to the limit is the difference of two leve
 # the entrainment along a principal direction, and at an angle to them or turning
 STEP_FRACTIONS = ((0.12, 0.35), (0.25, 0.7))
 # Minimum films at an angle: ratio of two steps of one sign up to which they are of second order
-# (4), and the share of a step that no step bears out. Of ten errors beyond the bar in 1000 random
-# contacts nine stood behind the one or the other (docs/theory/contact.md).
+# (4), and the fraction of a step that no step bears out. Of ten errors beyond the bar in 1000
+# random contacts nine stood behind the one or the other (docs/theory/contact.md).
 EVEN_STEPS = 5.0
 SINGLE_STEP_FRACTION = 1.6
 APPROACH_FRACTION = 0.35  # of the approach, likewise; on 100 random contacts
@@ -33,8 +33,8 @@ def extrapolate(levels: Sequence[LevelHistory], kind: int, *, oblique: bool = Fa
     """Central (0) or minimum (1) film by Richardson extrapolation of second order from the two
     finest levels, and its error bar; not a number without levels.
 
-    The bar is a share of the last step or of a quarter of the one before, which a step of second
-    order is, or what a sequence of the order that both show has its limit away from that of second
+    The bar is a fraction of the last step or of a quarter of the one before, which a step of
+    second order is, or what a sequence of the order that both show has its limit away from that of second
     order, and what the cycles left. A step down by more than a quarter of the film is not
     made, and is the bar at least. A level whose film cycles and equations leave open by half of
     it is left out, with those below. Minimum films at an angle sit on a narrow ridge across the
@@ -70,7 +70,7 @@ def extrapolate(levels: Sequence[LevelHistory], kind: int, *, oblique: bool = Fa
 
 
 def extrapolate_approach(levels: Sequence[LevelHistory]) -> FilmValue:
-    """H0 as the films, with an error bar that is no share of it: H0 passes zero; not a number
+    """H0 as the films, with an error bar that is no fraction of it: H0 passes zero; not a number
     without levels. Coarsest level first.
 
     Parameters
@@ -100,22 +100,22 @@ def extrapolate_approach(levels: Sequence[LevelHistory]) -> FilmValue:
 
 
 def _step(
-    levels: Sequence[LevelHistory], values: Sequence[float], share: float, *, late: bool = False
+    levels: Sequence[LevelHistory], values: Sequence[float], fraction: float, *, late: bool = False
 ) -> tuple[float, float]:
     """Extrapolate with order two from the finest of two levels or more to the limit. The error bar
     is that fraction of the step at least; `late`: of sequences that may turn.
     """
     step = (values[-1] - values[-2]) / ORDER_STEP
     if not levels[-2].resolved:
-        return step, max(share, UNRESOLVED_BELOW) * abs(step)
+        return step, max(fraction, UNRESOLVED_BELOW) * abs(step)
     if len(values) < 3 or not levels[-3].resolved:
         large = abs(step) > LARGE_STEP * abs(levels[-1].film[-1][MINIMUM])
         alone = SINGLE_STEP_FRACTION if late else LARGE_STEP_FRACTION if large else SHORT_SEQUENCE
-        return step, max(share, alone) * abs(step)
+        return step, max(fraction, alone) * abs(step)
     before = (values[-2] - values[-3]) / ORDER_STEP
     even = step * before > 0.0 and abs(before) <= EVEN_STEPS * abs(step)
     part = 1.0 if late and not even else 0.25
-    return step, max(share * max(abs(step), part * abs(before)), _departure(step, before))
+    return step, max(fraction * max(abs(step), part * abs(before)), _departure(step, before))
 
 
 def _known(levels: Sequence[LevelHistory], kind: int) -> Sequence[LevelHistory]:

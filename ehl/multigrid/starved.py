@@ -39,7 +39,7 @@ class FilmContent:
     inlet_film_thickness: Array  # (ny,) H_oil
     along: Array  # F through the outgoing faces along the lines
     across: Array  # and across them; empty if nothing flows there
-    share: Array  # of what leaves a node that is not full along its line; empty likewise
+    fraction_along: Array  # of what leaves a node that is not full along its line; empty likewise
     residual: Array  # f - L(P) as of full nodes
     empty: NDArray[np.int8]  # one where the gap is not full
 
@@ -79,7 +79,7 @@ def make_film_content(inlet_film_thickness: InletLayer, grid: Grid, lateral: boo
         inlet_film_thickness=inlet_film_thickness.at(grid.Y),
         along=np.zeros(shape),
         across=np.zeros(crossing),
-        share=np.zeros(crossing),
+        fraction_along=np.zeros(crossing),
         residual=np.zeros(shape),
         empty=np.zeros(shape, dtype=np.int8),
     )
@@ -116,7 +116,7 @@ def march_film_content(
             *mesh,
             film_content.along,
             film_content.across,
-            film_content.share,
+            film_content.fraction_along,
             film_content.residual,
             film_content.empty,
         )

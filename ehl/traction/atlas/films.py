@@ -240,7 +240,7 @@ def _rolling_moment(
     conditions: ContactConditions | MoesConditions,
     contact: ScaledContact,
     values: Array,
-    share: float,
+    relative_error: float,
     inlet_film_thickness: float | None,
 ) -> AtlasValue | None:
     """Moment up to a layer as `atlas_films` takes it, by the six functions, shape (6,), and their
@@ -259,7 +259,7 @@ def _rolling_moment(
         inlet_film_thickness = MOES_LAYER if dimensionless else conditions.lubricant.flooded_layer
     ratio = contact.radius_ratio
     scale = moment_unit * pi * contact.speed / ((3.0 + 2.0 * ratio) * sqrt(ratio))
-    rolling = _moment(values[3:], inlet_film_thickness / unit, central, share, scale)
+    rolling = _moment(values[3:], inlet_film_thickness / unit, central, relative_error, scale)
     if rolling is not None and isinstance(conditions, ContactConditions):
         rolling = _of_circles(rolling, conditions, contact, (central * unit, inlet_film_thickness))
     return rolling
@@ -290,7 +290,7 @@ def _functions(contacts: Sequence[_Position]) -> Array:
 
 
 def _with_density(values: Array, x: Array, added: Array) -> Array:
-    """The six functions at x, shape (m, 6), with what density adds, to moments a share [-]."""
+    """The six functions at x, shape (m, 6), with what density adds, to moments a fraction [-]."""
     layers = 1.0 + np.exp(values[:, :1] - x[:, :1])
     moments = values[:, 3:] + np.log(np.array(LAYERS) * layers)  # T/C
     return values + np.concatenate([np.tile(added[:3], (len(x), 1)), added[3:] * moments], axis=1)
@@ -333,10 +333,14 @@ def _bars(contacts: Sequence[_Position]) -> Array:
 
 
 def _moment(
-    rest: np.ndarray, inlet_film_thickness: float, central: float, share: float, scale: float
+    rest: np.ndarray,
+    inlet_film_thickness: float,
+    central: float,
+    relative_error: float,
+    scale: float,
 ) -> AtlasValue | None:
     """Moment up to a layer in a^2/Rx, by a parabola in its inverse through those tabulated, and
-    what that leaves open of a thinner one; share: relative error; scale: C.
+    what that leaves open of a thinner one; relative_error: of the moment; scale: C.
     """
     height = inlet_film_thickness / (1.0 + central)
     if height < THINNEST_LAYER:
@@ -349,7 +353,7 @@ def _moment(
     bend = ((third - second) / (c - b) - slope) / (c - a)
     parabola = line + bend * (x - a) * (x - b)
     value = log(inlet_film_thickness) + parabola
-    error = share * abs(value)
+    error = relative_error * abs(value)
     if x > a:
         error += abs(parabola - line)
     return AtlasValue(value * scale, error * scale)
@@ -455,12 +459,12 @@ def _require_density(oil: Lubricant, hertz_pressure: float, load: float) -> None
         )
 
 
-def _require_thin(share: float) -> None:
+def _require_thin(film_over_radius: float) -> None:
     """NotInAtlasError unless the film over R_x leaves the gap a paraboloid [-]."""
-    if share > MAX_FILM_OVER_RADIUS:
+    if film_over_radius > MAX_FILM_OVER_RADIUS:
         raise NotInAtlasError(
-            f"a central film of {share:.2g} of R_x is outside the model: the gap there is no "
-            f"paraboloid, {MAX_FILM_OVER_RADIUS:g} is the most"
+            f"a central film of {film_over_radius:.2g} of R_x is outside the model: the gap there is "
+            f"no paraboloid, {MAX_FILM_OVER_RADIUS:g} is the most"
         )
 
 
