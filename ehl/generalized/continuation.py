@@ -176,8 +176,8 @@ def _start(
 
 def _raise_fraction(state: Multigrid, flow: GeneralizedFlow) -> tuple[Multigrid, float, int]:
     """Raise the fraction to 1 [-], the first cycles there included. Give the levels with the flow
-    of the last step, the fraction reached, below 1 if even the smallest step diverged, and the number of
-    steps halved.
+    of the last step, the fraction reached, below 1 if even the smallest step diverged, and the
+    number of steps halved.
     """
     follows = flow.continuation.follow_pressure
     damped = Continuation(relaxation=TEMPERATURE_RELAXATION, follow_pressure=follows)

@@ -34,12 +34,12 @@ def extrapolate(levels: Sequence[LevelHistory], kind: int, *, oblique: bool = Fa
     finest levels, and its error bar; not a number without levels.
 
     The bar is a fraction of the last step or of a quarter of the one before, which a step of
-    second order is, or what a sequence of the order that both show has its limit away from that of second
-    order, and what the cycles left. A step down by more than a quarter of the film is not
-    made, and is the bar at least. A level whose film cycles and equations leave open by half of
-    it is left out, with those below. Minimum films at an angle sit on a narrow ridge across the
-    mesh, and their sequence may turn late: steps that change sign or fall too fast count the whole
-    step before.
+    second order is, or what a sequence of the order that both show has its limit away from that of
+    second order, and what the cycles left. A step down by more than a quarter of the film is not
+    made, and is the bar at least. A level whose film cycles and equations leave open by half of it
+    is left out, with those below. Minimum films at an angle sit on a narrow ridge across the mesh,
+    and their sequence may turn late: steps that change sign or fall too fast count the whole step
+    before.
 
     Parameters
     ----------

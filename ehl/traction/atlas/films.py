@@ -463,8 +463,8 @@ def _require_thin(film_over_radius: float) -> None:
     """NotInAtlasError unless the film over R_x leaves the gap a paraboloid [-]."""
     if film_over_radius > MAX_FILM_OVER_RADIUS:
         raise NotInAtlasError(
-            f"a central film of {film_over_radius:.2g} of R_x is outside the model: the gap there is "
-            f"no paraboloid, {MAX_FILM_OVER_RADIUS:g} is the most"
+            f"a central film of {film_over_radius:.2g} of R_x is outside the model: the gap "
+            f"there is no paraboloid, {MAX_FILM_OVER_RADIUS:g} is the most"
         )
 
 
