@@ -38,7 +38,7 @@ def film(contact):
 
 def main():
     """Print one line per constant: halved and doubled for each contact, the box not widened by the load outside."""
-    with patch.object(open_box, "EXTERIOR_SHARE", 1e9):
+    with patch.object(open_box, "EXTERIOR_FRACTION", 1e9):
         base = [film(contact) for contact in CONTACTS]
         print(f"{'':12}" + "".join(f"{contact!s:>26}" for contact in CONTACTS))
         print(f"{'bar':12}" + "".join(f"{value.relative_uncertainty:26.2%}" for value in base))

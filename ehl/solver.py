@@ -34,10 +34,10 @@ from .multigrid.verdict import (
     error_by_box,
     film_over_radius,
     film_value,
-    judged,
     resolution_message,
     tolerance_judged,
     tolerance_reached,
+    with_status,
 )
 from .options import SolverOptions
 from .scaling import ScaledContact, scale_contact
@@ -412,7 +412,7 @@ def _assembled(
         ),
         result,
     )
-    return judged(_solution(conditions, options, result, record), error_by_box(result))
+    return with_status(_solution(conditions, options, result, record), error_by_box(result))
 
 
 def with_history(record: ConvergenceRecord, result: AttemptResult) -> ConvergenceRecord:

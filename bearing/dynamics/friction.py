@@ -6,7 +6,8 @@ from math import inf
 import numpy as np
 
 from ehl.traction._kernels import LEAST_SPEED
-from ehl.traction.laws import EllipseLaw, FrictionLaw
+from ehl.traction.law import TractionLaw
+from ehl.traction.laws import EllipseLaw
 from ehl.traction.quadrature import EllipseRule, ellipse_nodes
 from ehl.traction.table.table import LOAD_POWER, TractionTable
 
@@ -27,8 +28,8 @@ class RaceFriction:
     """Friction of both races: laws of a coefficient, or tables, or none; ValueError for others."""
 
     # None: frictionless
-    inner: FrictionLaw | None = None
-    outer: FrictionLaw | None = None
+    inner: TractionLaw | None = None
+    outer: TractionLaw | None = None
     # a coefficient counts at the contact's centre alone: no spin moment, no slip by curvature
     at_centre: bool = False
 

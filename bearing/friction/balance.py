@@ -31,7 +31,7 @@ from .cage import (
     taken_pocket_power,
     with_land,
 )
-from .law import TINY, ContactLaw
+from .law import TINY, ContactFriction
 from .newton import BALANCE_TOLERANCE, MotionProblem, contacts_of, pocket_power
 from .resistance import NO_RESISTANCE, Resistance, ResistedPower
 
@@ -105,7 +105,7 @@ def curvature_slip(
 def balance_driven_balls(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    law: ContactLaw,
+    law: ContactFriction,
     resistance: Resistance = NO_RESISTANCE,
 ) -> BalancedFriction:
     """Motion of all balls in balance, as `balance_balls`, with balls that would skid driven by the
@@ -122,7 +122,7 @@ def balance_driven_balls(
         equilibrium of the bearing
     contacts : Sequence[BearingContact]
         all of its contacts, inner then outer, ball by ball
-    law : ContactLaw
+    law : ContactFriction
         friction of the contacts
     resistance : Resistance, default NO_RESISTANCE
         drag of the oil around the balls and of the cage's guidance
@@ -189,7 +189,7 @@ def sliding_ratio(balance: BalancedFriction, contacts: Sequence[BearingContact])
 def balance_balls(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    law: ContactLaw,
+    law: ContactFriction,
     *,
     gyroscopic: bool = True,
     driven: NDArray[np.bool_] | None = None,
@@ -204,7 +204,7 @@ def balance_balls(
         equilibrium of the bearing, SI
     contacts : Sequence[BearingContact]
         all of its contacts, inner then outer, ball by ball
-    law : ContactLaw
+    law : ContactFriction
         friction of the contacts
     gyroscopic : bool, default True
         whether the contacts have to hold the gyroscopic couple
@@ -239,7 +239,7 @@ def balance_balls(
 def _problem(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    law: ContactLaw,
+    law: ContactFriction,
     driven: NDArray[np.bool_],
     kinematics: MotionMap,
 ) -> MotionProblem:

@@ -21,7 +21,7 @@ from ..multigrid.open_box import choose_domain
 from ..options import SolverOptions
 from ..scaling import ScaledContact, scale_contact
 from ..solution import ContactSolution, ConvergenceRecord
-from ..solver import at_load, judged
+from ..solver import at_load, with_status
 from .levels import lattices, level_on
 from .newton import Level, Progress, balance, newton
 from .start import Start, hertz_start, start_from_level, start_from_solution
@@ -239,7 +239,7 @@ def _solution(
         message=message,
         record=record,
     )
-    return judged(solution)
+    return with_status(solution)
 
 
 def _fineness(X: Array, H: Array, minimum: float, contact: ScaledContact) -> float:

@@ -34,12 +34,12 @@ from ehl.traction.atlas.fields import (
     SECTORS,
     TREND,
     FieldTable,
-    carried,
+    carried_load_fraction,
     field_vectors,
     fields_of_vector,
     kernel,
     layout,
-    sheared,
+    sheared_area,
 )
 from ehl.traction.atlas.table import oil_features, trend_terms
 from ehl.traction.film_quadrature import (
@@ -114,9 +114,9 @@ def vector(zone, blocks, scales, damping):
     found[parts.pressure] = (half[4] / scales[4]).ravel()
     found[parts.film] = np.log(half[3] / scales[3]).ravel()
     found[parts.cells] = cells(blocks, scales).ravel()
-    found[parts.load] = carried(found)
+    found[parts.load] = carried_load_fraction(found)
     found[parts.damping] = damping
-    found[parts.shear] = log(sheared(found))
+    found[parts.shear] = log(sheared_area(found))
     return found
 
 
