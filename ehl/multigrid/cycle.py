@@ -169,9 +169,11 @@ def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
     """Relaxation of every second line of a range, the changes left to `spread_changes`."""
     grid = level.grid
     fill = level.fill
-    couette = (level.flow_x, level.slope_x, level.flow_y, level.slope_y)
     lateral = level.factors.couette_y is not None
-    oil = (level.scratch, level.kinds, level.scratch)  # in place of those of a layer
+    across = (level.flow_y, level.slope_y) if lateral else (None, None)
+    stored = level.storage.size > 0
+    reversing = True if stored or level.factors.couette_x is not None else None
+    oil = (None, None, None)
     if fill is not None:
         oil = (fill.residual, fill.empty, fill.share)
     return partial(
@@ -179,15 +181,16 @@ def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
         level.P,
         level.H,
         level.eps,
-        *couette,
-        lateral,
+        level.flow_x,
+        level.slope_x,
+        *across,
+        reversing,
         level.f,
-        level.storage,
+        level.storage if stored else None,
         level.kernel.near,
         grid.hx,
         grid.hy,
         grid.symmetric,
-        fill is not None,
         *oil,
         damping.gauss_seidel,
         damping.switch * max(1.0, grid.hy / grid.hx) ** 1.5,
@@ -196,11 +199,15 @@ def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
     )
 
 
+def _flow_across(level: Level) -> Array | None:
+    """Density times the velocity across the lines; None where nothing flows there."""
+    return None if level.factors.couette_y is None else level.flow_y
+
+
 def reynolds_operator(level: Level) -> Array:
     """L(P) of a level whose flow is up to date, shape (ny, nx); the level's own scratch [-]."""
     grid = level.grid
-    lateral = level.factors.couette_y is not None
-    couette = (level.flow_x, level.flow_y, lateral)
+    couette = (level.flow_x, _flow_across(level))
     _kernels.reynolds_operator(
         level.P, level.H, level.eps, *couette, grid.hx, grid.hy, grid.symmetric, level.scratch
     )
@@ -234,7 +241,7 @@ def relative_residual(state: Multigrid, index: int) -> tuple[float, float]:
     """
     level = state.levels[index]
     residual = reynolds_residual(state, index)
-    couette = (level.flow_x, level.flow_y, level.factors.couette_y is not None)
+    couette = (level.flow_x, _flow_across(level))
     size, balance, divergence = _kernels.residual_sums(
         level.P, level.H, residual, *couette, level.grid.hx, level.grid.hy
     )
