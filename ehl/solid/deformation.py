@@ -93,18 +93,18 @@ def deflect(kernel: DeflectionKernel, pressure: Array, threads: int = 1) -> Arra
     Columns of a symmetric grid are even about their first line: a cosine series of type 3 there,
     type 2 back (Makhoul, 1980), half as long as the padded columns of other grids.
     """
-    with fft.set_workers(threads):
-        rows = fft.rfft(pressure, n=kernel.length_x, axis=1)
-        if kernel.symmetric:
-            beyond = kernel.far * rows[-1]
-            series = fft.dct(rows.view(np.float64), type=3, n=len(kernel.spectrum), axis=0)
-            series *= kernel.spectrum
-            series = fft.dct(series, type=2, axis=0, overwrite_x=True)
-            rows = series[: kernel.shape[0]].view(np.complex128)
-            rows[-1] += beyond
-        else:
-            columns = fft.fft(rows, n=len(kernel.spectrum), axis=0)
-            columns *= kernel.spectrum
-            rows = fft.ifft(columns, axis=0, overwrite_x=True)[: kernel.shape[0]]
-        deflection = fft.irfft(rows, n=kernel.length_x, axis=1, overwrite_x=True)
+    rows = fft.rfft(pressure, n=kernel.length_x, axis=1, workers=threads)
+    if not kernel.symmetric:
+        columns = fft.fft(rows, n=len(kernel.spectrum), axis=0, workers=threads)
+        columns *= kernel.spectrum
+        rows = fft.ifft(columns, axis=0, overwrite_x=True, workers=threads)[: len(rows)]
+    else:
+        beyond = kernel.far * rows[-1]
+        columns = rows.view(np.float64)
+        series = fft.dct(columns, type=3, n=len(kernel.spectrum), axis=0, workers=threads)
+        series *= kernel.spectrum
+        series = fft.dct(series, type=2, axis=0, overwrite_x=True, workers=threads)
+        rows = series[: len(rows)].view(np.complex128)
+        rows[-1] += beyond
+    deflection = fft.irfft(rows, n=kernel.length_x, axis=1, overwrite_x=True, workers=threads)
     return np.ascontiguousarray(deflection[:, : kernel.shape[1]])
