@@ -21,5 +21,6 @@
 | integrity | whether files of results are as they were written |
 | output_lock | one writer at a time, and what killed ones have left |
 | interrupt | messages, and work that an interrupt lets finish |
-| kernel_cache | where compiled kernels are kept |
+| kernel_cache | folder of compiled kernels, and kernels that are compiled ahead of their use |
+| warm_up | kernels compiled in a process of its own |
 """
