@@ -31,6 +31,8 @@ from .arrays import (
     Constants,
     EquationData,
     FrictionData,
+    changed_data,
+    equation_data,
 )
 from .bodies import free_coordinates
 from .choices import Guidance, LoadType, NormalLaw
@@ -87,7 +89,7 @@ def assemble(
     races = _race_frictions(bearing, model, schedule)
     if cage is not None and cage.guidance is Guidance.BALLS:  # else nothing would centre it
         numbers = numbers._replace(pocket_circle=0.5 * bearing.pitch_diameter)
-    return EquationData(
+    return equation_data(
         constants=numbers,
         normal=laws,
         friction_kind=friction_kind(model, races, laws),
@@ -249,7 +251,7 @@ def with_equations(
     free = free_array(kind, operation, model)
     indices = solved_places(free, data.constants.balls)
     mechanical = _mechanical(indices, data.constants.balls)
-    return data._replace(free=free, solved=indices, mechanical=mechanical)
+    return changed_data(data, free=free, solved=indices, mechanical=mechanical)
 
 
 def _mechanical(indices: NDArray[np.int64], balls: int) -> int:
@@ -288,7 +290,8 @@ def friction_kind(model: DynamicsModel, races: list[FrictionData], laws: Array) 
             "normal: a lubricated contact needs traction tables, which hold its film and damping"
         )
     for race, data, law in zip(Race, races, laws, strict=False):
-        check_film(data, law, race.value)
+        if data.table is not None:
+            check_film(data.table, law, race.value)
     return FILM
 
 

@@ -13,7 +13,17 @@ from ehl.traction.table.table import LOAD_POWER, TractionTable
 
 from ..friction.sources import RaceTraction
 from ..geometry import Bearing, Race
-from .arrays import COEFFICIENT, EXPONENT, FRICTIONLESS, STIFFNESS, TABLE, Array, FrictionData
+from .arrays import (
+    COEFFICIENT,
+    EXPONENT,
+    FRICTIONLESS,
+    STIFFNESS,
+    TABLE,
+    Array,
+    CoefficientData,
+    FrictionData,
+    TableData,
+)
 from .contact._film_kernels import film_and_slope, weights
 
 CENTRE = np.array([[0.0], [0.0], [1.0]])  # one point with all of the load [-]
@@ -75,17 +85,15 @@ class RaceFriction:
         """
         law = self.inner if race is Race.INNER else self.outer
         disc = CENTRE if self.at_centre else ellipse_nodes(EllipseRule.TIME_STEPS)
-        coefficient = (np.zeros(1), np.zeros(5))
         if isinstance(law, TractionTable):
             axes, constants, scalars, values = law.kernel_arguments()
             constants = constants.copy()
             constants[LEAST_SPEED] = rest / TABLE_SLIDE
-            return FrictionData(disc, *coefficient, axes, constants, scalars, values)
+            return FrictionData(None, TableData(axes, constants, scalars, values))
         if isinstance(law, EllipseLaw):
-            coefficient = (law.coefficient.at_rest(rest).kernel_law, law.shape.constants)
-        no_values = np.zeros((1,) * 6, dtype=np.int16)
-        no_table = (np.zeros((5, 3)), np.zeros(1), np.zeros((1, 1, 1)))
-        return FrictionData(disc, *coefficient, *no_table, no_values)
+            numbers = (law.coefficient.at_rest(rest).kernel_law, law.shape.constants)
+            return FrictionData(CoefficientData(disc, *numbers), None)
+        return FrictionData(None, None)
 
 
 def race_friction(
@@ -113,7 +121,7 @@ def race_friction(
     return RaceFriction(inner=inner, outer=outer, at_centre=at_centre)
 
 
-def check_film(data: FrictionData, law: Array, name: str) -> None:
+def check_film(data: TableData, law: Array, name: str) -> None:
     """Check that the load rises with the approach over the whole table of a race.
 
     No film may thicken faster than the bodies give way.

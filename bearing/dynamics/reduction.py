@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ehl.traction.quadrature import STRAIGHT_NODES, unit_gauss
 
 from ._kernels import solved_derivative
-from .arrays import LOAD_COLUMNS, Array, EquationData, FrictionData
+from .arrays import LOAD_COLUMNS, Array, EquationData, FrictionData, changed_data
 from .choices import LoadType
 from .layout import BODIES, FREE_TURN, Layout
 from .record import ContactHistory, Record, SimulationState
@@ -66,7 +66,7 @@ def derivative(t: float, y: Array, data: EquationData, dy: Array) -> None:
         rates, written [SI]
     """
     data.whole[:] = y
-    solved_derivative(t, y[data.solved], data, np.empty(data.solved.size))
+    solved_derivative(t, y[data.solved], data.kernel, np.empty(data.solved.size))
     y[:] = data.whole
     dy[:] = data.rates
 
@@ -191,7 +191,8 @@ def solved_motion(kind: LoadType, data: EquationData) -> SolvedMotion:
     """
     balls = data.constants.balls
     if kind in MIRRORED:
-        mirrored = data._replace(
+        mirrored = changed_data(
+            data,
             constants=data.constants._replace(mirrored=1),
             friction_inner=_straight(data.friction_inner),
             friction_outer=_straight(data.friction_outer),
@@ -204,8 +205,10 @@ def solved_motion(kind: LoadType, data: EquationData) -> SolvedMotion:
 
 def _straight(friction: FrictionData) -> FrictionData:
     """Nodes along half the ellipse; the centre stays where it counts alone."""
-    at_centre = friction.disc.shape[1] == 1
-    return friction if at_centre else friction._replace(disc=unit_gauss(STRAIGHT_NODES))
+    law = friction.coefficient
+    if law is None or law.disc.shape[1] == 1:
+        return friction
+    return friction._replace(coefficient=law._replace(disc=unit_gauss(STRAIGHT_NODES)))
 
 
 def _one_ball(data: EquationData) -> EquationData:
@@ -213,7 +216,8 @@ def _one_ball(data: EquationData) -> EquationData:
     balls = data.constants.balls
     layout = Layout(1)
     indices = solved_places(data.free, 1)
-    return data._replace(
+    return changed_data(
+        data,
         constants=data.constants._replace(balls=1, copies=balls),
         pocket_angle=data.pocket_angle[:1].copy(),
         pocket_place=data.pocket_place[:1].copy(),

@@ -98,9 +98,10 @@ class Simulation:
         """
         if self._in_use is None or self._in_use[0] is not self.data:
             general = with_equations(self.data, LoadType.GENERAL, self.operation, self.model)
-            laws = {name: np.zeros_like(getattr(general, name)) for name in LINEARISED}
+            for name in LINEARISED:
+                getattr(general, name)[:] = 0.0
             motion = solved_motion(self.state.kind, self.data)
-            self._in_use = self.data, motion, general._replace(**laws)
+            self._in_use = self.data, motion, general
         return self._in_use
 
     @property
@@ -341,7 +342,7 @@ def from_state(
     )
     energy = np.zeros(3)
     derivative(0.0, y, data, np.zeros_like(y))
-    energies(y, data, energy)
+    energies(y, data.kernel, energy)
     return Simulation(
         bearing=bearing,
         operation=operation,

@@ -231,9 +231,11 @@ def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
     """Relaxation of every second line of a range, the changes left to `spread_changes`."""
     grid = level.grid
     film_content = level.film_content
-    couette = (level.flow_x, level.slope_x, level.flow_y, level.slope_y)
     lateral = level.factors.couette_y is not None
-    oil = (level.scratch, level.node_types, level.scratch)  # in place of those of a layer
+    across = (level.flow_y, level.slope_y) if lateral else (None, None)
+    stored = level.storage.size > 0
+    reversing = True if stored or level.factors.couette_x is not None else None
+    oil = (None, None, None)
     if film_content is not None:
         oil = (film_content.residual, film_content.empty, film_content.fraction_along)
     return partial(
@@ -241,21 +243,27 @@ def _line_sweep(level: Level, damping: Damping) -> Callable[[int, int], None]:
         level.P,
         level.H,
         level.eps,
-        *couette,
-        lateral,
+        level.flow_x,
+        level.slope_x,
+        *across,
+        reversing,
         level.f,
-        level.storage,
+        level.storage if stored else None,
         level.kernel.near,
         grid.hx,
         grid.hy,
         grid.symmetric,
-        film_content is not None,
         *oil,
         damping.gauss_seidel,
         damping.switch * max(1.0, grid.hy / grid.hx) ** 1.5,
         level.node_types,
         level.scratch,
     )
+
+
+def _flow_across(level: Level) -> Array | None:
+    """Density times the velocity across the lines; None where nothing flows there."""
+    return None if level.factors.couette_y is None else level.flow_y
 
 
 def reynolds_operator(level: Level) -> Array:
@@ -272,8 +280,7 @@ def reynolds_operator(level: Level) -> Array:
         L(P), shape (ny, nx), in the scratch array of the level [-]
     """
     grid = level.grid
-    lateral = level.factors.couette_y is not None
-    couette = (level.flow_x, level.flow_y, lateral)
+    couette = (level.flow_x, _flow_across(level))
     _kernels.reynolds_operator(
         level.P, level.H, level.eps, *couette, grid.hx, grid.hy, grid.symmetric, level.scratch
     )
@@ -336,7 +343,7 @@ def relative_residual(state: Multigrid, index: int) -> tuple[float, float]:
     """
     level = state.levels[index]
     residual = reynolds_residual(state, index)
-    couette = (level.flow_x, level.flow_y, level.factors.couette_y is not None)
+    couette = (level.flow_x, _flow_across(level))
     size, balance, divergence = _kernels.residual_sums(
         level.P, level.H, residual, *couette, level.grid.hx, level.grid.hy
     )

@@ -51,7 +51,7 @@ class Linearisation:
     eps: Array  # flow coefficient
     eps_by_pressure: Array  # its derivative by P
     eps_by_film: Array  # its derivative by H
-    couette: tuple[Array, Array, bool]  # rho u; rho v and whether it is used
+    couette: tuple[Array, Array | None]  # rho u, rho v; None where nothing flows along y
     content_by_pressure: Array  # (rho'/rho) H
     density: Array  # rho, over that at ambient pressure
     H: Array  # film, shape (ny, nx)
@@ -107,7 +107,10 @@ def linearise(state: Multigrid, index: int) -> Linearisation:
         eps=level.eps.copy(),
         eps_by_pressure=level.eps * (density - viscosity),
         eps_by_film=_over_film(3.0 * level.eps, level.H),
-        couette=(level.flow_x.copy(), level.flow_y.copy(), level.factors.couette_y is not None),
+        couette=(
+            level.flow_x.copy(),
+            None if level.factors.couette_y is None else level.flow_y.copy(),
+        ),
         content_by_pressure=density * level.H,
         density=ratio,
         H=level.H.copy(),
@@ -304,7 +307,7 @@ def poiseuille_change(
     by_flow = np.zeros_like(change)
     still = np.zeros_like(change)
     eps = lin.eps_by_pressure * change + lin.eps_by_film * film
-    standing = (still, still, False)
+    standing = (still, None)
     couette = standing if content is None else lin.couette
     carried = still if content is None else content
     _kernels.reynolds_operator(change, still, lin.eps, *standing, *lin.mesh, by_pressure)
@@ -419,9 +422,9 @@ def _wedge_matrix(lin: Linearisation, nodes: _Nodes) -> sparse.csr_matrix:
     """Derivative of d_X(flow_x H) + d_Y(flow_y H) by H: (3, -4, 1)/2 upstream, central where that
     leaves the grid. Behind an empty node what enters does not depend on H.
     """
-    flow_x, flow_y, lateral = lin.couette
+    flow_x, flow_y = lin.couette
     entries = _upstream(nodes, flow_x, (0, 1), lin.grid.hx, _filling(lin, nodes))
-    if lateral:
+    if flow_y is not None:
         full = np.zeros(len(nodes.j), dtype=np.bool_)
         entries += _upstream(nodes, flow_y, (1, 0), lin.grid.hy, full)
     return nodes.matrix(entries)

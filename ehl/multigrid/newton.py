@@ -252,7 +252,7 @@ def factor(state: Multigrid, index: int, lin: Linearisation) -> Factored:
     columns = sparse.diags(np.where(dry, 0.0, 1.0))
     identity = sparse.diags(np.where(dry, 1.0, 0.0))
     # the wedge reaches two nodes upstream, the near field one node more
-    reach = 3 if lin.couette[2] else 2
+    reach = 2 if lin.couette[1] is None else 3
     order = nested_dissection(lin.P.shape, (reach, 3))
     row = load_row(state, index, lin.load_by_film).ravel()
     border = load_border(lin, diagonal, row)

@@ -151,5 +151,5 @@ def _kapitza_error(rotation: float, cells: int) -> float:
     eps = H**3 / contact.speed
     no_flow = np.zeros_like(P)
     left = np.empty_like(P)
-    _kernels.reynolds_operator(P, H, eps, no_flow, no_flow, False, grid.hx, grid.hy, False, left)
+    _kernels.reynolds_operator(P, H, eps, no_flow, None, grid.hx, grid.hy, False, left)
     return float(np.abs(left - couette)[1:-1, 1:-1].max())

@@ -56,7 +56,7 @@ def advance_explicit(
     record = empty_record(times, motion.solved)
     stages = np.zeros((STAGE_ROWS, y.size))
     status, rows, state.time, state.step = _kernels.advance_samples(
-        state.time, y, state.step, motion.data, control, motion.scale(scale),
+        state.time, y, state.step, motion.data.kernel, control, motion.scale(scale),
         stages, np.zeros(y.size), history, state.counters, record,
     )  # fmt: skip
     motion.finish(state, y, history)
@@ -118,7 +118,7 @@ def advance_implicit(
             limits = (float(time), control, motion.scale(scale))
             if not _advance_to(state, motion, (y, history), limits, progress):
                 break
-            _kernels.sample(y, motion.data, history, record, row)
+            _kernels.sample(y, motion.data.kernel, history, record, row)
             reached = row + 1
     motion.finish(state, y, history)
     record = first_rows(motion.whole_record(record), reached)
@@ -140,8 +140,8 @@ def _advance_to(
     rates = np.zeros_like(y)
     data.linear[:] = 0.0  # each evaluation asks the laws of friction and films
     data.pocket_films[:] = 0.0
-    solved_derivative(state.time, y, data, rates)
-    _kernels.begin_steps(data)
+    solved_derivative(state.time, y, data.kernel, rates)
+    _kernels.begin_steps(data.kernel)
     if limits[0] <= state.time:  # the explicit steps were given up right at a sample
         return True
     solver = _solver(state, data, y, limits)
@@ -154,8 +154,8 @@ def _advance_to(
             return False
         step = solver.t - solver.t_old
         y[: solver.n] = solver.y
-        solved_derivative(solver.t, y, data, rates)
-        _kernels.end_step(solver.t, y, step, data, history)
+        solved_derivative(solver.t, y, data.kernel, rates)
+        _kernels.end_step(solver.t, y, step, data.kernel, history)
         state.counters[STEPS] += 1
         state.time = solver.t
         state.step = step
@@ -176,13 +176,13 @@ def _solver(
 
     def rates(t: float, y: Array) -> Array:
         full[:size] = y
-        solved_derivative(t, full, data, derivative)
+        solved_derivative(t, full, data.kernel, derivative)
         return derivative[:size].copy()
 
     def slopes(t: float, y: Array) -> Array:
         full[:size] = y
         out = np.zeros((size, size))
-        jacobian(t, full, data, scale, out[:mechanical, :mechanical])
+        jacobian(t, full, data.kernel, scale, out[:mechanical, :mechanical])
         return out
 
     energy = np.maximum(np.abs(y[mechanical:size]), 1.0) * ACCUMULATOR_TOLERANCE
